@@ -34,7 +34,6 @@ pub(crate) const BEFORE: &str = include_str!("../before.tsv");
 pub(crate) struct Cost {
     /// The system, and whether the block has claims.
     pub(crate) block: String,
-    /// The time in the macro, which Cargo builds unoptimised.
     pub(crate) expansion: f64,
     /// The unoptimised compiler time beyond an empty crate, including the macro.
     pub(crate) debug: f64,
@@ -195,7 +194,6 @@ pub(crate) fn to_text(costs: &[Cost]) -> String {
     lines.collect()
 }
 
-/// Reads figures; lines that begin with `#` are comments.
 pub(crate) fn from_text(text: &str) -> Result<Vec<Cost>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let cost = |line: &str| {

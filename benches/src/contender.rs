@@ -26,7 +26,6 @@ pub(crate) struct Contender {
 }
 
 impl Contender {
-    /// Makes a contender that applies `step` repeatedly from `start`.
     pub(crate) fn new<const N: usize>(
         name: &'static str,
         role: Role,

@@ -7,7 +7,6 @@ use nalgebra::{Const, DimMin};
 
 use crate::rivals::{diffsol, dop853, midpoint, runge_kutta};
 
-/// The simulated time.
 pub(crate) const SPAN: f64 = 8.0;
 
 /// The step 2ε of fixed-step methods.
@@ -31,7 +30,6 @@ impl Journey {
         Self { name, go: Box::new(move || go(std::hint::black_box(start)).to_vec()) }
     }
 
-    /// Returns the state at [`SPAN`].
     pub(crate) fn end(&self) -> Vec<f64> {
         (self.go)()
     }

@@ -17,7 +17,6 @@ const SAMPLES: usize = 32;
 
 pub(crate) const COMPOSITION: Composition = Composition::KAHAN_LI_8;
 
-/// A method at its cheapest setting.
 pub(crate) struct Run {
     pub(crate) name: String,
     pub(crate) error: f64,

@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 pub(crate) struct Effort {
     /// The number of rounds; each times every runner once.
     pub(crate) rounds: usize,
-    /// The time of one runner in one round.
     pub(crate) sample: Duration,
 }
 
@@ -43,7 +42,6 @@ impl Quartiles {
 pub(crate) struct Standing {
     /// The least nanoseconds per unit over all rounds, as on an undisturbed machine.
     pub(crate) nanoseconds: f64,
-    /// The ratio to the first runner's time in each round.
     pub(crate) ratio: Quartiles,
 }
 

@@ -119,7 +119,6 @@ fn speed(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Returns the promise and price of each tier.
 fn tiers(effort: Effort) -> Result<Table> {
     let prices = report::tier_prices(effort)?;
     let mut table = Table::new(&["tier", "how", "promise", "price"]);
@@ -134,7 +133,6 @@ fn tiers(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Returns the shares of silently wrong results, and of errors in the stable tier.
 fn extremes(judged: &Value) -> Result<Table> {
     let cells = judged["cells"].as_array().context("no cells in `kahan extremes --json`")?;
     let mut regimes: Vec<&str> = cells.iter().filter_map(|cell| cell["regime"].as_str()).collect();

@@ -17,7 +17,6 @@ pub(crate) struct System {
     pub(crate) dimension: usize,
     /// Contenders for one step; the first one, the generated step, is the reference.
     pub(crate) steps: Vec<Contender>,
-    /// Integrations over a fixed time.
     pub(crate) journeys: Vec<Journey>,
 }
 

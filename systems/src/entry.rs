@@ -82,7 +82,6 @@ impl Entry {
         Entry { flow: Some(flow), ..self }
     }
 
-    /// Sets the sources of the claims.
     pub(crate) const fn with_sources(self, sources: &'static [(&'static str, &'static str)]) -> Self {
         Entry { sources, ..self }
     }

@@ -25,7 +25,6 @@ pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;
 /// closed form passes through the point, or if an argument has the wrong length.
 pub type ClosedFlow = fn(parameters: &[Precise], start: &[Precise]) -> Option<Trajectory>;
 
-/// Converts a solution to a trajectory.
 pub(crate) fn trajectory<S: 'static, const N: usize>(
     solution: Result<S, OutOfDomain>,
     at: fn(&S, &Precise) -> SVector<Precise, N>,

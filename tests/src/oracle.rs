@@ -48,7 +48,6 @@ fn matrix(value: &Value) -> Matrix {
 }
 
 impl<'a> Entry<'a> {
-    /// Returns the value of a key; `None` if absent or `null`.
     fn get(&self, key: &str) -> Option<&'a Value> {
         self.0.get(key).filter(|value| !value.is_null())
     }

@@ -156,7 +156,6 @@ fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<
     Some(vec![2.0 * eps * (error + unit * (velocity + error)); n])
 }
 
-/// Returns A(x,ε): the rows of Â divided by the denominators of the equations.
 fn exact_matrix(field: &Field, values: &[Q]) -> Matrix {
     let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
         let divisor = evaluate(component.denominator(), values);

@@ -74,7 +74,6 @@ fn quoted(text: &str) -> impl Iterator<Item = String> {
     text.split('`').skip(1).step_by(2).map(str::to_owned)
 }
 
-/// Reads the table of ARCHITECTURE.md with the columns "crate" and "may use".
 fn of_the_table() -> Uses {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let mut rows = text.lines().skip_while(|line| cells(line).next() != Some("crate"));

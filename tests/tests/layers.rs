@@ -147,7 +147,6 @@ impl Layered {
         self.source().join(if self.module.is_some() { "mod.rs" } else { "lib.rs" })
     }
 
-    /// Maps the root's names to the folders that define them.
     fn exports(&self) -> BTreeMap<String, String> {
         let lib = code(&self.root_file());
         let exported = after(&lib, "pub use ").flat_map(paths);

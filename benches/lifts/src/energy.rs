@@ -18,7 +18,6 @@ const KEPT: [&str; 9] = [
     "Toda chain of 3",
 ];
 const STEPS: u64 = 1_000_000;
-/// The number of samples of the energies.
 const LOOKS: u64 = 10_000;
 /// The number of initial states, which differ by millionths.
 const STARTS: u32 = 16;

@@ -15,7 +15,6 @@ use crate::systems::{System, distance, size};
 
 const EPS: f64 = 0.01;
 const TIME: f64 = 300.0;
-/// The number of samples of states and relations.
 const LOOKS: u32 = 300;
 const GOOD: f64 = 0.05;
 /// The factors by which ε is reduced if a lift is not good at ε = 0.01.
@@ -68,7 +67,6 @@ enum Predicted {
 }
 
 impl Predicted {
-    /// Returns the prediction for the relations that are not preserved.
     fn of(lift: &Lift) -> Self {
         match lift.relations.iter().filter_map(|one| one.along).find(|one| *one != Along::Kept) {
             Some(Along::Grows) => Predicted::Grows,

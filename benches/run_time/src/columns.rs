@@ -14,7 +14,6 @@ use crate::pair::{Pair, in_segments, timed};
 /// The number of trajectories, equal to that of the ensembles.
 const POINTS: usize = 512;
 
-/// Returns the tasks of one map on all available levels.
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,

@@ -12,7 +12,6 @@ use crate::pair::timed;
 const RATES: [(&str, f64); 3] = [("a1", 1.1), ("a2", -2.3), ("a3", 1.7)];
 const WEIGHTS: [(&str, f64); 3] = [("w1", 1.0), ("w2", 1.7), ("w3", 2.9)];
 
-/// Returns the tasks for fields with claims, of three and six variables.
 pub(crate) fn all() -> Vec<Task> {
     let (e6, euler, clebsch) = (
         include_str!("../../../systems/src/catalog/e6.rs"),

@@ -10,9 +10,7 @@ use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
 const BOUND: &str = "bound";
-/// One division of `f64`, four at a time.
 const DIVISIONS: &str = "divisions, AVX2";
-/// One multiply-add of `f64`, eight at a time.
 const MULTIPLY_ADDS: &str = "multiply-adds, AVX-512";
 const ENSEMBLE: &str = "ensemble";
 

@@ -63,15 +63,12 @@ pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<S
     Ok((sections, limits))
 }
 
-/// Nanoseconds of one step of a system.
 pub(crate) struct StepTimes {
     pub(crate) system: &'static str,
     pub(crate) generated: f64,
-    /// The fastest hand-written step.
     pub(crate) by_hand: f64,
     /// Kahan's map by nalgebra's LU of static size.
     pub(crate) lu: f64,
-    /// The implicit midpoint rule with Newton's method.
     pub(crate) midpoint: f64,
 }
 

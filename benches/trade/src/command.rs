@@ -19,7 +19,6 @@ pub(crate) struct Told {
     pub(crate) pace: f64,
 }
 
-/// Runs this checkout's command.
 pub(crate) fn choice(field: &str, start: &[&str], horizon: f64, tolerance: f64) -> Result<Told> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let before = pace();

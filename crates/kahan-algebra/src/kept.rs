@@ -60,7 +60,6 @@ pub(crate) struct WithConstants {
     /// For each added parameter the index of its subexpression.
     pub(crate) places: Vec<usize>,
     pub(crate) values: Values,
-    /// The symbols of the field, without the added parameters.
     pub(crate) symbols: Symbols,
 }
 
@@ -140,7 +139,6 @@ impl Values {
         })
     }
 
-    /// Expands named sums. The polynomial must not contain reciprocals.
     fn with_sums(&self, polynomial: &Polynomial) -> Polynomial {
         polynomial.variables().into_iter().fold(polynomial.clone(), |polynomial, variable| {
             match self.place(variable).map(|place| &self.values[place]) {

@@ -193,7 +193,6 @@ impl RationalFunction {
     }
 }
 
-/// Divides both polynomials by their gcd; at least one must be nonzero.
 fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polynomial, Polynomial)> {
     if a.is_one() || b.is_one() {
         return Ok((a.clone(), b.clone()));

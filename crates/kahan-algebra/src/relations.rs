@@ -203,7 +203,6 @@ fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial
     (parts.remove(&1).unwrap_or_default(), parts.remove(&0).unwrap_or_default())
 }
 
-/// Divides by all factors that the polynomial shares with `other`.
 fn without(mut polynomial: Polynomial, other: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     loop {
         let common = gcd_within(&polynomial, other, budget)?;

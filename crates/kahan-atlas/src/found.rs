@@ -73,7 +73,6 @@ impl<'a> Found<'a> {
         self.claims.iter().find(|checked| checked.claim.id == *id)
     }
 
-    /// Returns the claims whose names begin with `parts`.
     pub(super) fn claims_of(&self, parts: &[&str]) -> impl Iterator<Item = &Checked<'a>> {
         self.claims.iter().filter(move |checked| checked.claim.id.begins_with(parts))
     }

@@ -26,7 +26,6 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-/// Writes the section on the systems that are not in the paper.
 pub(super) fn further(found: &Found<'_>) -> Markup {
     html! {
         section #further {

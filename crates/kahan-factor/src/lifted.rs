@@ -58,7 +58,6 @@ fn residue(field: PrimeField, value: &BigInt) -> u64 {
     field.reduce(&Rational::from(value.clone())).expect("integers have residues")
 }
 
-/// Returns a·b modulo `modulus`, coefficients by exponent.
 pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers {
     let mut product = vec![BigInt::zero(); a.len() + b.len() - 1];
     for (shift, left) in a.iter().enumerate() {

@@ -15,11 +15,9 @@ pub(super) type Rows = Vec<Vec<u64>>;
 pub(super) struct Question<'a> {
     /// The product, up to a factor without x; all rows have equal length.
     pub(super) whole: &'a Rows,
-    /// The factors at y = point, with their exponents.
     pub(super) factors: &'a [(Dense, u32)],
     /// For each factor a multiple of its leading coefficient, by powers of y, as long as a row.
     pub(super) multipliers: &'a [Dense],
-    /// The value of y at which `factors` are known.
     pub(super) point: u64,
 }
 
@@ -99,7 +97,6 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
     Some(lifted)
 }
 
-/// Transposes; short rows are padded with zeros.
 fn transposed(rows: &[Dense], columns: usize) -> Rows {
     let column = |place: usize| rows.iter().map(|row| row.get(place).copied().unwrap_or(0)).collect();
     (0..columns).map(column).collect()

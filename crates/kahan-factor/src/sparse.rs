@@ -22,13 +22,11 @@ pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
 /// A polynomial to factor, with the factors of one of its images.
 pub(super) struct Problem<'a> {
-    /// The polynomial, with integer coefficients.
     pub(super) whole: &'a Polynomial,
     /// The variables of the polynomial, the main one first.
     pub(super) order: &'a [Variable],
     /// The values of all variables but the main one.
     pub(super) points: &'a [i64],
-    /// The factors at the points, with their exponents.
     pub(super) images: &'a [(Polynomial, u32)],
     /// For each factor a multiple of its leading coefficient in the main variable.
     pub(super) multipliers: &'a [Polynomial],

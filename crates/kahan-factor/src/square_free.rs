@@ -26,7 +26,6 @@ fn content_and_rest(
     Ok((content, rest.primitive_part()))
 }
 
-/// Decomposes a polynomial that is primitive in `main`.
 pub(super) fn yun(
     polynomial: &Polynomial,
     main: Variable,

@@ -192,7 +192,6 @@ fn candidate<'a>(
     product
 }
 
-/// Returns the quotient of integer polynomials if the division is exact.
 fn exact_quotient(whole: &Integers, divisor: &Integers) -> Option<Integers> {
     let divides = |a: &BigInt, b: &BigInt| if b.is_zero() { a.is_zero() } else { (a % b).is_zero() };
     if !divides(&whole[0], &divisor[0]) {

@@ -100,7 +100,6 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
 }
 
-/// The narrowest useful width for a formula.
 const NARROWEST: usize = 16;
 
 /// Distributes a width over columns: narrow columns get the width they need, the others equal

@@ -36,7 +36,6 @@ pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> 
     }
 }
 
-/// Decides the claim `statement` about the field of a block.
 pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, String) {
     let text = format!("{}\n{statement}", field_of(block));
     let tokens = lex(&text).tokens;

@@ -31,7 +31,6 @@ pub struct Claim {
 pub(super) enum Basis {
     /// A claim of the system's own `kahan!` block.
     Block {
-        /// The claim's index in the block.
         index: usize,
     },
     Formula {
@@ -41,7 +40,6 @@ pub(super) enum Basis {
         domain: Vec<(String, Rational, Rational)>,
         /// The orbit on which quantities are measured.
         orbit: Option<&'static Figure>,
-        /// The misprint that the claim corrects.
         misprint: Option<Misprint>,
     },
 }
@@ -49,7 +47,6 @@ pub(super) enum Basis {
 /// A misprinted formula, and an exact point that refutes it.
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
-    /// The printed relation, in the language of formulas.
     pub(super) printed: String,
     /// The point and both sides' values as definitions; empty if a measurement refutes the formula.
     pub(super) counterexample: String,

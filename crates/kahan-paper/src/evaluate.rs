@@ -28,7 +28,6 @@ pub(super) trait Calculus: Arithmetic<Constant = Rational> {
 pub(super) enum Trouble {
     /// A division by zero, or an argument outside a function's domain.
     Undefined,
-    /// An unknown name or call.
     Unknown(String),
 }
 
@@ -187,7 +186,6 @@ impl<A: Calculus> Evaluator<'_, A> {
         (index < self.model.dimension()).then_some(index)
     }
 
-    /// Evaluates the entries of a system's object, such as A.
     fn entries(&self, object: &str, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
         self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined)
     }

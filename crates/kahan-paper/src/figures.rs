@@ -32,7 +32,6 @@ pub struct Figure {
     pub caption: &'static str,
 }
 
-/// The initial state of most figures.
 const START: &[(i64, i64)] = &[(3, 7), (11, 13), (23, 47)];
 const START_4: &[(i64, i64)] = &[(7, 3), (11, 13), (23, 47)];
 const HALF: (i64, i64) = (1, 2);

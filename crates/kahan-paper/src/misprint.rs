@@ -24,7 +24,6 @@ impl Claim {
     }
 }
 
-/// Splits a statement into items with normalized spaces.
 fn items(statement: &str) -> Vec<String> {
     statement.split(';').map(|item| item.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 }

@@ -44,7 +44,6 @@ impl Model {
         self.derived.map.is_some()
     }
 
-    /// Returns the names of all variables, in the order of [`Values`].
     pub(super) fn names(&self) -> Vec<String> {
         let symbols = &self.system().field.symbols;
         let all = symbols.states.iter().chain(&symbols.parameters).cloned();

@@ -137,7 +137,6 @@ impl Paper {
         Ok((definitions, relations))
     }
 
-    /// Establishes all relations of a statement, and returns the weakest evidence.
     fn relations(&self, claim: &Claim, statement: &str) -> Result<Evidence, String> {
         let Basis::Formula { domain, .. } = &claim.basis else {
             return Err("a claim of a block".to_owned());

@@ -27,7 +27,6 @@ Examples:
   cargo run --release -- --all
 ";
 
-/// The width assumed for a terminal of unknown width.
 const USUAL_WIDTH: usize = 100;
 
 fn main() -> ExitCode {
@@ -46,7 +45,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// Proves the paper on all cores and prints the verdicts.
 fn proved(text: impl Fn(&Verdicts, usize) -> String) -> ExitCode {
     let begun = Instant::now();
     let paper = Paper::new();

@@ -96,7 +96,6 @@ fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     cos_pi(&(*sigma - fold)) / cos_pi(&(*sigma + fold))
 }
 
-/// Returns x as an integer, if it is one and |x| ≤ 64.
 fn small_integer<T: Real>(x: &T) -> Option<i64> {
     let n = x.to_f64();
     (n.abs() <= 64.0 && x.floor() == *x).then_some(n as i64)

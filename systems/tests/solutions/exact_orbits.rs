@@ -84,7 +84,6 @@ pub(crate) fn assert_on_orbit(
     exact.len()
 }
 
-/// A case rounded to `f64`.
 pub(crate) struct Rounded {
     pub(crate) parameters: Vec<f64>,
     pub(crate) eps: f64,

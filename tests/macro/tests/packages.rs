@@ -51,7 +51,6 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     entries.map(|entry| entry.expect("a readable folder").path()).collect()
 }
 
-/// Packs every published crate of the workspace and unpacks it into `folder`.
 fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     let target = folder.join("packing");
     run(Command::new(env!("CARGO"))

@@ -18,7 +18,6 @@ pub struct Generated {
     claims: Option<Box<dyn Claims>>,
 }
 
-/// The claims of a generated type, by its accessors.
 trait Claims {
     fn integrals(&self, x: &[Q], eps: Q) -> Vector;
     fn density(&self, x: &[Q], eps: Q) -> Option<Q>;

@@ -17,7 +17,6 @@ const EXACT: i64 = 1 << 24;
 #[derive(Clone, Debug)]
 pub(super) struct Rounded {
     pub(super) exact: Rational,
-    /// A bound on the error of the float.
     pub(super) error: f64,
 }
 
@@ -26,7 +25,6 @@ impl Rounded {
         self.exact.to_f64().abs()
     }
 
-    /// Adds one rounding.
     pub(super) fn rounded(self, unit: f64) -> Self {
         let error = self.error + unit * (self.size() + self.error);
         Self { error, ..self }

@@ -43,7 +43,6 @@ trait DeterminantByRows {
 }
 
 impl<const N: usize> DeterminantByRows for SMatrix<BigRational, N, N> {
-    /// Laplace's expansion along the rows.
     fn determinant_by_rows(&self) -> BigRational {
         fn minor<const N: usize>(
             matrix: &SMatrix<BigRational, N, N>,

@@ -189,7 +189,6 @@ fn large() -> impl Strategy<Value = String> {
         })
 }
 
-/// Generates families of every reach, with claims.
 fn far() -> impl Strategy<Value = String> {
     let reach = proptest::sample::select(&[1_usize, 2, 16, 63, 64, 65][..]);
     let boundary = proptest::sample::select(&["open", "periodic"][..]);

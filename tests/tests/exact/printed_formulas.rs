@@ -12,7 +12,6 @@ use kahan_tests::exact::{Q, Rationals, numbers, q, shown};
 use kahan_tests::expression::{Expression, evaluate};
 use kahan_tests::subject::{Subject, catalog, paper};
 
-/// The statements of the paper's claims, by identifier.
 static STATEMENTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
     let paper = Paper::new();
     paper.claims().iter().map(|claim| (claim.id.to_string(), claim.statement.clone())).collect()

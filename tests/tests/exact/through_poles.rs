@@ -44,7 +44,6 @@ fn simplest_near(number: &Q, distance: &Q) -> Q {
     }
 }
 
-/// Returns the greatest number of bits of a numerator or denominator.
 fn bits(point: &ProjectivePoint<Q, N>) -> usize {
     let of = |x: &Q| x.numer().bits().max(x.denom().bits());
     point.coordinates().iter().map(of).max().unwrap_or(0) as usize
@@ -137,7 +136,6 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
 /// bits more than the 64 u of an ordinary step.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
-/// Compares the float orbit from the rounded point with the exact orbit from there.
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let exactly = |value: f64| Q::from_float(value).expect("finite");
     let floats: Interpreted<f64, N> = map.rounded();

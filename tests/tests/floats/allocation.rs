@@ -14,7 +14,6 @@ use kahan_tests::random_systems::Dense6;
 
 const STEPS: usize = 100;
 
-/// Counts allocations of all ways to take steps, at ordinary points.
 fn allocations<M, const N: usize>(map: &M, start: [f64; N], eps: f64) -> u64
 where
     M: ExtendScalars<f64, N>,

@@ -48,7 +48,6 @@ impl Place {
     }
 }
 
-/// Returns whether det A > 0.
 fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
@@ -83,7 +82,6 @@ fn size(next: &Vector) -> f64 {
     next.iter().map(|entry| float(&entry.abs())).fold(0.0, f64::max)
 }
 
-/// The largest errors near the poles of a system, in ulps.
 #[derive(Default)]
 struct Worst {
     poles: usize,

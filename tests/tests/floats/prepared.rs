@@ -19,7 +19,6 @@ fn subjects() -> Vec<Subject> {
     paper().into_iter().chain(random()).collect()
 }
 
-/// Returns the bits of points; all NaNs are equal.
 fn bits<T: Into<f64> + Copy>(points: &[Vec<T>]) -> Vec<Vec<u64>> {
     let canonical = |entry: &T| {
         let entry: f64 = (*entry).into();

@@ -29,7 +29,6 @@ kahan! {
 
 /// A float type with the limits of the tests.
 trait Judged: Pivot + Copy + ToPrimitive {
-    /// Binary exponents of states and of ε.
     const STATES: i32;
     const EPS: i32;
     /// The exponent of the unit roundoff, −53 or −24.
@@ -163,7 +162,6 @@ where
     }
 }
 
-/// Checks points of all kinds for one map.
 fn sample<T, M, const N: usize>(name: &str, map: &M, trials: usize) -> Tally
 where
     T: Judged,

@@ -96,7 +96,6 @@ fn the_euler_top_keeps_the_ratio_of_its_quadratic_forms() {
     assert!(before[0] != after[0] && before[1] != after[1]);
 }
 
-/// Returns the errors at a fixed time for 8, 16, 32 and 64 steps.
 fn errors<M, const N: usize>(map: &M, start: [f64; N], time: f64, composition: Composition) -> [f64; 4]
 where
     M: KahanMap<Dd, N>,

@@ -28,7 +28,6 @@ use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
 use orbits::ORBITS;
 
-/// The time limit for the weakenings of a change.
 const MINUTES: u64 = 3;
 
 /// The number of further weakenings that are tried.
@@ -155,7 +154,6 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
     }
 }
 
-/// Ends a cargo process with its process group, and waits for it.
 fn end(cargo: &mut Child) {
     let group = format!("-{}", cargo.id());
     Command::new("kill").args(["-TERM", "--", &group]).status().expect("a group can be ended");

@@ -225,7 +225,6 @@ impl Compiler<'_> {
     }
 }
 
-/// Returns the state indices of a bracket's entries (none for other claims); reports wrong entries.
 fn entry_places(
     claim: &syntax::Claim,
     scope: &Scope,

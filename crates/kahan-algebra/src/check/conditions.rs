@@ -18,7 +18,6 @@ use crate::system::Condition;
 use super::expand::{Expansion, expand_as_written, is_spent};
 use super::names::Scope;
 
-/// Solves the relations behind `when`; `None` if one is broken.
 pub(super) fn evaluate(
     written: &[syntax::Condition],
     components: &[RationalFunction],

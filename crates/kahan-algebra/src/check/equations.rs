@@ -44,7 +44,6 @@ pub(super) fn expand_all(
     (components, Kept::new(values, kept))
 }
 
-/// Reports a term of degree 3 or more: Kahan's method requires quadratic fields.
 fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let degree = |monomial: &Monomial| monomial.degree_where(|variable| scope.symbols.is_state(variable));
     let monomials = expansion.numerator.terms().map(|(monomial, _)| (degree(monomial), monomial));

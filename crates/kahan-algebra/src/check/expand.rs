@@ -49,7 +49,6 @@ impl Expansion {
         if self.denominator.is_one() { self.numerator.as_constant() } else { None }
     }
 
-    /// Returns 0, which replaces broken expressions.
     pub(super) fn zero() -> Self {
         Expansion::polynomial(Polynomial::zero())
     }
@@ -69,7 +68,6 @@ pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// Expands `expr` without its written form.
 pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     expand(expr, scope, &mut Values::of(&scope.symbols))
 }
@@ -174,7 +172,6 @@ impl Target for Fractions<'_> {
         self.reduced(Expansion { numerator, denominator, kept, order: Vec::new() }, span)
     }
 
-    /// Divides by b, which must be free of states after expansion.
     fn divide(&mut self, a: Expansion, b: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         let Expansion { numerator, denominator, .. } = &b;
         let variables = numerator.variables();
@@ -256,7 +253,6 @@ impl Target for Fractions<'_> {
 }
 
 impl Fractions<'_> {
-    /// Expands an expression and charges it to the block.
     fn expanded(mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
         let before = self.budget.work_left();
         let expansion = lower(expr, &mut self);

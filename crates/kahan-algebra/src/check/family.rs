@@ -273,7 +273,6 @@ fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diag
     }
 }
 
-/// Returns a site parameter that a component would need beyond an end, if any.
 fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
     let divisors = component.denominator().terms().map(|(monomial, _)| monomial);
     let divisor = divisors.filter_map(|monomial| beyond(family, monomial, (0, 0))).next();

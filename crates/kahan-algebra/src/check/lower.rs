@@ -25,7 +25,6 @@ pub(super) trait Target {
     /// Returns the sum of all terms; the flag marks those to subtract.
     fn sum(&mut self, terms: Vec<(bool, Self::Value)>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn multiply(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// Returns a/b; b is not identically zero.
     fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
     fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
     fn is_zero(&self, a: &Self::Value) -> bool;

@@ -28,7 +28,6 @@ pub(super) enum Meaning {
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
     places: FxHashMap<String, Symbol>,
-    /// Values of constants; `None` if the declaration has a mistake.
     pub(super) constants: FxHashMap<String, Option<Rational>>,
     pub(super) claims: Vec<String>,
     /// Names whose mistake was reported; further uses are silent.
@@ -163,7 +162,6 @@ impl Scope {
         self.is_state_name(&Reference::Site { array: name, offset: 0 }.to_string())
     }
 
-    /// Returns message and help for a name that can be neither a state nor a parameter.
     fn never_free(&self, name: &str) -> Option<(String, String)> {
         let is_state = |base: &str| self.is_state_name(base) || self.is_array(base);
         if !is_never_free(name, is_state) {

@@ -162,7 +162,6 @@ struct LineWriter<'a> {
 }
 
 impl LineWriter<'_> {
-    /// Renumbers a variable of the family for the plans of a site.
     fn renamed(&self, variable: Variable) -> Variable {
         let family = self.family;
         let symbol = self.with_constants.field.symbols.symbol(variable);

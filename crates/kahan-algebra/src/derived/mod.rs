@@ -236,7 +236,6 @@ impl Derived {
         self.made.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
     }
 
-    /// Returns the plan of these polynomials, each divided by its component's denominator.
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
         let with = &self.planned().with_constants;
         let polynomials = polynomials(&with.field);

@@ -25,7 +25,6 @@ pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables of a compiled block.
 pub const MOST_VARIABLES: usize = 200;
-/// The most parameters of a compiled block.
 const MOST_PARAMETERS: usize = 2000;
 /// The most nonzero entries of f′ in a compiled block of many variables.
 const MOST_SLOPES: usize = 1500;

@@ -88,7 +88,6 @@ fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Appends mutually coupled variables, each time the one with the shortest chain of pivots.
 fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<usize>) {
     while let Some(chosen) = left.iter().copied().min_by_key(|&place| waits[place]) {
         left.retain(|&place| place != chosen);

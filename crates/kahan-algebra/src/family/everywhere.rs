@@ -59,7 +59,6 @@ impl<'a> Middle<'a> {
         self.chain.moved(component, site).expect("no two sites are one in a long chain")
     }
 
-    /// Returns a state's array, and its site relative to the middle.
     pub(super) fn state(&self, state: Variable) -> (i64, usize) {
         let (place, block) = (usize::from(state.0), self.chain.family.block());
         ((place / block) as i64 - self.site as i64, place % block)

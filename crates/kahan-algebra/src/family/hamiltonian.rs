@@ -90,7 +90,6 @@ struct RowTerm {
     coefficient: Polynomial,
 }
 
-/// Returns the first term of ẋ that no K produces.
 pub(super) fn missing(
     middle: &Middle<'_>,
     hamiltonian: &SiteSum,

@@ -228,7 +228,6 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
 }
 
-/// Returns the products of terms in the proof of a family's only claim.
 fn work(text: &str) -> u64 {
     let tokens = lex(text).tokens;
     let family = crate::read_unproved(&tokens).family().unwrap_or_else(|why| panic!("{text}: {why:?}"));

@@ -64,7 +64,6 @@ pub(super) struct Loss(Vec<Ratio>);
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
     measured: f64,
-    /// The upper end of the confidence band.
     largest: f64,
 }
 
@@ -100,7 +99,6 @@ impl<'a> Accuracy<'a> {
     }
 }
 
-/// Draws `count` points of each size, or fewer where f′ mostly vanishes.
 fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
     let plan = Elimination::plan(field);
     let elimination = Elimination::of(field, &plan);

@@ -65,7 +65,6 @@ impl PlanBuilder {
         self.divide(above, below)
     }
 
-    /// Writes a single term, charged as two examined terms.
     fn term(&mut self, monomial: &Monomial, coefficient: &Rational) -> Node {
         self.looked_at += if monomial.is_one() { 1 } else { 2 };
         let coefficient = self.constant(coefficient);

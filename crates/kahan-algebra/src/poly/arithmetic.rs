@@ -19,7 +19,6 @@ impl Polynomial {
         sum
     }
 
-    /// Returns the sum of all summands, adding coefficients by `add`.
     pub(super) fn sum_with<'a, E>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,

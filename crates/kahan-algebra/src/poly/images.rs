@@ -18,7 +18,6 @@ const FIELD: PrimeField = PrimeField::MERSENNE_61;
 /// a prime is charged to a [`Budget`] at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
-/// Coefficients in F_p by exponent, without trailing zeros.
 type Univariate = Vec<u64>;
 
 /// Returns for each common variable an upper bound on the degree of gcd(a, b) in it. Both must be

@@ -47,7 +47,6 @@ impl Monomial {
         power
     }
 
-    /// Multiplies by a power of a variable that comes after all others.
     fn push(&mut self, variable: Variable, exponent: u32) {
         if exponent > 0 {
             self.powers.push((variable, exponent));

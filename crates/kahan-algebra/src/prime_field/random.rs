@@ -32,7 +32,6 @@ pub trait Random {
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
-    /// The number of 64-bit words drawn from this state.
     drawn: usize,
 }
 

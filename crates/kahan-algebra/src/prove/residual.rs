@@ -48,7 +48,6 @@ impl<A: OverRationals> Test<'_, A> {
         self.sample.matrix.len()
     }
 
-    /// Returns all pairs of the claim; `None` if it has no value.
     pub(super) fn pairs(&self) -> Option<Vec<Pair<A::Value>>> {
         let Test { claim, arithmetic, sample } = *self;
         let here = run(arithmetic, &claim.plan, &sample.here)?;

@@ -34,7 +34,6 @@ impl Scheme {
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
 pub(super) struct Sample<V> {
-    /// The values at x: states, parameters, ε.
     pub(super) here: Vec<V>,
     pub(super) there: Vec<V>,
     pub(super) matrix: Vec<Vec<V>>,

@@ -40,7 +40,6 @@ fn claim_names(claim: &Claim, name: &str) -> bool {
     found
 }
 
-/// Returns the header with documentation and attributes as written, and these parameters.
 fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     let mut lines = header.attributes.lines.clone();
     let visibility = header.visibility.lines.first().map_or("pub", String::as_str);

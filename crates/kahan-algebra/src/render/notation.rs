@@ -181,7 +181,6 @@ impl Notation for Text {
     }
 }
 
-/// Adds parentheses unless the text is a single name, number or power.
 fn parenthesize(text: &str) -> String {
     if text.contains([' ', '*', '/', '-']) { format!("({text})") } else { text.to_owned() }
 }

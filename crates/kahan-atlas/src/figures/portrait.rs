@@ -13,7 +13,6 @@ use kahan_draw::{Mark, NumberLine, Plot, Series, Sheet};
 /// Half the time step; a cycle has about twenty steps.
 const EPS: f64 = 0.147;
 const STEPS: usize = 360;
-/// The upper end of both axes.
 const SHOWN: f64 = 4.2;
 
 type Point = SVector<f64, 2>;

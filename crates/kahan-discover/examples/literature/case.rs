@@ -22,18 +22,14 @@ pub(crate) struct Case {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Known {
-    /// The exact number of independent integrals.
     pub(crate) independent_integrals: Option<usize>,
     pub(crate) growth: Option<String>,
-    /// A lower bound on the number of densities.
     #[serde(default)]
     pub(crate) densities: usize,
-    /// A lower bound on the number of drifts.
     #[serde(default)]
     pub(crate) drifts: usize,
     #[serde(default)]
     pub(crate) bracket_ranks: Vec<usize>,
-    /// The most seconds for the whole discovery.
     pub(crate) seconds: Option<f64>,
 }
 

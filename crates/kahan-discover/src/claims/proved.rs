@@ -206,7 +206,6 @@ impl<'a> Claims<'a> {
         places.zip(tensor).filter_map(entry).collect::<Vec<_>>().join(" ")
     }
 
-    /// Claims an invariant bracket with these entries; `None` if the proof fails.
     pub(crate) fn bracket(&self, index: usize, rank: usize, entries: &str) -> Option<Bracket> {
         let text = format!("bracket {} {{ {entries} }}{};", self.name("P", Some(index)), self.condition);
         let claim = self.proved(&[], &text)?;

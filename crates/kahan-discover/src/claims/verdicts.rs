@@ -64,7 +64,6 @@ fn degrees(report: &Report) -> String {
     )
 }
 
-/// Writes the upper bound on the number of integrals that follows from fixed points.
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
@@ -183,7 +182,6 @@ fn orbits(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// The most characters of a list; a longer list is replaced by its length.
 const MOST_CHARACTERS: usize = 200;
 
 fn formulas(report: &Report) -> Vec<String> {

@@ -30,7 +30,6 @@ pub struct Measure {
     pub degree: u32,
 }
 
-/// Makes a step from a random point; `None` if no point has an image.
 pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
     (0..MOST_SAMPLES).find_map(|_| {
         let point = map.point(random);
@@ -117,7 +116,6 @@ pub fn measure(
     quotient.map_or((None, search), found)
 }
 
-/// Reconstructs the simplest element of a space of P over ℚ.
 fn reconstructed(
     searched: &SearchField,
     map: &ModularMap,

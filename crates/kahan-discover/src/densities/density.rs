@@ -21,7 +21,6 @@ const MOST_DENSITY_COEFFICIENTS: usize = 1000;
 
 const MOST_DENSITY_TERMS: usize = 300;
 
-/// The budget for expanding det A, in products of terms.
 const DETERMINANT_WORK: u64 = 1_000_000;
 
 fn density_degree(n: usize) -> u32 {

@@ -13,13 +13,11 @@ use crate::densities::products::exponents;
 use crate::maps::search_field::SearchField;
 use crate::poles::curves::{components, jacobian};
 
-/// The budget for expanding and factoring the Jacobian determinant.
 const MOST_TERMS: usize = 5_000;
 const MOST_WORK: u64 = 2_000_000;
 
 pub(super) struct Cofactors {
     pub(super) components: Vec<Polynomial>,
-    /// The state-dependent factors of the Jacobian determinant.
     pub(super) factors: Vec<Polynomial>,
     /// The degrees of the factors in the states, followed by 1 if x₀ is a factor.
     degrees: Vec<u32>,

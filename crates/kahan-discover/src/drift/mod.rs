@@ -199,12 +199,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Returns whether integrals and drifts together are as many as the states.
     fn is_done(&self) -> bool {
         self.known.rank_with(Vec::new()) == self.searched.dimension()
     }
 
-    /// Searches the spaces of one degree; `None` if the map has no value or the deadline passes.
     fn of_degree(&mut self, monomials: &Monomials, all: &[Vec<i32>], random: &mut SplitMix64) -> Option<()> {
         let modulus = *self.sample.map.modulus();
         let points = Points::new(self.searched, &self.sample, &self.cofactors, monomials, random)?;

@@ -131,7 +131,6 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     sums.into_iter().chain(multiples).chain(images).collect()
 }
 
-/// Returns the drift of an invariant plane of M.
 fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> {
     // Of two basis vectors of a null space, each has an entry 1 where the other has 0.
     let place = |of: &Vector, other: &Vector| {

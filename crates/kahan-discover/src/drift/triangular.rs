@@ -40,7 +40,6 @@ pub(super) struct Link {
     pub(super) value: RationalFunction,
     pub(super) value_text: String,
     pub(super) next_text: String,
-    /// The next value as a function of drifts.
     next: RationalFunction,
     /// The state w as a function of the drift and of earlier drifts.
     solved: RationalFunction,
@@ -112,7 +111,6 @@ impl Triangle {
         RationalFunction::new(above, below).expect("a denominator is not zero")
     }
 
-    /// Adds an integral, a drift that is its own next value.
     pub(super) fn take_integral(&mut self, formula: &Formula) {
         if let Some(variable) = self.variable(formula.name()) {
             let value = RationalFunction::variable(variable);
@@ -210,7 +208,6 @@ impl Triangle {
     }
 }
 
-/// Returns f^power; `None` for a negative power of 0.
 fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     let base = if power < 0 { function.recip()? } else { function.clone() };
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))

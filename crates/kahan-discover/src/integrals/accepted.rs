@@ -131,7 +131,6 @@ impl Accepted<'_> {
         best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
     }
 
-    /// Combines the integral with known ones so that factors of its denominator cancel.
     fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =

@@ -63,7 +63,6 @@ impl<'a> Independent<'a> {
         self.rank_with(vec![gradient]) == self.gradients.len() + 1
     }
 
-    /// Returns the map and the point at which gradients are taken.
     pub(crate) fn step(&self) -> Option<&SampledStep> {
         self.step.as_ref()
     }

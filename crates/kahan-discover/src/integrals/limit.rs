@@ -7,7 +7,6 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::modular::subspace::tidy;
 
-/// The budget of one limit, in products of terms.
 const LIMIT_WORK: u64 = 2_000_000;
 
 /// Returns P′ such that P′/Q depends on the states at ε = 0. While P/Q has a constant limit c, P is

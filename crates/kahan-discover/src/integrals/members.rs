@@ -23,7 +23,6 @@ use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, 
 /// The most products modulo a prime in one search: some tenths of a second.
 const MOST_WORK: u64 = 100_000_000;
 
-/// The cost of evaluating the pencil once, in products.
 const WORK_OF_LOOK: u64 = 50_000;
 
 /// The number of parameter samples at which the elements of each kind are counted.
@@ -222,7 +221,6 @@ fn special(
 struct Plane<'a> {
     modulus: Modulus,
     monomials: &'a Monomials,
-    /// The powers of each state: by state, then by exponent.
     powers: Vec<Vec<Vec<u64>>>,
 }
 
@@ -379,7 +377,6 @@ mod tests {
     use kahan_algebra::symbols::Symbols;
     use kahan_algebra::{lexer, read};
 
-    /// Returns numerators of expressions in x, y and a, and a field in these symbols.
     fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
         let field = "xdot = a*x + y^2; ydot = x^2;";
         let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));

@@ -146,7 +146,6 @@ impl Accepted<'_> {
         }
     }
 
-    /// Reconstructs pencils and accepts their integrals; returns the bases.
     fn take(
         &mut self,
         pencils: &[Pencil],

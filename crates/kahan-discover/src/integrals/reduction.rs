@@ -79,7 +79,6 @@ fn without_factor(
     None
 }
 
-/// Returns the states that are not integrals.
 fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomial]) -> Vec<Variable> {
     let symbols = searched.family().symbols();
     let rests = |variable: Variable| {
@@ -89,7 +88,6 @@ fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomi
     (0..searched.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
 }
 
-/// Returns the common factor of all coefficients of a polynomial in these variables.
 fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     let groups = polynomial.group(|variable| variables.contains(&variable));
     let common = gcd_all(&groups.into_values().collect::<Vec<_>>());

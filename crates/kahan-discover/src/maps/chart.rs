@@ -8,7 +8,6 @@ use crate::maps::affine_subspace::{AffineSubspace, Coordinate};
 use crate::maps::search_field::SearchField;
 use crate::modular::subspace::Names;
 
-/// The budget for substituting formulas, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
 /// A level set with formulas for its constants.

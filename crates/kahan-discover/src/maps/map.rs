@@ -134,7 +134,6 @@ impl ModularMap {
         components
     }
 
-    /// Returns the matrix (A | f), row by row.
     fn extended_matrix(&self, point: &[u64], eps: u64) -> Vec<u64> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;

@@ -52,7 +52,6 @@ impl Sample {
 }
 
 impl SampledStep {
-    /// Evaluates a polynomial at both points; `None` if the prime divides a denominator.
     fn values(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<[u64; 2]> {
         let value = |point| searched.evaluate(polynomial, &self.sample, point);
         Some([value(&self.here)?, value(&self.there)?])

@@ -8,7 +8,6 @@ use num_integer::Integer;
 
 use crate::modular::modulus::{Modulus, rational_from_residue};
 
-/// The most unknown coefficients of one function.
 const MOST_COEFFICIENTS: usize = 500;
 
 /// The monomials of numerator and denominator, as exponents of the unknowns.

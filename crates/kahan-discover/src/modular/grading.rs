@@ -54,7 +54,6 @@ impl Grading {
         rows[..pivots.len()].iter().map(|row| row[chosen.len()].as_i64()).collect()
     }
 
-    /// Restores the powers of the chosen unknowns in a function.
     fn homogenised(
         &self,
         function: &RationalFunction,

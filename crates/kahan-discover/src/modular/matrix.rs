@@ -67,7 +67,6 @@ impl Echelon {
         self.pivots.partition_point(|&pivot| pivot < columns)
     }
 
-    /// Returns a basis of the null space of `rows`; `None` if the deadline passes.
     pub(crate) fn null_vectors(
         modulus: &Modulus,
         rows: Vec<Vec<u64>>,

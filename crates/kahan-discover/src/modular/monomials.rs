@@ -9,7 +9,6 @@ pub struct Monomials {
     exponents: Vec<Vec<u32>>,
     /// Each monomial except 1 as the product of an earlier one and a variable.
     recipes: Vec<(usize, usize)>,
-    /// The number of monomials of degree ≤ 0, ≤ 1, ….
     counts: Vec<usize>,
 }
 

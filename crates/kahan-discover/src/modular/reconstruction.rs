@@ -77,7 +77,6 @@ impl Reconstruction<'_> {
         (0..self.unknowns).map(|_| modulus.sample(self.random)).collect()
     }
 
-    /// Returns a random point and the oracle's values there.
     fn sample(&mut self, modulus: Modulus) -> Option<(Vec<u64>, Vec<u64>)> {
         (0..MOST_SAMPLES).find_map(|_| {
             if self.deadline.passed() {
@@ -89,7 +88,6 @@ impl Reconstruction<'_> {
         })
     }
 
-    /// Returns the degrees of all entries on the line base + t·direction.
     fn degrees_on_line(&mut self, modulus: Modulus, direction: &[u64]) -> Option<Vec<usize>> {
         let base = self.point(&modulus);
         let (mut points, mut values): (Vec<u64>, Vec<Vec<u64>>) = (Vec::new(), Vec::new());

@@ -184,7 +184,6 @@ pub fn cleared(
     combination(states, monomials, support, &RationalFunction::over_common(coefficients).0).primitive_part()
 }
 
-/// Returns Σ cₘ m over the monomials m of a support, in these states.
 pub(crate) fn combination(
     states: &[Variable],
     monomials: &Monomials,

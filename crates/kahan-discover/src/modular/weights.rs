@@ -10,7 +10,6 @@ use kahan_algebra::rational::Rational;
 /// The weights of variables: one entry for each independent scaling symmetry.
 #[derive(Clone, Debug, Default)]
 pub struct Weights {
-    /// Weights by variable: states, parameters, ε.
     by_variable: Vec<Vec<Rational>>,
 }
 

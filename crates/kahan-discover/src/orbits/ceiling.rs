@@ -40,7 +40,6 @@ pub const MANY_TRIALS: usize = 400_000;
 /// The most products of all trials; one trial takes about n³.
 const WORK: usize = 100_000_000;
 
-/// The number of trials at the same parameters.
 const TRIALS_A_SAMPLE: usize = 40;
 
 /// Returns the least bound found in `trials` trials, or the first that is at most `enough`.
@@ -99,7 +98,6 @@ pub fn ceiling(
     lowest
 }
 
-/// Returns a zero of the field, if the random states lead to one.
 fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -> Option<Vec<u64>> {
     let components = map.components();
     let mut values: Vec<Option<u64>> = vec![None; components.len()];
@@ -284,7 +282,6 @@ mod tests {
         assert_eq!(count(&[0, 1, -1, 2, -2, 5]), 3);
     }
 
-    /// No bound lies below the number of known integrals.
     #[test]
     fn ceilings_of_fields_whose_integrals_are_known() {
         assert_eq!(of("xdot = y; ydot = 6*x^2 - a;", None), Some(1));

@@ -131,7 +131,6 @@ fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     })
 }
 
-/// Returns the ratio of successive degrees if it is steady.
 fn exponential(values: &[i128]) -> Option<f64> {
     if values.len() < 5 {
         return None;

@@ -22,7 +22,6 @@ pub(crate) use constant::of_structure;
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 
-/// The budget of one bracket, in terms and products of terms.
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 4_000_000;
 

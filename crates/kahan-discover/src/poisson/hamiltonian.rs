@@ -77,7 +77,6 @@ pub fn hamiltonians(
     choices.into_iter().take(MOST_STRUCTURES).filter_map(over_the_rationals).collect()
 }
 
-/// Reconstructs the K of a choice and its H over ℚ(parameters, ε).
 fn reconstructed(
     searched: &SearchField,
     monomials: &Monomials,

@@ -88,7 +88,6 @@ fn add_if_independent(
 }
 
 pub(crate) struct Gradients<'a> {
-    /// The gradient of each formula, up to a factor.
     pub(crate) formulas: Vec<Option<Vec<u64>>>,
     pub(crate) in_bases: Vec<Vec<u64>>,
     pub(crate) modified: &'a [Option<Vec<u64>>],

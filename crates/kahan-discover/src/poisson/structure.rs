@@ -70,7 +70,6 @@ pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
 }
 
 impl ByRules {
-    /// Returns the independent and proved integrals of `at_once`.
     pub(crate) fn proved(
         &self,
         searched: &SearchField,
@@ -166,7 +165,6 @@ fn flow_space(
     reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)
 }
 
-/// Returns the null vectors of ∇P·f on some monomials; `None` if the deadline passes.
 fn flow_null_vectors(
     map: &ModularMap,
     monomials: &Monomials,

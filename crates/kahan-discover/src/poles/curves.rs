@@ -8,13 +8,11 @@ use kahan_algebra::poly::{Budget, Polynomial, gcd_all};
 use crate::claims::writing::state_factors;
 use crate::maps::search_field::SearchField;
 
-/// The budget for expanding the Jacobian determinant.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
 /// The map in lowest terms, possibly at a fixed ε, and the curves to follow.
 pub(crate) struct Curves {
-    /// The components N₁ … Nₙ, D of the map x̃ᵢ = Nᵢ/D.
     pub(crate) components: Vec<Polynomial>,
     pub(crate) factors: Vec<Polynomial>,
     /// Whether the factors of the Jacobian determinant are included; `false` if it is too long to

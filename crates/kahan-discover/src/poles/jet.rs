@@ -47,7 +47,6 @@ pub struct Image {
 pub(crate) enum Lost {
     /// All known coefficients of the series vanish; longer series may decide.
     TooShort,
-    /// The point is a special one of its curve.
     SpecialPoint,
 }
 

@@ -6,7 +6,6 @@ use kahan_algebra::rational::Rational;
 
 use super::{all_factors, p, product};
 
-/// Returns a random primitive polynomial with at most these terms and degree.
 pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u64) -> Polynomial {
     let mut factor = Polynomial::from_terms((0..terms).map(|_| {
         let powers =

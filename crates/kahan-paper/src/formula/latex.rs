@@ -163,7 +163,6 @@ fn write(formula: &Formula) -> (String, Level) {
     }
 }
 
-/// Joins factors, with a dot between adjacent numbers.
 fn joined(factors: Vec<String>) -> String {
     let mut text = String::new();
     for factor in factors {

@@ -168,7 +168,6 @@ impl Formula {
         matches!(self, Formula::Number(value) if *value == Rational::from(n))
     }
 
-    /// Evaluates a formula that contains only numbers.
     pub(crate) fn as_number(&self) -> Option<Rational> {
         match self {
             Formula::Number(value) => Some(value.clone()),

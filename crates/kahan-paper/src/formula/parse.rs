@@ -66,7 +66,6 @@ impl From<Expr<InFormula>> for Formula {
     }
 }
 
-/// Reads the left-hand side of a definition.
 fn signature(left: Formula) -> Result<(String, Vec<String>), String> {
     let wrong =
         || Err("a definition needs a name, or a name with names in parentheses, before `:=`".to_owned());

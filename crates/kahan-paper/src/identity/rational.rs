@@ -106,7 +106,6 @@ impl Identity<'_> {
         Ok(Evidence::Exact(EXACT_POINTS))
     }
 
-    /// Evaluates both sides at a point of small rationals.
     fn exact_point(
         &self,
         left: &Formula,

@@ -6,7 +6,6 @@ use crate::claim::{Claim, Outcome};
 use crate::section::Section;
 use crate::verdict::{Verdict, Verdicts};
 
-/// The height of the screen.
 const MOST_LINES: usize = 40;
 
 /// The column headings, in the order of [`Outcome::place`].
@@ -122,7 +121,6 @@ mod tests {
     use super::{MOST_LINES, replaced};
     use crate::{Claim, Outcome, Paper, Verdict, Verdicts};
 
-    /// Returns the summary for given outcomes.
     fn screen(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
         let claims = paper.claims().iter().map(|claim| Verdict {
             id: claim.id.to_string(),

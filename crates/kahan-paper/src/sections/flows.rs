@@ -12,7 +12,6 @@ struct Row {
     system: &'static str,
     /// The components x, y and z as functions of T.
     solution: [&'static str; 3],
-    /// The values of H and K along the solution.
     values: [&'static str; 2],
 }
 

@@ -41,7 +41,6 @@ jacobian | A(x,eps) J = A(x~,-eps) |
 det_jacobian | det J | detA*detJ = on(at(detA, eps, -eps), X, Y, Z)
 ";
 
-/// Identities for homogeneous fields.
 const HOMOGENEOUS: &str = "
 homogeneous | homogeneous fields: A x~ = x | A({i},1)*X + A({i},2)*Y + A({i},3)*Z = {x}
 reversed | (df56), homogeneous fields: x~ = A(x~,-eps) x |

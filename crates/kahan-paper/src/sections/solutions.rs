@@ -15,7 +15,6 @@ pub(super) struct Solution {
     system: &'static str,
     /// Abbreviations used in the solution, as definitions.
     given: &'static str,
-    /// x_n, y_n and z_n.
     components: [&'static str; 3],
     /// The values of H(ε) and K(ε).
     values: [&'static str; 2],
@@ -94,7 +93,6 @@ pub(super) fn claims() -> Vec<Claim> {
 }
 
 impl Solution {
-    /// Returns x_n, y_n, z_n and the map's integrals as definitions.
     fn definitions(&self) -> String {
         let components = FUNCTIONS.iter().zip(self.components);
         let components: String = components.map(|(name, value)| format!("{name}(n) := {value}; ")).collect();

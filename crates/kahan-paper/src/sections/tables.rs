@@ -116,7 +116,6 @@ pub(super) fn claims() -> Vec<Claim> {
     claims.collect()
 }
 
-/// Returns all claims about one system.
 fn row(s: &Structure) -> Vec<Claim> {
     let index = &s.system[1..];
     // Table 1 contains the systems whose maps are in Tables 2 to 4.

@@ -20,13 +20,11 @@ use super::super::erratum::Erratum;
 
 /// A claim's text: a line without indentation, and its notes.
 pub(super) struct Written {
-    /// The line with its continuations.
     pub(super) head: String,
     notes: Vec<String>,
 }
 
 impl Written {
-    /// Splits a text into claims.
     pub(super) fn all(text: &str) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         for line in text.lines().filter(|line| !line.trim().is_empty()) {

@@ -44,7 +44,6 @@ impl CompileCase {
     }
 }
 
-/// Returns the byte range inside the brackets of each `kahan! {`.
 fn blocks(source: &str) -> Vec<Range<usize>> {
     let starts = source.match_indices("kahan! {").map(|(at, opening)| at + opening.len());
     starts.map(|start| start..start + end_of_group(&source[start..])).collect()

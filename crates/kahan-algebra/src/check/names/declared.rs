@@ -140,7 +140,6 @@ fn written_in(block: &Block) -> impl Fn(&str) -> String {
     move |state| format!("{state}{index}")
 }
 
-/// Returns the names in equations, and in claims of a family, with their places.
 pub(in crate::check) fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
     let mut references = Vec::new();
     let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());

@@ -18,7 +18,6 @@ pub(super) fn short(value: f64) -> f64 {
 
 pub(super) struct FloatPlan<'a> {
     plan: &'a Plan,
-    /// Initial values of all operations; constants are filled in.
     start: Vec<f64>,
 }
 

@@ -129,7 +129,6 @@ fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f
     next
 }
 
-/// Solves A d = f for n rows of A with f as last column.
 fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<f64> {
     let width = n + 1;
     for k in 0..n {

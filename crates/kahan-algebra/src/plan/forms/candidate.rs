@@ -52,7 +52,6 @@ impl Candidate {
 }
 
 impl Writer {
-    /// Returns the kernel, and the number of constants rounded more than once.
     fn kernel(&self, outputs: &[Node]) -> (Plan, usize) {
         let plan = self.draft.builder.finish(outputs);
         let epsilon = self.scaling.epsilon();

@@ -19,7 +19,6 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::numerators::{Power, Products};
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// A writer that contains the denominator, possibly with the numerators.
 struct WithDenominator {
     writer: Writer,
     denominator: Signed,

@@ -18,7 +18,6 @@ pub(in crate::plan) struct FactoredMap<'a> {
     pub(in crate::plan) map: &'a RationalMap,
     pub(in crate::plan) numerators: Vec<Factored>,
     pub(in crate::plan) denominator: Factored,
-    /// Empty writers, one for each distribution of ε.
     pub(in crate::plan) empty: Vec<Writer>,
 }
 

@@ -71,7 +71,6 @@ pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node,
     u64::from(back) * UNIT
 }
 
-/// Returns the least cycles from a variable to an operation; `None` if independent.
 pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
     let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
     for operation in &operations[..=node.0] {

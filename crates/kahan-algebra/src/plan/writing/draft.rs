@@ -65,7 +65,6 @@ impl Draft {
         self.ready[node.0]
     }
 
-    /// Returns the number of state-dependent operations that a node needs, itself included.
     pub(in crate::plan) fn size_of(&mut self, node: Node) -> usize {
         self.settle();
         let operations = self.builder.operations();

@@ -46,7 +46,6 @@ impl Goal {
 #[derive(Clone, Debug)]
 pub(in crate::plan) enum Summand {
     Term(Monomial, Rational),
-    /// A term times a sum.
     Product(Monomial, Rational, Rc<Polynomial>),
 }
 
@@ -219,7 +218,6 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
 
-    /// Estimates the form that factors out all variables at once, most frequent first.
     fn grouped(&self, polynomial: &Polynomial) -> Estimate {
         let (products, rest) = by_frequency(polynomial, |variable| self.may_be_out(variable));
         let flat = self.flat(&rest);

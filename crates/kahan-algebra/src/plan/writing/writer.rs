@@ -41,7 +41,6 @@ pub(in crate::plan) struct Writer {
     /// The remembered polynomials, with positive leading coefficients, in order of creation.
     made: Numbered<Rc<Polynomial>>,
     steps: Vec<Signed>,
-    /// The indices of remembered polynomials with several terms.
     sums: Vec<usize>,
     put: Vec<(Variable, Node)>,
     /// The gathered coefficients: sums of constants, each prepared as one constant.
@@ -141,7 +140,6 @@ impl Writer {
         Entry { polynomial: Some(polynomial), written }
     }
 
-    /// Returns the operation that computes this polynomial over scaled symbols, if any.
     pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let gathered = self.gathered(polynomial);
         let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));

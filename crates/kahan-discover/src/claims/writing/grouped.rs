@@ -51,7 +51,6 @@ impl Writer<'_> {
         found
     }
 
-    /// Separates the terms whose coefficients contain the most frequent factor.
     fn by_factor(
         &self,
         polynomial: &Polynomial,

@@ -20,7 +20,6 @@ use grouped::grouped;
 pub(crate) use powers::in_powers;
 use powers::{Scale, by_powers};
 
-/// The budget for factoring a polynomial: usually milliseconds, at most a second.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
@@ -30,7 +29,6 @@ const FEW_TERMS: usize = 12;
 /// The minimal number of terms for which conjugate factors are multiplied.
 const LONG_CONJUGATE: usize = 3;
 
-/// Returns the distinct irreducible factors that contain states.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
     let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
     found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()

@@ -20,7 +20,6 @@ pub(crate) struct InPowers {
     /// scale · P, with the base F replaced by the variable `fresh`.
     pub(crate) sum: Polynomial,
     pub(crate) fresh: Variable,
-    /// A single term without states.
     pub(crate) scale: Polynomial,
 }
 

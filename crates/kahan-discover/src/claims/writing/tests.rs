@@ -3,7 +3,6 @@
 use super::*;
 use kahan_algebra::lexer;
 
-/// Returns the symbols of a field in x, y, z with the parameter a, and both sides of an expression.
 fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     let text = format!("xdot = a*y*z; ydot = x; zdot = x^2; integral H = {expression};");
     let tokens = lexer::lex(&text).tokens;

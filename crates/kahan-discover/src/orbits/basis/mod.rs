@@ -198,7 +198,6 @@ impl Basis {
         Some(only.entries.clone())
     }
 
-    /// Returns the gradients of the integrals at a point; `None` if its orbit ends at a pole.
     pub(crate) fn gradients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
         let all = gradients::of_coefficients(self, map, start)?;
         Some(self.integrals.iter().map(|&place| all[place].clone()).collect())
@@ -214,7 +213,6 @@ impl Basis {
 /// The most monomials of a relation for which two terms are tried.
 const MOST_IN_TWO_TERMS: usize = 8;
 
-/// The largest quotient of joined coefficients.
 const LARGEST_FACTOR: i64 = 4;
 
 fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) -> String {

@@ -20,7 +20,6 @@ use crate::modular::modulus::Modulus;
 
 use super::{Basis, Term};
 
-/// The most points of a proof.
 const MOST_POINTS: u32 = 64;
 
 /// The most starts to try, since orbits may end at poles.

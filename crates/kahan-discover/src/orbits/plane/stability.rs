@@ -83,7 +83,6 @@ impl Forms {
         false
     }
 
-    /// Returns the lines of κ; `None` unless κ is a product of linear forms.
     fn contracted_lines(&self, random: &mut SplitMix64) -> Option<Vec<Point>> {
         let sampled = |random: &mut SplitMix64| [(); 3].map(|()| self.modulus().sample(random));
         let [first, second] = [(); 2].map(|()| [sampled(random), sampled(random)]);

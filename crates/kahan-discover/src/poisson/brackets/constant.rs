@@ -18,7 +18,6 @@ use crate::poisson::hamiltonian::Hamiltonian;
 
 use super::polynomial::{PoissonTensor, Tensor};
 
-/// The budget of one tensor: terms of a polynomial, and products of terms.
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -74,7 +73,6 @@ fn product(
     left.iter().map(|row| (0..right.len()).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// Returns the antisymmetric matrix with these entries above the diagonal, at a point.
 fn matrix_at(
     searched: &SearchField,
     place: &SampledStep,

@@ -50,14 +50,12 @@ const MOST_TENSORS: usize = 4;
 /// the index m·pairs + k.
 struct Shape {
     monomials: Monomials,
-    /// The places (i, j) above the diagonal, row by row.
     pairs: Vec<(usize, usize)>,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
-    /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
     /// The index of the constant K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
@@ -107,7 +105,6 @@ impl PoissonTensor {
 struct Candidate {
     rank: usize,
     source: Source,
-    /// The values of the entries above the diagonal at the points of a search.
     values: Vec<u64>,
 }
 
@@ -118,7 +115,6 @@ enum Source {
 }
 
 impl Candidate {
-    /// Returns the number of monomials in the states, summed over the entries.
     fn terms(&self, symbols: &Symbols) -> usize {
         let of_states = |entry: &Polynomial| {
             let monomials = entry.terms().map(|(monomial, _)| {
@@ -376,7 +372,6 @@ impl Shape {
         tensor
     }
 
-    /// Reconstructs a basis element over ℚ(parameters, ε), with coprime integer coefficients.
     fn reconstructed(
         &self,
         searched: &SearchField,

@@ -65,7 +65,6 @@ impl Writer {
         variable
     }
 
-    /// Writes state-independent terms as one prepared constant.
     pub(super) fn fixed_sum(&mut self, terms: Vec<(Monomial, Rational)>) -> Signed {
         let nodes: Vec<Signed> =
             terms.iter().map(|(monomial, coefficient)| self.term(monomial, coefficient, None)).collect();

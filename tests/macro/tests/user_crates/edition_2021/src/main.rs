@@ -21,7 +21,6 @@ struct Spinning<M: KahanMap<f64, 2>> {
     state: SVector<f64, 2>,
 }
 
-/// A struct with a fixed map type.
 struct Wheel {
     inner: Spinning<Rotation<f64>>,
 }
