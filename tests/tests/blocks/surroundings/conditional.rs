@@ -6,7 +6,7 @@ use kahan_systems::E7;
 use crate::blocks::surroundings::{DeterminantByRows, assert_kahan, ratio};
 
 kahan! {
-    /// Growth of three that keeps their sum where c says so.
+    /// Three growing states; their sum is an integral if c = −a − b.
     pub(super) struct Three { a, b, c }
     xdot = a*x*y;
     ydot = b*x*y;

@@ -43,7 +43,7 @@ mod crowd {
     pub(super) fn vector() {}
 
     ::kahan_core::kahan! {
-        /// Every name of it is taken.
+        /// A system whose names have other meanings in this scope.
         pub(super) struct E7 { mu }
         xdot = -x^2;
         ydot = -mu*x*y;

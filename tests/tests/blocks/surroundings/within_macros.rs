@@ -7,7 +7,7 @@ use crate::blocks::surroundings::{assert_kahan, ratio};
 macro_rules! system {
     ($name:ident, $parameter:ident, $factor:expr, $number:literal, $rest:tt) => {
         kahan! {
-            /// Written by a macro.
+            /// A system written by a macro.
             pub(crate) struct $name { $parameter }
             xdot = $factor*y - $number*$parameter*x;
             ydot = $rest^2 - $factor^2;
@@ -42,7 +42,7 @@ macro_rules! pass_on {
 }
 
 pass_on! {
-    /// Passed on.
+    /// A system in a block that a macro passes on.
     pub(super) struct PassedOn;
     xdot = y;
     ydot = -x;
