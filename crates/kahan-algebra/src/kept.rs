@@ -1,5 +1,5 @@
 //! The written form of a field: sums used as factors, and reciprocals of divisors, are named
-//! subexpressions ([`Values`]).
+//! subexpressions (`Values`).
 //!
 //! Expansion can lose digits: `(p - q)*x*y` is accurate for p near q, `p*x*y - q*x*y` is not. A
 //! common divisor of `x/(1 + nu) + x/(mu - nu)` can vanish by rounding where neither divisor does.

@@ -111,7 +111,7 @@ fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
 }
 
 impl Loss {
-    /// Returns whether a step loses too many digits if a better one exists.
+    /// Returns whether a step loses so many digits that a better one, if any, must replace it.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }

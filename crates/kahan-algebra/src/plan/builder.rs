@@ -62,7 +62,7 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Copies another plan; `make` builds the node of each operation from its index and operands.
+    /// Copies another plan; `make` builds each node from the operation's index and earlier nodes.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,

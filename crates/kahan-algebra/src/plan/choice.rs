@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     /// Returns the forms whose recurrence is shorter than that of the cheapest form, and the number
-    /// of forms that were tried. `recurrence` bounds the forms to build.
+    /// of forms that were built; `recurrence` maps this limit to the limit for building a form.
     fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);

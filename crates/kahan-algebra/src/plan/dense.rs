@@ -12,7 +12,7 @@ use super::{Node, Plan, PlanBuilder};
 const FEWEST_VARIABLES: usize = 10;
 /// The minimal number of products of two variables; straight-line code is faster for fewer.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field at least one of `SPARSEST` possible products has a nonzero coefficient.
+/// In a dense field at least one in `SPARSEST` products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]

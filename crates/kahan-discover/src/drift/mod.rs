@@ -158,7 +158,7 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
 }
 
 /// Drops the first drift that is no longer valid and all later ones, which may depend on it. A
-/// drift is invalid if it depends on integrals and earlier drifts, or if its proof names an
+/// drift is invalid if it depends on integrals and earlier drifts, or if its claim names an
 /// integral of `before` that is not in `integrals`.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,

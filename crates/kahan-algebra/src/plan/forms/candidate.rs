@@ -45,7 +45,7 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether every prepared constant is rounded only once; fields with `folds` need not.
+    /// Returns whether every prepared constant is rounded only once, unless the writer `folds`.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -59,8 +59,8 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether every prepared constant that `step` needs is rounded only once, or may be
-    /// rounded twice. Every form that contains `step` needs these constants.
+    /// Returns whether every prepared constant that `step` needs is rounded only once, unless the
+    /// writer `folds`. Every form that contains `step` needs these constants.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }

@@ -111,7 +111,7 @@ impl FactoredMap<'_> {
         powers.filter_map(form).collect()
     }
 
-    /// Returns p/εᵏ divided by its power of two, and the dividend c with c/that = 2/(p/εᵏ).
+    /// Returns q = p/εᵏ without a common power of two, and c with c/q = 2/(p/εᵏ).
     fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
         let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
         let two = Rational::from(2);

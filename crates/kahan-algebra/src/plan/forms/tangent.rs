@@ -20,7 +20,7 @@ use crate::plan::{Node, Plan};
 
 /// Number of row orders compared for a block.
 const ORDERS: usize = 3;
-/// The most operations of Cramer's rule in one block; beyond, dual numbers cost no more.
+/// The most operations of Cramer's rule in one block; beyond, a step over x + δv is as cheap.
 const MOST_OPERATIONS: usize = 300;
 
 /// Returns the plan of ṽ from x, v and x̃, one output for each component. x̃ is the first half of
