@@ -75,7 +75,7 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
         let exponent = *s + T::from_int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
         let [z0, z1, z2] = multiply(power, series);
-        // −d/ds multiplies by a logarithm.
+        // −d/ds of w^(−s) multiplies it by ln w.
         sum += scale * (*a * z0 - *b * z1 + T::from_int(2) * *c * z2);
         scale *= inverse_square;
     }

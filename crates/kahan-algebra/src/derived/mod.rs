@@ -111,8 +111,8 @@ struct Planned {
 }
 
 impl Planned {
-    /// Returns the field with named constants, or the plain field if naming hides a factor of
-    /// `map`.
+    /// Returns the field with named constants, or the plain field if naming them hides a factor
+    /// that `map` divides out.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {

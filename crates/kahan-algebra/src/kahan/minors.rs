@@ -9,8 +9,8 @@ use crate::poly::{Budget, OverBudget, Polynomial, Within};
 
 const MOST_MINORS: usize = 4096;
 
-/// Returns the nonzero minors of n rows of at least n entries by set of columns; bit j stands for
-/// column j.
+/// Returns the nonzero n×n minors of a matrix with n rows, keyed by their set of columns; bit j
+/// stands for column j.
 ///
 /// # Errors
 /// Beyond the budget, 63 columns, or 4096 minors at a time.
