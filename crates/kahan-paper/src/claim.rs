@@ -31,6 +31,7 @@ pub struct Claim {
 pub(super) enum Basis {
     /// A claim of the system's own `kahan!` block.
     Block {
+        /// The claim's index in the block.
         index: usize,
     },
     Formula {
