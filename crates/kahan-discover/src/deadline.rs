@@ -24,6 +24,7 @@ pub struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
+    /// Starts work without findings.
     #[must_use]
     pub fn new(watch: &'a dyn Watch) -> Self {
         Work {

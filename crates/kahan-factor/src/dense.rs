@@ -8,6 +8,7 @@ pub type Dense = Vec<u64>;
 /// The bound from which sums of products of residues below 2^62 are reduced; they never overflow.
 const REDUCE_AT: u128 = 1 << 127;
 
+/// Removes trailing zeros.
 #[must_use]
 pub fn trimmed(mut a: Dense) -> Dense {
     while a.last() == Some(&0) {

@@ -40,6 +40,7 @@ pub fn read_npy(bytes: &[u8]) {
     }
 }
 
+/// Reads a table of numbers.
 pub fn read_csv(bytes: &[u8]) {
     read(bytes, ".csv");
 }

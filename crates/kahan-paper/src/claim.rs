@@ -128,6 +128,7 @@ impl Outcome {
 }
 
 impl Claim {
+    /// Says whether the claim is about measurements on an exact orbit.
     #[must_use]
     pub fn is_measured(&self) -> bool {
         matches!(self.basis, Basis::Formula { orbit: Some(_), .. })

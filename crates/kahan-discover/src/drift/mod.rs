@@ -56,7 +56,9 @@ pub struct Drift {
     pub claim: Claim,
     /// The form of the next value.
     pub kind: DriftKind,
+    /// The numerator of F.
     pub numerator: Polynomial,
+    /// The denominator of F.
     pub denominator: Polynomial,
 }
 

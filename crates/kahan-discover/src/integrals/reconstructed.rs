@@ -42,6 +42,7 @@ pub struct Aims<'a> {
     pub known: &'a [(Polynomial, Polynomial)],
     /// The limits on the size of formulas.
     pub reach: Reach,
+    /// Called with each integral as soon as it is proved.
     pub tell: &'a dyn Fn(&Formula),
 }
 

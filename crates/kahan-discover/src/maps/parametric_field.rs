@@ -25,6 +25,7 @@ struct FamilyTerm {
 }
 
 impl Family {
+    /// Groups the terms of a field by the monomials of its states.
     #[must_use]
     pub fn of(field: &Field) -> Self {
         let mut terms = Vec::new();

@@ -22,6 +22,7 @@ pub enum Growth {
     Undecided,
 }
 
+/// A growth class with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthVerdict {
     /// The class.

@@ -127,6 +127,7 @@ impl Hilbert {
         Self::of(searched, degree, random, deadline)
     }
 
+    /// Returns the Hilbert function of one orbit.
     #[must_use]
     pub fn from_relations(relations: &Relations, modulus: &Modulus, monomials: &Monomials) -> Self {
         let full: Vec<usize> = (1..=monomials.degree()).map(|degree| monomials.up_to(degree)).collect();

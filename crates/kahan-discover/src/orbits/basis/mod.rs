@@ -114,6 +114,7 @@ impl Basis {
         format!("{} = 0", summands.join(" + "))
     }
 
+    /// Returns the index of the term that contains a monomial.
     #[must_use]
     pub fn term_of(&self, place: usize) -> Option<usize> {
         self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
