@@ -111,12 +111,10 @@ pub(crate) fn run() -> Result<bool> {
     }
 }
 
-/// Returns the root of the repository from which this program was built.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(PathBuf::new, Path::to_path_buf)
 }
 
-/// Returns the named systems, or all without names.
 fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     let all = systems::all();
     for name in names {
@@ -129,7 +127,6 @@ fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     Ok(all.into_iter().filter(wanted).collect())
 }
 
-/// Prints the missed limits, and returns whether none is missed.
 fn hold(limits: &[Limit]) -> bool {
     let missed = limits.iter().filter(|limit| limit.is_missed());
     missed.inspect(|limit| eprintln!("does not hold: {}", limit.figure)).count() == 0
@@ -141,7 +138,7 @@ fn print((sections, limits): (Vec<Section>, Vec<Limit>)) -> Result<bool> {
         text += &limit::table(&limits).to_string();
     }
     match io::stdout().lock().write_all(text.as_bytes()) {
-        // A closed pipe is no error.
+        // Ignores a closed pipe.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => {}
         written => written.context("standard output cannot be written")?,
     }

@@ -1,7 +1,9 @@
 //! The cost of compiling a block: the macro's own time, and the compiler's time beyond that of an
-//! empty crate. Each block is built in a temporary library with one call of its step, so nothing is
-//! linked; dependencies are built before. The least of several builds counts, in turns with the
-//! others.
+//! empty crate.
+//!
+//! Each block is built in a temporary library with one call of its step, so nothing is linked;
+//! dependencies are built before. The figure is the least of several builds, alternating with those
+//! of other blocks.
 
 use std::fs;
 use std::path::Path;
@@ -23,15 +25,15 @@ const CATALOG: [(&str, &str); 6] = [
     ("E6", include_str!("../../systems/src/catalog/e6.rs")),
 ];
 
-/// The figures of an earlier state for comparison; the first lines name it.
+/// The figures of an earlier state for comparison; its first lines name that state.
 pub(crate) const BEFORE: &str = include_str!("../before.tsv");
 
-/// The milliseconds of one block; for builds processor time, which other programs affect least.
+/// The time for one block in milliseconds. Builds are measured in processor time, which other
+/// programs affect least.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cost {
     /// The system, and whether the block has claims.
     pub(crate) block: String,
-    /// The time in the macro, which Cargo builds unoptimised.
     pub(crate) expansion: f64,
     /// The unoptimised compiler time beyond an empty crate, including the macro.
     pub(crate) debug: f64,
@@ -84,7 +86,6 @@ pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
 
 const PROFILES: [bool; 2] = [false, true];
 
-/// Returns the blocks of the benchmarks, and those of the catalog with claims.
 fn probes() -> Result<Vec<Probe>> {
     let mut probes = Vec::new();
     for source in SOURCES {
@@ -112,7 +113,6 @@ fn probes() -> Result<Vec<Probe>> {
 #[derive(Clone, Copy)]
 struct Build {
     build: f64,
-    /// Infinite if nothing was expanded.
     expansion: f64,
 }
 
@@ -128,7 +128,6 @@ impl Folder {
         );
         fs::write(folder.path().join("Cargo.toml"), manifest)
             .context("the temporary folder cannot be filled")?;
-        // Uses the versions with which the checkout was tested.
         let lock = core.with_file_name("Cargo.lock");
         if lock.is_file() {
             fs::copy(lock, folder.path().join("Cargo.lock"))
@@ -137,7 +136,6 @@ impl Folder {
         Ok(Self(folder))
     }
 
-    /// Builds a source; the first build includes the dependencies.
     fn build(&self, source: &str, release: bool) -> Result<Build> {
         fs::write(self.0.path().join("src/lib.rs"), source)
             .context("the temporary folder cannot be filled")?;
@@ -166,7 +164,7 @@ fn processor_time() -> f64 {
     use nix::sys::resource::{UsageWho, getrusage};
     use nix::sys::time::TimeValLike;
 
-    // The call fails for no valid argument.
+    // The call cannot fail for valid arguments.
     getrusage(UsageWho::RUSAGE_CHILDREN).map_or(f64::NAN, |usage| {
         let microseconds = usage.user_time().num_microseconds() + usage.system_time().num_microseconds();
         microseconds as f64 * 1e-6
@@ -189,7 +187,6 @@ fn expansion_time(line: &str) -> Option<f64> {
     rest.strip_suffix(" ms")?.parse().ok()
 }
 
-/// Writes the figures, one block on each line.
 pub(crate) fn to_text(costs: &[Cost]) -> String {
     let lines = costs.iter().map(|cost| {
         format!("{}\t{:.2}\t{:.1}\t{:.1}\n", cost.block, cost.expansion, cost.debug, cost.release)
@@ -197,7 +194,6 @@ pub(crate) fn to_text(costs: &[Cost]) -> String {
     lines.collect()
 }
 
-/// Reads figures; lines that begin with `#` are comments.
 pub(crate) fn from_text(text: &str) -> Result<Vec<Cost>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let cost = |line: &str| {

@@ -1,6 +1,6 @@
-//! A way of advancing a state, run for a number of steps. The loop of dependent steps is compiled
-//! separately for each contender, so all loops are alike. Chains restart every [`SEGMENT`] steps,
-//! so that orbits stay in a range where arithmetic takes its usual time.
+//! A method that advances a state, run for a number of steps. The loop of dependent steps is
+//! compiled separately for each contender, so all loops are alike. Chains restart every [`SEGMENT`]
+//! steps, so that orbits stay in a range where arithmetic takes its usual time.
 
 use std::hint::black_box;
 
@@ -26,7 +26,6 @@ pub(crate) struct Contender {
 }
 
 impl Contender {
-    /// Makes a contender that applies `step` repeatedly from `start`.
     pub(crate) fn new<const N: usize>(
         name: &'static str,
         role: Role,

@@ -13,7 +13,7 @@ kahan! {
     integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
 }
 
-/// ε, with exact powers.
+/// ε, a power of two.
 pub(crate) const EPS: f64 = 1.0 / 1024.0;
 
 pub(crate) struct Line {
@@ -22,7 +22,6 @@ pub(crate) struct Line {
     pub(crate) compensated: f64,
 }
 
-/// Computes one orbit in each mode up to 10^`decades` steps.
 pub(crate) fn lines(decades: u32) -> Vec<Line> {
     let start = vector![0.3, 0.8, 0.5];
     let value = |x: SVector<f64, 3>| Watched.integrals(&x.map(Dd::from), Dd::from(EPS))[0];
@@ -33,7 +32,7 @@ pub(crate) fn lines(decades: u32) -> Vec<Line> {
     let mut lines = Vec::new();
     for decade in 5..=decades {
         let steps = 10_usize.pow(decade);
-        // An orbit yields its initial state first.
+        // The first item of an orbit is its initial state.
         let more = if done == 0 { steps } else { steps - done - 1 };
         let at = |orbit: &mut dyn Iterator<Item = SVector<f64, 3>>| {
             change(orbit.nth(more).expect("an orbit over floats goes on"))

@@ -1,6 +1,5 @@
 //! Instructions per step, counted by valgrind's callgrind and free of timing noise. The program
-//! runs a contender twice with different numbers of steps; the ratio of the differences isolates
-//! the loop.
+//! runs a contender twice with different numbers of steps; the difference counts only the loop.
 
 use std::env;
 use std::process::{Command, Stdio};
@@ -18,7 +17,6 @@ pub(crate) fn can_be_counted() -> bool {
     status.is_ok_and(|status| status.success())
 }
 
-/// Counts the instructions of one step of the contender with this index.
 pub(crate) fn per_step(system: &str, contender: usize) -> Result<f64> {
     let (short, long) = (count(system, contender, STEPS)?, count(system, contender, 2 * STEPS)?);
     Ok((long as f64 - short as f64) / STEPS as f64)

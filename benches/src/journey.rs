@@ -1,13 +1,12 @@
-//! Integrations over a fixed time, by which integrators of different kinds are compared: methods to
-//! reach [`SPAN`] from an initial state, with their tolerances, and their distance from the flow at
-//! the end.
+//! Integrations over a fixed time, which compare integrators of different kinds: methods to reach
+//! [`SPAN`] from an initial state, with their tolerances, and their distance from the flow at the
+//! end.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
 use crate::rivals::{diffsol, dop853, midpoint, runge_kutta};
 
-/// The simulated time.
 pub(crate) const SPAN: f64 = 8.0;
 
 /// The step 2ε of fixed-step methods.
@@ -31,13 +30,11 @@ impl Journey {
         Self { name, go: Box::new(move || go(std::hint::black_box(start)).to_vec()) }
     }
 
-    /// Returns the state at [`SPAN`].
     pub(crate) fn end(&self) -> Vec<f64> {
         (self.go)()
     }
 }
 
-/// Returns all methods for a system, Kahan's first.
 pub(crate) fn journeys<M, const N: usize>(map: M, start: [f64; N]) -> Vec<Journey>
 where
     M: KahanMap<f64, N> + Copy + 'static,

@@ -4,11 +4,11 @@ use serde_json::{Value, json};
 
 use crate::table::Table;
 
-/// A figure with its limit, if any; figures without a limit are for comparison.
+/// A figure, with its limit if there is one.
 pub(crate) struct Limit {
     pub(crate) figure: String,
     pub(crate) at_most: Option<f64>,
-    /// `None` if not measurable here.
+    /// `None` if it cannot be measured here.
     pub(crate) measured: Option<f64>,
     /// `×` for a ratio, `ms` for a time.
     pub(crate) unit: &'static str,
@@ -23,7 +23,7 @@ impl Limit {
         Self { figure: figure.into(), at_most: None, measured, unit: "" }
     }
 
-    /// Says whether the figure was measured and exceeds its limit.
+    /// Returns whether the figure was measured and exceeds its limit.
     pub(crate) fn is_missed(&self) -> bool {
         matches!((self.measured, self.at_most), (Some(measured), Some(at_most)) if measured > at_most)
     }

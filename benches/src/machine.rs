@@ -21,13 +21,11 @@ pub(crate) fn commit(root: &Path) -> String {
     told(Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(root))
 }
 
-/// Returns a program's output in one line.
 fn told(command: &mut Command) -> String {
     let text = command.output().map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
     text.ok().filter(|text| !text.is_empty()).unwrap_or_else(|| "unknown".to_owned())
 }
 
-/// Returns the processor's model with its relevant vector instructions.
 fn model() -> String {
     let text = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| {

@@ -1,6 +1,6 @@
 //! Order 8 against DOP853, each at its cheapest setting with a trajectory error below [`ERROR`]
-//! from t = 0 to [`HORIZON`]. The reference is the composition in double-double at a sixteenth of
-//! the step, with an error 16⁸ times smaller.
+//! from t = 0 to [`HORIZON`]. The reference is the composition in double-double with a sixteenth of
+//! the step, whose error is 16⁸ times smaller.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars};
@@ -12,15 +12,13 @@ pub(crate) const HORIZON: f64 = 64.0;
 /// The largest error along the trajectory, relative to the largest component.
 pub(crate) const ERROR: f64 = 1e-8;
 
-/// The number of equidistant times at which errors are taken.
+/// The number of equidistant times at which errors are measured.
 const SAMPLES: usize = 32;
 
 pub(crate) const COMPOSITION: Composition = Composition::KAHAN_LI_8;
 
-/// A method at its cheapest setting.
 pub(crate) struct Run {
     pub(crate) name: String,
-    /// The largest error along the trajectory, relative to the largest component.
     pub(crate) error: f64,
     pub(crate) go: Box<dyn Fn()>,
 }
@@ -75,7 +73,6 @@ where
     ]
 }
 
-/// Returns the reference trajectory at the sample times, including the initial state.
 fn reference<M, const N: usize>(map: M, start: SVector<f64, N>) -> Vec<SVector<f64, N>>
 where
     M: ExtendScalars<f64, N>,

@@ -1,4 +1,4 @@
-//! Writing a file atomically.
+//! Writes files atomically.
 
 use std::io::Write;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use tempfile::NamedTempFile;
 
-/// Writes `text` beside `path` and renames it.
+/// Writes `text` to a temporary file and renames it to `path`.
 pub(crate) fn write_whole(path: &Path, text: &str) -> Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let refused = || format!("cannot write the file {}; choose another place with --out", path.display());

@@ -1,4 +1,4 @@
-//! Interleaved timing of several runners. Returns the quartiles of their times, and of their ratios
+//! Alternating timing of several runners. Returns the quartiles of their times, and of their ratios
 //! to the first runner within each round, so that temporary slowdowns affect both sides of a ratio.
 
 use std::time::{Duration, Instant};
@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 pub(crate) struct Effort {
     /// The number of rounds; each times every runner once.
     pub(crate) rounds: usize,
-    /// The time of one runner in one round.
     pub(crate) sample: Duration,
 }
 
@@ -17,7 +16,7 @@ impl Effort {
         Self { rounds, sample: Duration::from_micros(if quick { 200 } else { 500 }) }
     }
 
-    /// Says whether this is a short trial instead of a measurement.
+    /// Returns whether this is a short trial instead of a measurement.
     pub(crate) fn is_quick(self) -> bool {
         self.rounds < 100
     }
@@ -41,9 +40,8 @@ impl Quartiles {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
-    /// The least nanoseconds per unit over all rounds, for an undisturbed machine.
+    /// The least nanoseconds per unit over all rounds, as on an undisturbed machine.
     pub(crate) nanoseconds: f64,
-    /// The ratio to the first runner's time in each round.
     pub(crate) ratio: Quartiles,
 }
 
@@ -53,7 +51,7 @@ pub(crate) fn seconds(run: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64()
 }
 
-/// Times `runners` in turns. `seconds(i, units)` runs `units` units of runner i and returns the
+/// Times `runners` alternately. `seconds(i, units)` runs `units` units of runner i and returns the
 /// seconds; the order rotates from round to round. Panics without a runner.
 pub(crate) fn race(
     runners: usize,
@@ -81,11 +79,12 @@ pub(crate) fn race(
 
 const PASSES: usize = 3;
 
-/// Returns the least nanoseconds per unit for several races with these numbers of `runners`. The
-/// races run one after the other, several times, because another program may disturb more than one
-/// race. Such a neighbour delays code that fills the processor's units more than dependent chains,
-/// so medians are unsuitable. `seconds(race, i, units)` runs `units` units of runner i. Fails with
-/// the first error of `seconds`; panics if a race has no runner.
+/// Returns the least nanoseconds per unit for several races with these numbers of `runners`.
+///
+/// The races run one after the other, several times, because a disturbance by another program may
+/// last longer than one race. Disturbances delay code that fills the processor's units more than
+/// dependent chains, so medians are unsuitable. `seconds(race, i, units)` runs `units` units of
+/// runner i. Fails with the first error of `seconds`; panics if a race has no runner.
 pub(crate) fn least_times<E>(
     runners: &[usize],
     effort: Effort,
@@ -111,11 +110,10 @@ pub(crate) fn least_times<E>(
     Ok(least)
 }
 
-/// Returns the number of units that take about one sample.
 fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
     let mut units = 1;
     loop {
-        // The least of three, because an interrupted trial would give too few units.
+        // Use the least of three, because an interrupted trial would give too few units.
         let taken = (0..3).map(|_| seconds(units)).fold(f64::INFINITY, f64::min);
         if taken > 0.1 * sample.as_secs_f64() {
             return ((units as f64 * sample.as_secs_f64() / taken) as usize).max(1);
@@ -137,7 +135,7 @@ mod tests {
     #[test]
     fn the_least_time_is_kept_for_each_runner_of_each_race() {
         let effort = Effort { rounds: 3, sample: Duration::from_micros(20) };
-        // A simulated neighbour doubles the times of the first calls, more than one pass has.
+        // A simulated disturbance doubles the times of the first calls, for longer than one pass.
         let mut calls = 0;
         let times = least_times(&[1, 2], effort, |race, i, units| {
             calls += 1;

@@ -1,7 +1,7 @@
 //! The measured parts of `docs/reference/speed.md`: the picture of a trade, and the tables of
-//! speed, tiers and extremes. They come from this checkout's command and timings, and replace the
-//! text between the markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`; the rest of the page
-//! is unchanged.
+//! speed, tiers and extremes. Results of this checkout's command and timings replace the text
+//! between the markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`; the other text is
+//! unchanged.
 
 use std::path::Path;
 use std::process::Command;
@@ -69,7 +69,6 @@ fn rewrite(path: &Path, parts: &[(&str, &String)]) -> Result<()> {
     write_whole(path, &text)
 }
 
-/// Runs this checkout's command and returns its output.
 fn kahan<'a>(root: &Path, arguments: impl Iterator<Item = &'a str>) -> Result<String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
@@ -85,13 +84,11 @@ fn kahan<'a>(root: &Path, arguments: impl Iterator<Item = &'a str>) -> Result<St
     String::from_utf8(output.stdout).context("the command `kahan` does not print text")
 }
 
-/// Returns the lines with the choice and its Rust code.
 fn choice(told: &str) -> String {
     let lines = told.lines().skip_while(|line| !line.starts_with("choice")).take(2);
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// Replaces the text between two markers.
 fn replaced(text: &str, name: &str, by: &str) -> Result<String> {
     let (begin, end) = (format!("<!-- begin: {name} -->\n"), format!("<!-- end: {name} -->"));
     let from = text.find(&begin).with_context(|| format!("there is no {}", begin.trim()))? + begin.len();
@@ -99,7 +96,6 @@ fn replaced(text: &str, name: &str, by: &str) -> Result<String> {
     Ok(format!("{}\n{by}\n{}", &text[..from].trim_end_matches('\n').to_owned(), &text[to..]))
 }
 
-/// Returns the nanoseconds of one step for each system.
 fn speed(effort: Effort) -> Result<Table> {
     let steps = report::step_times(&systems::all(), effort);
     let ensembles = report::ensemble_times(effort)?;
@@ -123,7 +119,6 @@ fn speed(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Returns the promise and price of each tier.
 fn tiers(effort: Effort) -> Result<Table> {
     let prices = report::tier_prices(effort)?;
     let mut table = Table::new(&["tier", "how", "promise", "price"]);
@@ -138,7 +133,6 @@ fn tiers(effort: Effort) -> Result<Table> {
     Ok(table)
 }
 
-/// Returns the shares of silently wrong results, and of errors in the stable tier.
 fn extremes(judged: &Value) -> Result<Table> {
     let cells = judged["cells"].as_array().context("no cells in `kahan extremes --json`")?;
     let mut regimes: Vec<&str> = cells.iter().filter_map(|cell| cell["regime"].as_str()).collect();

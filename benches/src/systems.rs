@@ -9,15 +9,14 @@ use crate::contender::{Contender, Role};
 use crate::journey::{Journey, journeys};
 use crate::rivals::{lu, midpoint, runge_kutta};
 
-/// The contender with a separate limit.
+/// The contender that has a limit of its own.
 pub(crate) const STATIC_LU: &str = "Kahan by SMatrix LU";
 
 pub(crate) struct System {
     pub(crate) name: &'static str,
     pub(crate) dimension: usize,
-    /// Contenders for one step; the first is the generated step, the reference.
+    /// Contenders for one step; the first one, the generated step, is the reference.
     pub(crate) steps: Vec<Contender>,
-    /// Integrations over a fixed time.
     pub(crate) journeys: Vec<Journey>,
 }
 
@@ -37,7 +36,6 @@ pub(crate) fn all() -> Vec<System> {
     ]
 }
 
-/// Returns a system with the common contenders and its hand-written steps.
 fn system<M, const N: usize>(
     name: &'static str,
     map: M,

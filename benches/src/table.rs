@@ -1,4 +1,4 @@
-//! Tables in Markdown that is readable as text.
+//! Tables in Markdown, aligned so that they are readable as text.
 
 use std::fmt;
 
@@ -45,7 +45,6 @@ impl fmt::Display for Table {
     }
 }
 
-/// Writes three significant digits, or a dash for `None`.
 pub(crate) fn short(value: Option<f64>) -> String {
     match value {
         None => "–".to_owned(),

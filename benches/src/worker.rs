@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The packages of such processes, each with a program of its name.
+/// The packages of these processes; each has a program with its name.
 pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
 pub(crate) const RUN_TIME: &str = "kahan-bench-run-time";
 pub(crate) const TIERS: &str = "kahan-bench-tiers";
@@ -26,10 +26,10 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a worker and returns its path; native builds have a target folder of their own.
+/// Builds a worker and returns its path; native builds use a separate target folder.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
-    // …/target/release/program
+    // The path is …/target/release/program.
     let target = program.ancestors().nth(2).context("this program does not lie in a target folder")?;
     let target = if native { target.join("native") } else { target.to_path_buf() };
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
@@ -49,7 +49,6 @@ pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
 }
 
 impl Worker {
-    /// Starts a worker and reads its tasks.
     pub(crate) fn start(program: &Path) -> Result<Self> {
         let mut child = Command::new(program)
             .stdin(Stdio::piped())
@@ -76,7 +75,6 @@ impl Worker {
         &self.tasks
     }
 
-    /// Returns the seconds for a number of units of a task.
     pub(crate) fn seconds(&mut self, task: usize, units: usize) -> Result<f64> {
         writeln!(self.requests, "{task} {units}").context("the worker has ended")?;
         self.requests.flush().context("the worker has ended")?;

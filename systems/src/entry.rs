@@ -1,6 +1,6 @@
-//! Entries of the catalog: a system's names, its block as text, the closed solution of its flow,
-//! and the sources of its claims. The text is cut out of the system's own source file, so it equals
-//! the text that the macro compiles. Apart from finding the block, nothing is parsed here.
+//! Entries of the catalog: names, the block as text, the closed solution of the flow, and the
+//! sources of the claims. The text is cut out of the system's source file, so it equals the text
+//! that the macro compiles. Nothing is parsed here except the limits of the block.
 
 use std::ops::Range;
 
@@ -28,10 +28,10 @@ pub struct Entry {
     pub name: &'static str,
     /// A description in one line.
     pub title: &'static str,
-    /// The contents of the source file that holds the block.
+    /// The contents of the source file that contains the block.
     pub(crate) file: &'static str,
-    /// A value for each parameter, as numerator and denominator. Tests use these values. They have
-    /// the size usual in the literature, and are dyadic, so that floats represent them exactly.
+    /// A value for each parameter, as numerator and denominator, used by tests. The values have the
+    /// size usual in the literature and are dyadic, so that floats represent them exactly.
     pub parameters: &'static [(i64, i64)],
     /// The closed solution of the flow, if known.
     pub flow: Option<ClosedFlow>,
@@ -60,7 +60,7 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// Makes an entry without parameters, closed solution and claims, named after its type.
+    /// Makes an entry without parameters, closed solution and claims; its name is that of its type.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,
@@ -82,7 +82,6 @@ impl Entry {
         Entry { flow: Some(flow), ..self }
     }
 
-    /// Sets the sources of the claims.
     pub(crate) const fn with_sources(self, sources: &'static [(&'static str, &'static str)]) -> Self {
         Entry { sources, ..self }
     }

@@ -3,7 +3,7 @@
 //! `kahan!` block with its claims, which the macro proves; ε, half the time step, is written `eps`.
 //! The crate exports the macro's types, closed solutions, and an [`Entry`](entry::Entry) for each
 //! system in [`registry`], which explains how to add one. [`lattices`] are systems with any number
-//! of sites. The crate knows neither the `kahan` command nor the claims of the paper.
+//! of sites. The crate must not know the `kahan` command or the claims of the paper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -14,8 +14,8 @@
 use crate::catalog::*;
 use crate::entry::Entry;
 
-/// Passes the catalog to a macro: `paper { … } further { … }`, one line for each system in order of
-/// display. A line holds the module, the type with its parameters, if any, and the number of
+/// Calls a macro with the catalog: `paper { … } further { … }`, one line for each system in order
+/// of display. A line holds the module, the type with its parameters, if any, and the number of
 /// variables. `paper` are the systems of Hone and Petrera.
 ///
 /// ```

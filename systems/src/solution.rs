@@ -1,11 +1,11 @@
-//! Common parts of the closed solutions. Systems with a closed solution have two types in their
-//! modules: `Solution`, an orbit of Kahan's map, with `Solution::through(&point, &eps)` and
-//! `.at(n)` for any integer n; and `FlowSolution`, a trajectory, with
-//! `FlowSolution::through(&point)` and `.at(&t)`. Parameters come first. Public fields hold the
-//! constants of a solution, named as in the paper. `.at(0)` is the given point. Rational solutions
-//! work over every [`Scalar`], and exactly over big rationals; others over every
+//! Definitions shared by the closed solutions.
+//!
+//! The module of a system with a closed solution has two types. `Solution` is an orbit of Kahan's
+//! map, with `Solution::through(&point, &eps)` and `.at(n)` for any integer n. `FlowSolution` is a
+//! trajectory, with `FlowSolution::through(&point)` and `.at(&t)`. Parameters are the first
+//! arguments; `.at(0)` is the given point. Rational solutions accept every [`Scalar`], others every
 //! [`Real`](crate::special::Real). [`Entry::flow`](crate::entry::Entry::flow) returns trajectories
-//! in 256 bits for systems known at run time.
+//! in 256 bits for systems chosen at run time.
 
 mod reciprocal;
 
@@ -25,7 +25,6 @@ pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;
 /// closed form passes through the point, or if an argument has the wrong length.
 pub type ClosedFlow = fn(parameters: &[Precise], start: &[Precise]) -> Option<Trajectory>;
 
-/// Converts a solution to a trajectory.
 pub(crate) fn trajectory<S: 'static, const N: usize>(
     solution: Result<S, OutOfDomain>,
     at: fn(&S, &Precise) -> SVector<Precise, N>,
@@ -54,8 +53,8 @@ impl fmt::Display for OutOfDomain {
 
 impl core::error::Error for OutOfDomain {}
 
-/// A real branch of a hyperbolic or elliptic solution; orbits stay on their branch. The set between
-/// the branches, where det A vanishes for one sign of ε, is never crossed.
+/// A real branch of a hyperbolic or elliptic solution. Orbits stay on their branch: they never
+/// reach the boundary between the branches, where det A vanishes for one sign of ε.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     /// The bounded branch, which tends to the flow's solution as ε → 0.
@@ -87,7 +86,6 @@ pub(crate) fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))
 }
 
-/// Returns (−1)ⁿ.
 pub(crate) fn alternating<T: Scalar>(n: i64) -> T {
     if n % 2 == 0 { T::one() } else { -T::one() }
 }

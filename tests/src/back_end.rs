@@ -1,7 +1,7 @@
-//! A common trait of both back ends, generated code and the run-time interpreter, so that one suite
-//! tests both. Takes a system at given parameters, points and ε (half the time step) as exact
-//! numbers. Returns every object of the method as plain vectors, or `None` where the map or a claim
-//! has no value.
+//! A common trait of both back ends, generated code and the run-time interpreter, so that one test
+//! suite runs on both. A system at given parameters, points and ε (half the time step) come in as
+//! exact numbers. Every object of the method goes out as a plain vector, or as `None` where the map
+//! or a claim has no value.
 
 mod generated;
 mod interpreter;
@@ -31,7 +31,7 @@ pub trait BackEnd {
     fn step(&self, x: &[Q], eps: &Q) -> Option<Vector>;
     /// ∂x̃/∂x; `None` at a pole.
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix>;
-    /// (∂x̃/∂x)·v, given x̃ as `next`; `None` at a pole.
+    /// (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`; `None` at a pole.
     fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector>;
     /// det A(x,ε)
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q;
@@ -39,7 +39,7 @@ pub trait BackEnd {
     fn det_jacobian(&self, x: &[Q], eps: &Q) -> Option<Q>;
     /// (N, D) = (adj A·b, det A)
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q);
-    /// x₀, x₁, … x_steps, up to the last point before a pole; and whether a pole ended the orbit.
+    /// x₀, x₁, … x_steps, up to the last point before a pole, and whether a pole ended the orbit.
     fn orbit(&self, x: &[Q], eps: &Q, steps: usize) -> (Vec<Vector>, bool);
     /// The unconditional integrals in order; `None` where one has no value.
     fn integrals(&self, x: &[Q], eps: &Q) -> Option<Vector>;

@@ -1,5 +1,5 @@
-//! Exact numbers for tests: rationals, vectors, matrices and seeded draws. Determinants use
-//! Laplace's expansion, which is slow but independent of the eliminations under test.
+//! Exact numbers for tests: rationals, vectors, matrices and seeded random numbers. Determinants
+//! use Laplace's expansion, which is slow but independent of the eliminations under test.
 
 use kahan_algebra::prime_field::SplitMix64;
 use num_bigint::BigInt;

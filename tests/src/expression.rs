@@ -1,7 +1,8 @@
-//! Formulas of the paper as text, evaluated or compared as polynomials. Takes names and a formula
-//! in the language of claims, with `eps` and any divisors. Returns values at exact numbers, or a
-//! normal form. The formula is parsed as a claim of a block whose states are the names; nothing is
-//! proved.
+//! Formulas of the paper as text, evaluated or compared as polynomials.
+//!
+//! Names and a formula in the language of claims come in; the formula may contain `eps` and
+//! divisors. Values at exact numbers, or a normal form, go out. The formula is parsed as a claim of
+//! a block whose states are the names; nothing is proved.
 
 use kahan_algebra::arithmetic::{Exact, Function, Functions};
 use kahan_algebra::lexer::lex;

@@ -1,4 +1,5 @@
-//! Shared parts of the tests: exact numbers, back ends, the oracle, random fields, rounding bounds.
+//! Modules shared by the tests: exact numbers, back ends, reference files, random fields, rounding
+//! bounds.
 
 pub mod back_end;
 pub mod doubles;

@@ -1,7 +1,8 @@
-//! Generated maps behind traits, over any scalar and dimension. Returns [`Steps`] and [`Map`]s of
-//! the catalog and the random fields, in the order and with the parameters of `subject::paper`,
-//! `subject::further` and `subject::random`. Tests written over these traits are compiled once
-//! instead of once for each system.
+//! Generated maps behind traits, over any scalar and dimension.
+//!
+//! [`Steps`] and [`Map`] cover the catalog and the random fields, in the order and with the
+//! parameters of `subject::paper`, `subject::further` and `subject::random`. Tests over these
+//! traits are compiled once instead of once for each system.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, ExtendScalars, KahanAt, Orbit, SingularStep};
@@ -45,7 +46,7 @@ pub trait Map<T>: Steps<T> {
     fn det_jacobian(&self, x: &[T], eps: T) -> T;
     /// (N, D) = (adj A·b, det A)
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
-    /// (∂x̃/∂x)·v, given x̃ as `next`.
+    /// (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`.
     fn carry(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
     /// The prepared map.
     fn at(&self, eps: T) -> Box<dyn Prepared<T>>;
@@ -69,7 +70,7 @@ pub trait Prepared<T> {
 pub trait Points<T> {
     /// Returns the next point; `None` after the last.
     fn next_point(&mut self) -> Option<Vec<T>>;
-    /// Says whether a pole ended the orbit.
+    /// Returns whether a pole ended the orbit.
     fn has_stopped(&self) -> bool;
 }
 
@@ -270,7 +271,8 @@ pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random_in_floats()).collect()
 }
 
-/// Returns x₁, …, x_steps by `step`, by the prepared map, by its orbit, and by the map's orbit.
+/// Returns x₁, …, x_steps in four ways: by `step`, the prepared map, its orbit, and the map's
+/// orbit.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {
@@ -285,7 +287,7 @@ pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [V
     [by(&|x| map.step(x, eps)), by(&|x| prepared.step(x)), of(prepared.orbit(x)), of(map.orbit(x, eps))]
 }
 
-/// Calls every method, and returns the number of points of an orbit with at most four.
+/// Calls every method; returns the number of points of an orbit, at most four.
 pub fn call_everything<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T) -> usize {
     let _ = (map.field(x), map.field_jacobian(x), map.bilinear(x, x), map.polarized(x, x));
     let _ = (map.matrix(x, eps), map.rhs(x, eps), map.rational_map(x, eps), map.det_matrix(x, eps));

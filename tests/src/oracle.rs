@@ -1,4 +1,4 @@
-//! Access to the oracle's files: exact values of every object, orbits, and points on det A = 0.
+//! Reads the reference files: exact values of every object, orbits, and points on det A = 0.
 //! `data/generate.py` writes and describes `data/SYSTEM.json`. A value that is undefined at a point
 //! is `None`.
 
@@ -6,10 +6,10 @@ use serde_json::Value;
 
 use crate::exact::{Matrix, Q, Vector, number};
 
-/// The systems with a file.
+/// The systems with a reference file.
 pub const SYSTEMS: [&str; 11] = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
 
-/// A file of the oracle.
+/// A reference file.
 #[derive(Clone, Debug)]
 pub struct File(Value);
 
@@ -48,12 +48,11 @@ fn matrix(value: &Value) -> Matrix {
 }
 
 impl<'a> Entry<'a> {
-    /// Returns the value of a key; `None` if absent or `null`.
     fn get(&self, key: &str) -> Option<&'a Value> {
         self.0.get(key).filter(|value| !value.is_null())
     }
 
-    /// Says whether the key is present, even with `null`.
+    /// Returns whether the key is present, even with `null`.
     #[must_use]
     pub fn mentions(&self, key: &str) -> bool {
         self.0.get(key).is_some()

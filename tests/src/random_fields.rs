@@ -1,7 +1,8 @@
-//! The random fields of `random_systems.rs`, compiled by the macro. All are compiled over ℚ. Code
-//! over floats dominates the build time of the tests, so only the fields in `IN_FLOATS` get such
-//! steps: every kind from two dimensions on, and every dimension.
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends` rewrites the file.
+//! The random fields of `random_systems.rs`, compiled by the macro over ℚ.
+//!
+//! Code over floats dominates the build time of the tests, so only the fields in `IN_FLOATS` get
+//! such steps: every kind from two dimensions on, and every dimension. `KAHAN_GOLDEN=overwrite
+//! cargo test -p kahan-tests back_ends` rewrites the file.
 
 pub use kahan_judge::random_fields::RandomField;
 use kahan_judge::random_fields::{DIMENSIONS, Draw, Maker, Tree, affine, dense, scaled, sparse, spelled};
@@ -15,7 +16,7 @@ const PARAMETERS: [(&str, i64, i64); 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4
 const KINDS: [(&str, Maker); 5] =
     [("sparse", sparse), ("affine", affine), ("scaled", scaled), ("spelled", spelled), ("dense", dense)];
 
-/// Returns a fixed set: each kind in every dimension.
+/// Returns the fields: each kind in every dimension, from fixed seeds.
 fn every_field() -> Vec<RandomField> {
     let of = |n: usize| {
         KINDS.into_iter().map(move |(kind, make)| make(n, &mut Draw::seeded(&format!("{kind} {n}"))))
@@ -33,7 +34,7 @@ fn values(field: &RandomField) -> impl Iterator<Item = (&'static str, i64, i64)>
     PARAMETERS.into_iter().filter(|(name, ..)| field.parameters.contains(name))
 }
 
-/// Evaluates f(x) from the trees.
+/// Evaluates f(x) from the expression trees.
 #[must_use]
 pub fn value_of(field: &RandomField, x: &[BigRational]) -> Vec<BigRational> {
     let parameters = values(field).map(|(name, p, d)| (name, q(p, d)));
@@ -42,7 +43,7 @@ pub fn value_of(field: &RandomField, x: &[BigRational]) -> Vec<BigRational> {
     field.equations.iter().map(|equation| value(equation, &names)).collect()
 }
 
-/// Evaluates a tree at values of the names. Literals are read here, independently of the front end.
+/// Evaluates a tree; reads literals independently of the front end.
 fn value(tree: &Tree, names: &[(&str, BigRational)]) -> BigRational {
     let values = |trees: &[Tree]| trees.iter().map(|tree| value(tree, names)).collect::<Vec<_>>().into_iter();
     match tree {
@@ -59,7 +60,6 @@ fn value(tree: &Tree, names: &[(&str, BigRational)]) -> BigRational {
     }
 }
 
-/// Reads digits with an optional point, exponent or underscores.
 fn decimal(text: &str) -> BigRational {
     let digits = text.replace('_', "");
     let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
@@ -69,14 +69,13 @@ fn decimal(text: &str) -> BigRational {
     BigRational::from_integer(number) * q(10, 1).pow(exponent - fraction.len() as i32)
 }
 
-/// The names of fields also compiled over floats. In six variables, `Sparse6` has a closed form
+/// The fields that are also compiled over floats. In six variables, `Sparse6` has a closed form
 /// within the budget of terms, and `Dense6` is eliminated in a loop.
 const IN_FLOATS: [&str; 13] = [
     "Affine1", "Scaled1", "Sparse2", "Scaled2", "Spelled2", "Dense2", "Sparse3", "Affine3", "Spelled3",
     "Scaled4", "Affine5", "Sparse6", "Dense6",
 ];
 
-/// Returns the fields also compiled over floats, and the others.
 fn in_floats_and_not() -> [Vec<RandomField>; 2] {
     let (floats, not) = every_field().into_iter().partition(|field| IN_FLOATS.contains(&field.name.as_str()));
     [floats, not]

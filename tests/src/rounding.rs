@@ -1,9 +1,11 @@
 //! Bounds on the error of a float step, derived from the plan of its code, with or without fused
-//! multiply-adds. Takes a system, a point exact in the float type, and the unit roundoff u; returns
-//! a bound on |x̂̃ − x̃| for each component. With γ_k = k·u/(1 − k·u), a product of k factors (1 +
-//! δ), |δ| ≤ u, or reciprocals of them, is 1 + θ with |θ| ≤ γ_k (Higham, Accuracy and Stability of
-//! Numerical Algorithms, Lemma 3.1). Underflow is excluded: callers choose points away from it. The
-//! bound is computed in f64 from positive terms; a final factor covers its own rounding errors.
+//! multiply-adds.
+//!
+//! A system, a point exact in the float type, and the unit roundoff u come in; a bound on |x̂̃ −
+//! x̃| for each component goes out. With γ_k = k·u/(1 − k·u), a product of k factors (1 + δ), |δ| ≤
+//! u, or of their reciprocals, is 1 + θ with |θ| ≤ γ_k (Higham, Accuracy and Stability of Numerical
+//! Algorithms, Lemma 3.1). Callers must avoid underflow. The bound is computed in f64 from positive
+//! terms; a final factor covers its own rounding errors.
 
 mod running_bound;
 
@@ -30,7 +32,6 @@ pub const UNIT_F32: f64 = f32::EPSILON as f64 / 2.0;
 /// The factor that covers rounding errors of the bound itself.
 const INFLATION: f64 = 1.0 + 1e-6;
 
-/// γ_k
 fn gamma(k: usize, unit: f64) -> f64 {
     let ku = k as f64 * unit;
     ku / (1.0 - ku)
@@ -109,13 +110,14 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
     Some(increments.into_iter().map(|increment| increment.error).collect())
 }
 
-/// Bounds the error of 2ε·v, v = A⁻¹f by elimination with partial pivoting. Elimination solves (Â +
-/// ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4). Here multipliers and back
-/// substitution use rounded reciprocals with one more rounding each, hence γ_{3n+2}. Partial
-/// pivoting has |L̂| ≤ 1 (at most 1 + 2u after rounding, covered by a factor 2 below) and |Û| ≤
-/// 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most n²·2ⁿ·max|Â|. Slopes and components in Â and
-/// f̂ are quotients of planned polynomials, rounded once; A has two more roundings, of the product
-/// with ε and of 1 − εf′. With the sum E of both matrix errors, in maximum norms:
+/// Bounds the error of 2ε·v, where v = A⁻¹f is computed by elimination with partial pivoting.
+///
+/// Elimination solves (Â + ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4). Here
+/// multipliers and back substitution use rounded reciprocals with one more rounding each, hence
+/// γ_{3n+2}. Partial pivoting has |L̂| ≤ 1 (at most 1 + 2u after rounding, covered by a factor 2
+/// below) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most n²·2ⁿ·max|Â|. Entries of f′
+/// and f are quotients of planned polynomials, rounded once; A has two more roundings, of the
+/// product with ε and of 1 − εf′. With the sum E of both matrix errors, in maximum norms:
 ///   ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
@@ -150,11 +152,10 @@ fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<
     let velocity =
         (0..n).map(|i| float(&(&place.next[i] - &place.x[i])).abs()).fold(0.0, f64::max) / (2.0 * eps);
     let error = inverse * (matrix_error * velocity + velocity_error) / (1.0 - inverse * matrix_error);
-    // One more rounding, of the product with 2ε.
+    // The product with 2ε is rounded once more.
     Some(vec![2.0 * eps * (error + unit * (velocity + error)); n])
 }
 
-/// Returns A(x,ε): the rows of Â divided by the divisors of the equations.
 fn exact_matrix(field: &Field, values: &[Q]) -> Matrix {
     let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
         let divisor = evaluate(component.denominator(), values);

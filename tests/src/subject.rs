@@ -1,6 +1,7 @@
-//! Systems with parameter values in both back ends, over which the suites run. [`Subject`]s come
-//! from the catalog, with parameters of a test or of the entries, and from the random fields.
-//! [`on_every_back_end`] calls a law at seeded points of all of them.
+//! Systems at parameter values in both back ends, on which the test suites run.
+//!
+//! [`Subject`]s are the systems of the catalog, at parameters of a test or of their entries, and
+//! the random fields. [`on_every_back_end`] checks a law at seeded points of all of them.
 
 use std::sync::LazyLock;
 
@@ -99,7 +100,7 @@ pub fn random() -> Vec<Subject> {
     subjects.collect()
 }
 
-/// Calls a law at seeded points of a system with det A ≠ 0.
+/// Checks a law at seeded points of a system with det A ≠ 0.
 fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     const POINTS: usize = 3;
     let mut rationals = Rationals::seeded(seed);
@@ -119,8 +120,8 @@ fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mu
     panic!("{} has too few points off det A = 0", subject.name);
 }
 
-/// Calls a law on every catalog system and every random field, at seeded points with det A ≠ 0.
-/// Panics if too few points remain. A line that names the point precedes a panic of the law.
+/// Checks a law on every catalog system and every random field, at seeded points with det A ≠ 0.
+/// Panics if too few points remain. If the law panics, a line before it names the point.
 pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     let subjects = [paper(), random(), further()].into_iter().flatten();
     for (index, subject) in (seed * 1000..).zip(subjects) {
@@ -128,7 +129,7 @@ pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationa
     }
 }
 
-/// Calls a law as [`on_every_subject`] does, once for each back end.
+/// Checks a law as [`on_every_subject`] does, once for each back end.
 pub fn on_every_back_end(seed: u64, law: impl Fn(&dyn BackEnd, &[Q], &Q, &mut Rationals)) {
     on_every_subject(seed, |subject, x, eps, rationals| {
         for back_end in subject.back_ends() {

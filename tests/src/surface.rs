@@ -4,7 +4,7 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// Returns the polynomial as a linear function of `free`: constant part and slope.
+/// Returns (a, b) with polynomial = a + b·`free` at these values; `None` if it is not linear.
 fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<(Rational, Rational)> {
     let mut line = (Rational::zero(), Rational::zero());
     for (monomial, coefficient) in polynomial.terms() {

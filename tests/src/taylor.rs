@@ -1,4 +1,4 @@
-//! The flow by Taylor series, for comparison with steps of Kahan's map; they share only the field.
+//! The flow by Taylor series, a reference for Kahan's map that shares only the field with it.
 
 use kahan_core::prelude::*;
 
@@ -22,7 +22,6 @@ where
     for _ in 0..steps {
         let mut series = vec![x];
         for k in 0..DEGREE {
-            // 2(½Bx + c) − 2c
             let affine = field.polarized(&series[k], &origin);
             let mut slope: SVector<T, N> = SVector::from_fn(|i, _| (affine[i] - constant[i]) * two);
             for i in 0..=k {

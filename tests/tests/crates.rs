@@ -1,4 +1,5 @@
-//! Dependencies and builds of the crates, compared with ARCHITECTURE.md's table and budgets.
+//! Compares dependencies and builds of the crates with the table of ARCHITECTURE.md and with
+//! budgets.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,7 +10,7 @@ use std::{env, fs};
 use kahan_tests::sources::root;
 use serde_json::Value;
 
-/// Dependencies reserved for the command and for drawing pages, with their permitted users.
+/// Dependencies reserved for the command and for drawing, with the crates that may use them.
 const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),
@@ -21,21 +22,19 @@ const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
 /// The greatest length of `cargo tree` for the catalog, in lines.
 const CATALOG_TREE: usize = 45;
 
-/// The greatest number of units that the README's first command may compile.
+/// The largest number of units that the README's first command may compile.
 const FIRST_UNITS: usize = 60;
 
-/// The packages that the first command, the command and the wheel must compile identically.
+/// The packages that must compile identically for the first command, the command and the wheel.
 const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
-/// The prefixes of crates whose code is timed: by `kahan trade`, by sweeps of settings, and by the
-/// benchmarks (the last prefix).
+/// The prefixes of crates whose speed is measured: by `kahan trade`, by sweeps of settings, and by
+/// the benchmarks (last prefix).
 const TIMED: [&str; 6] =
     ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
-/// The dependencies of each crate.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// Runs cargo in the workspace and returns its standard output.
 fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .args(arguments)
@@ -67,12 +66,10 @@ fn cells(row: &str) -> impl Iterator<Item = &str> {
     row.trim_matches('|').split('|').map(str::trim)
 }
 
-/// Returns the texts between backticks.
 fn quoted(text: &str) -> impl Iterator<Item = String> {
     text.split('`').skip(1).step_by(2).map(str::to_owned)
 }
 
-/// Reads the table of ARCHITECTURE.md with the columns "crate" and "may use".
 fn of_the_table() -> Uses {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let mut rows = text.lines().skip_while(|line| cells(line).next() != Some("crate"));
@@ -116,7 +113,8 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// Returns the crates whose level the profiles `release` and `sweep` set, with the level.
+/// Returns the crates with an optimisation level in the profiles `release` and `sweep`, and the
+/// level.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
@@ -137,14 +135,13 @@ fn levels(manifest: &str) -> Vec<(String, String)> {
     found
 }
 
-/// Returns the crates that a manifest's profiles don't optimise fully.
 fn not_optimised(manifest: &str) -> Vec<String> {
     let levels = levels(manifest).into_iter();
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Without an explicit level, cargo compiles the macro's dependencies unoptimised, and compiles
-/// them again for the command. The algebra takes a sixth of a cold build.
+/// Dependencies of the macro need an explicit level. Otherwise cargo compiles them unoptimised for
+/// the macro and again for the command. The algebra takes a sixth of a cold build.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");
@@ -177,7 +174,6 @@ fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
     *known[index].insert(hasher.finish())
 }
 
-/// Returns the units that a cargo call compiles or runs: package name and hash.
 fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let output = Command::new(env!("CARGO"))
         .args(call)
@@ -201,8 +197,8 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     (0..units.len()).map(|index| (name(&units[index]), hash(units, index, &mut known))).collect()
 }
 
-/// Cargo compiles a crate again for other features, so all programs request the features that any
-/// of them needs. `crates/kahan-cli/Cargo.toml` lists those that no crate of the workspace needs.
+/// Cargo compiles a crate again for each set of features, so all programs must request the same
+/// features. `crates/kahan-cli/Cargo.toml` lists those that no crate of the workspace needs.
 #[test]
 fn what_programs_and_the_wheel_share_is_compiled_once() {
     // `cargo run --release` builds one program, and resolves features over the default members.
@@ -223,7 +219,6 @@ fn what_programs_and_the_wheel_share_is_compiled_once() {
     }
 }
 
-/// `.ci/run` tests the whole workspace, and the README's `cargo test` must build equal units.
 #[test]
 fn the_tests_of_the_default_members_are_those_of_the_workspace() {
     let whole = units(&["test", "--workspace"]);

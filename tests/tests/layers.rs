@@ -1,6 +1,6 @@
-//! The modules of a crate's `src`, and of the algebra's `plan`, are layers, each of which uses only
-//! earlier ones. The test collects all paths that leave a file: `crate::…` with its braces, and
-//! `super::…`. Names exported by the root are resolved through `lib.rs`. Tests may use anything.
+//! The modules of a crate's `src`, and of the algebra's `plan`, are layers: each uses only earlier
+//! ones. The test collects all paths that leave a file: `crate::…` with its braces, and `super::…`.
+//! Names that the root exports are resolved through `lib.rs`. Test modules are exempt.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,9 +11,8 @@ use kahan_tests::sources::{root, rust_files};
 /// A crate or module whose folders are layers.
 struct Layered {
     folder: &'static str,
-    /// The crate's name in paths.
     name: &'static str,
-    /// The module, with names of its own file that all layers may use; `None` for a crate.
+    /// The module, with names of its root file that all layers may use; `None` for a crate.
     module: Option<(&'static str, &'static [&'static str])>,
     /// The layers from bottom to top. Other files use all layers and are used by none.
     layers: &'static [&'static str],
@@ -145,19 +144,16 @@ impl Layered {
         root().join(self.folder).join("src").join(self.module.map_or("", |(module, _)| module))
     }
 
-    /// Returns the file that declares the layers.
     fn root_file(&self) -> PathBuf {
         self.source().join(if self.module.is_some() { "mod.rs" } else { "lib.rs" })
     }
 
-    /// Maps the root's names to the folders that define them.
     fn exports(&self) -> BTreeMap<String, String> {
         let lib = code(&self.root_file());
         let exported = after(&lib, "pub use ").flat_map(paths);
         exported.filter_map(|path| Some((path.last()?.clone(), path.first()?.clone()))).collect()
     }
 
-    /// Returns the files of a layer.
     fn files(&self, layer: &str) -> Vec<PathBuf> {
         let folder = self.source().join(layer);
         let mut found =
@@ -167,8 +163,8 @@ impl Layered {
         found
     }
 
-    /// Returns the targets of a file's paths, as paths from the root or the module. Paths out of a
-    /// module are the crate's to check.
+    /// Returns the targets of a file's paths, relative to the root or the module. Paths that leave
+    /// a module are checked with its crate.
     fn needs(&self, file: &Path, text: &str) -> Vec<Vec<String>> {
         let module = file.strip_prefix(self.source()).expect("a file of the crate").with_extension("");
         let outer = self.module.map(|(module, _)| module);
@@ -181,7 +177,7 @@ impl Layered {
         let mut needs: Vec<Vec<String>> =
             ["crate::", &own].iter().flat_map(|root| after(text, root)).flat_map(paths).collect();
         for path in after(text, "super::").flat_map(paths) {
-            // Modules within a file only make this climb seem higher.
+            // Nested modules in a file may make this count too high.
             let climbed = 1 + path.iter().take_while(|name| *name == "super").count();
             let rest = path.into_iter().skip(climbed - 1);
             let kept = module[..module.len().saturating_sub(climbed)].iter().map(|&name| name.to_owned());
@@ -194,7 +190,7 @@ impl Layered {
         needs
     }
 
-    /// Returns a file's paths to higher layers, and its number of paths.
+    /// Returns a file's paths to higher layers, and the number of all its paths.
     fn upward(&self, file: &Path, text: &str) -> (Vec<String>, usize) {
         let exports = self.exports();
         let rank = self.layers.iter().position(|layer| {
@@ -217,7 +213,7 @@ impl Layered {
     }
 }
 
-/// Returns a file without comments and without the tests at its end.
+/// Returns a file's code, without comments and without the tests at its end.
 fn code(path: &Path) -> String {
     let text = fs::read_to_string(path).expect("a file of the crate");
     let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
@@ -225,7 +221,7 @@ fn code(path: &Path) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Returns the paths that begin a `use` tree or expression, expanded, up to two names long.
+/// Returns the first two names of each path in a `use` tree or expression, with braces expanded.
 fn paths(tree: &str) -> Vec<Vec<String>> {
     let tree = tree.trim_start();
     let Some(inside) = tree.strip_prefix('{') else {
@@ -255,7 +251,6 @@ fn paths(tree: &str) -> Vec<Vec<String>> {
     all
 }
 
-/// Returns the text after each occurrence of `word` as a whole word.
 fn after<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = &'a str> {
     text.match_indices(word).filter_map(move |(place, _)| {
         let begins = !text[..place].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$');
@@ -281,7 +276,6 @@ fn a_layer_needs_those_below_it_only() {
     }
 }
 
-/// `lib.rs` declares the layers in this order; no other folders exist.
 #[test]
 fn the_layers_are_the_folders() {
     for layered in ALL {

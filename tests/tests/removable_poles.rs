@@ -1,6 +1,6 @@
-//! Zeros of det A: all back ends return the value of the reduced map, or all report that it has
-//! none. The back ends are generated code, the system read at run time, the interpreter, and
-//! projective integers. Points on removable poles have random coordinates, with one variable
+//! Zeros of det A: all back ends return the value of the reduced map, or all report a pole. The
+//! back ends are generated code, the system read at run time, the interpreter, and projective
+//! integers. Points on removable poles have random coordinates, except one variable that is
 //! determined by the cancelled common factor.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
@@ -23,20 +23,19 @@ use kahan_tests::surface::moved_onto;
 
 const POINTS: usize = 12;
 
-/// A place where the map may have no value, in exact numbers.
+/// A point where the map may be undefined, in exact numbers.
 struct Place {
     x: Vec<Rational>,
     parameters: Vec<Rational>,
     eps: Rational,
 }
 
-/// Draws a small nonzero rational.
 fn number(draws: &mut SplitMix64) -> Rational {
     let size = Rational::new(1 + draws.below(9) as i64, 1 + draws.below(4) as i64);
     if draws.below(2) == 0 { size } else { -size }
 }
 
-/// Returns places where the simplest cancelled factor vanishes.
+/// Returns points where the simplest cancelled factor vanishes.
 fn removable_poles(derived: &Derived, parameters: &[Rational], seed: u64) -> Vec<Place> {
     let symbols = &derived.system.field.symbols;
     let n = symbols.dimension();
@@ -61,7 +60,6 @@ fn vector<const N: usize>(x: &[Rational]) -> SVector<BigRational, N> {
     SVector::from_fn(|i, _| x[i].to_big())
 }
 
-/// Returns a system as a map over ℚ, at parameter values in order.
 fn read_at<const N: usize>(system: &System, parameters: &[Rational]) -> Interpreted<BigRational, N> {
     let map = Field::of(system).with(system.field.symbols.parameters.iter().zip(parameters));
     map.expect("a field").as_kahan_map().expect("as many variables")
@@ -86,7 +84,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     );
     assert_eq!(map.reduced_map(&x, eps.clone()), read.reduced_map(&x, eps.clone()), "{name} at {x:?}");
     if let Ok(next) = map.try_step(&x, eps.clone()) {
-        // For singular A, the equation of tangent vectors has no unique solution.
+        // If A is singular, the equation of tangent vectors has no unique solution.
         let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
         let carried = map.at(eps.clone()).tangent().carry_to(&x, &next, &v);
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
@@ -102,7 +100,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     }
 }
 
-/// Compares a text's run-time maps: interpreter, projective integers and the map's step.
+/// Compares the run-time maps of a text: interpreter, projective integers and `step`.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
     let read = read_at::<N>(system, &place.parameters);
     let step = read.try_step(&vector::<N>(&place.x), place.eps.to_big()).ok();
@@ -116,7 +114,7 @@ fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Plac
     step
 }
 
-/// Asserts that all back ends agree and have values at a system's removable poles.
+/// Asserts that all back ends agree and have a value at a system's removable poles.
 fn agree<M, const N: usize>(name: &str, text: &str, parameters: &[i64], map: &M)
 where
     M: ExtendScalars<BigRational, N>,
@@ -138,8 +136,8 @@ fn the_catalog_has_its_values() {
     agree("e3", text("e3"), &[], &E3);
 }
 
-/// E9 at ξ = 1 keeps the factor that E3 cancels, because parameters are substituted after
-/// reduction; all back ends report a pole.
+/// E9 at ξ = 1 keeps the factor that E3 cancels, because reduction precedes substitution; all back
+/// ends report a pole.
 #[test]
 fn e9_at_xi_1_has_the_pole_that_e3_loses() {
     let [e3, e9] = ["e3", "e9"].map(|name| read_unproved(find(name).expect("in the catalog").text()));
@@ -177,7 +175,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a field that moves all variables but the last along one ray; 1 − εu·z cancels.
+/// Returns a field that moves all variables except the last along one ray, so that 1 − εu·z
+/// cancels.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));
@@ -188,7 +187,6 @@ fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     format!("{ray}{last}dot = {} + ({})*{};", terms.join(" + "), number(draws), name(draws))
 }
 
-/// Asserts that run-time back ends agree for random fields, which have no generated code here.
 fn random_fields_agree<const N: usize>(seed: u64) {
     let mut draws = SplitMix64::new(seed);
     for _ in 0..3 {
@@ -209,7 +207,7 @@ fn random_fields_have_their_values() {
     random_fields_agree::<6>(606);
 }
 
-/// Float interpreters have the bits of the map's step, also next to a removable pole.
+/// Interpreters over floats have the bits of `step`, even next to a removable pole.
 #[test]
 fn float_interpreters_agree_beside_removable_poles() {
     let system = read_unproved(find("e3").expect("E3").text());

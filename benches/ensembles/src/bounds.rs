@@ -1,8 +1,8 @@
-//! Throughput bounds of the machine: divisions, and multiply-adds. The loops hold enough
-//! independent operations in registers to hide the latency. They avoid closures, which use these
-//! instructions only if inlined in time.
+//! Throughput bounds of the machine for divisions and for multiply-adds. The loops have enough
+//! independent operations in registers to hide the latency. They contain no closures, which use
+//! these instructions only if they are inlined early enough.
 
-// `unsafe`: calls functions compiled for instructions whose presence was checked.
+// `unsafe`: calls functions compiled for instructions that were detected.
 #![allow(unsafe_code)]
 
 /// Computes `divisions` divisions of `f64`, four at a time; does nothing without AVX2.

@@ -1,4 +1,4 @@
-//! Operation counts of a step, from a run over a counting scalar.
+//! Operation counts of a step, obtained by running it over a counting scalar.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -11,7 +11,7 @@ thread_local! {
     static OPERATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// The operations that replace a division: two Newton iterations and a product.
+/// The operations in place of a division: two Newton iterations and a product.
 const ESTIMATED_DIVISION: usize = 5;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +79,7 @@ impl One for Counted {
     }
 }
 
-/// A sign is free, as the next operation absorbs it.
+/// A negation is free: the next operation absorbs it.
 impl Neg for Counted {
     type Output = Self;
 

@@ -1,5 +1,5 @@
-//! A process that times ensembles on request. The benchmarks time several builds of it in turns,
-//! for all processors and for this one.
+//! A process that times ensembles on request. The benchmarks alternate between a build for all
+//! processors and one for this processor.
 
 mod bounds;
 mod counted;

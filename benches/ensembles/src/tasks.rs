@@ -12,10 +12,9 @@ use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 use crate::bounds;
 use crate::counted::operations;
 
-/// The number of trajectories; a tile of three variables fits the nearest cache.
+/// The number of trajectories; a tile of three variables fits the first-level cache.
 pub(crate) const POINTS: usize = 512;
 
-/// The steps after which an ensemble restarts, so that orbits stay in an ordinary range.
 const SEGMENT: usize = 1024;
 
 pub(crate) fn all() -> Vec<Task> {
@@ -51,7 +50,6 @@ fn bounds() -> Vec<Task> {
     tasks
 }
 
-/// Returns the tasks of one system: every level, and a single trajectory.
 fn system<M, const N: usize>(name: &'static str, map: M, start: [f64; N]) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,

@@ -1,5 +1,5 @@
 //! The eight systems of the benchmarks, and the protocol of the processes that time them
-//! ([`serve`]). Each file holds a system's `kahan!` block only, so that the cost of compiling it
+//! ([`serve`]). Each file holds only a system's `kahan!` block, so that the cost of compiling it
 //! can be measured.
 
 mod clebsch;
@@ -21,7 +21,7 @@ pub use euler_top::EulerTop;
 pub use lorenz::Lorenz;
 pub use lotka_volterra::LotkaVolterra;
 
-/// ε of all timings, half the time step; a rounded number, as usual.
+/// ε of all timings, half the time step; not a power of two, as usual.
 pub const EPS: f64 = 1.0 / 1000.0;
 
 /// A system as text.

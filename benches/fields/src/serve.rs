@@ -1,7 +1,8 @@
-//! A process that times tasks on request, so that several builds of it can be timed in turns. It
-//! first writes its tasks, one on each line: the system, the task, and the operations of a step
-//! without divisions, if counted; then an empty line. A request `TASK UNITS` is answered by the
-//! seconds that these units took.
+//! A process that times tasks on request, so that several builds of it can be timed alternately.
+//!
+//! It first writes its tasks, one on each line, then an empty line. A line has the system, the
+//! task, and the operations of a step without divisions, if counted. A request `TASK UNITS` is
+//! answered by the time of these units in seconds.
 
 use std::io::{self, BufRead, Write};
 
@@ -9,7 +10,7 @@ use std::io::{self, BufRead, Write};
 pub struct Task {
     /// The system, or another subject.
     pub system: &'static str,
-    /// The way in which it runs.
+    /// The name of the task.
     pub what: &'static str,
     /// The additions, multiplications and multiply-adds of a step; 0 if not counted.
     pub operations: usize,

@@ -3,7 +3,6 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Volterra's chain.
     pub(crate) struct Volterra;
     for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }
@@ -17,7 +16,6 @@ kahan! {
 }
 
 kahan! {
-    /// Toda's chain in Flaschka's variables.
     pub(crate) struct Toda;
     for i in periodic {
         a[i]dot = a[i]*(b[i+1] - b[i]);

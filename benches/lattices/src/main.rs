@@ -1,7 +1,6 @@
-//! Times steps of long chains in nanoseconds per site, beside a memory triad per element.
-//! `cargo run --release -p kahan-bench-lattices` in this folder prints a table;
-//! `--features parallel` uses threads. Each figure is the least of several rounds, in which all
-//! contenders take turns.
+//! Times steps of long chains in nanoseconds per site, beside a memory triad per element. `cargo
+//! run --release -p kahan-bench-lattices` in this folder prints a table; `--features parallel` uses
+//! threads. Each figure is the least of several rounds, in which all contenders alternate.
 
 mod families;
 mod midpoint;
@@ -15,7 +14,7 @@ use kahan_core::{LatticeScalar, Level};
 use families::{Kdv, Toda, Volterra};
 
 const ROUNDS: usize = 7;
-/// The sites stepped in a round, over all steps.
+/// The number of site updates in a round.
 const WORK: usize = 20_000_000;
 
 fn main() {
@@ -52,7 +51,6 @@ fn table(level: Level) {
     println!();
 }
 
-/// Returns a timer of a family, in nanoseconds per site and step.
 fn chain<T: LatticeScalar + Copy, M: LatticeMap<T> + 'static>(
     level: Level,
     map: &M,
@@ -73,7 +71,6 @@ fn chain<T: LatticeScalar + Copy, M: LatticeMap<T> + 'static>(
     })
 }
 
-/// Returns a timer of a ← b + s·c, in nanoseconds per element.
 fn triad(sites: usize) -> Box<dyn FnMut() -> f64> {
     let (mut a, b, c) = (vec![0.0_f64; sites], vec![1.0_f64; sites], vec![2.0_f64; sites]);
     let times = (WORK / sites).max(2);

@@ -1,7 +1,7 @@
 //! Kahan's map of KdV and the implicit midpoint rule, both with one banded solver. Newton's
 //! iteration for y = x + 2ε f(m), m = (x + y)/2, solves A(m,ε) δ = −(m − x − ε f(m)), with the
-//! matrix of Kahan's map at m, and adds δ to m. It starts at the extrapolated midpoint and ends
-//! when δ reaches the rounding level. The timing covers steps of the solver.
+//! matrix of Kahan's map at m, and adds δ to m. The iteration starts at the extrapolated midpoint
+//! and ends when δ reaches the rounding level. Only steps of the solver are timed.
 
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use kahan_core::{LatticeMap, Scalar};
 
 use crate::families::Kdv;
 
-/// KdV's matrix with another right-hand side.
+/// The matrix of KdV with another right-hand side.
 #[derive(Clone, Debug)]
 struct Newton {
     kdv: Kdv<f64>,
@@ -68,7 +68,7 @@ pub(crate) fn table() {
         let (midpoint, midpoint_time, iterations) = midpoint(h, &start, eps, steps);
         let errors = [error(&kahan, &reference), error(&midpoint, &reference)];
         let times = [kahan_time, midpoint_time].map(|time| time.as_secs_f64() * 1e3);
-        // Both have order 2: a quarter of the error takes twice the steps.
+        // Both have order 2: a quarter of the error needs twice as many steps.
         let ratio = times[1] * errors[1].sqrt() / (times[0] * errors[0].sqrt());
         println!(
             "| {steps} | {:.1e} | {:.2} | {:.1e} | {:.2} | {:.2} | {ratio:.2} |",
@@ -112,7 +112,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             let evaluated = begun.elapsed();
             let mut at = Newton { kdv: Kdv { h }, right }.at(eps, sites).expect("a chain");
             let mut next = m.clone();
-            // Touches the new memory before the clock starts.
+            // Touch the new memory before the clock starts.
             at.step(&mut next);
             next.clone_from(&m);
             let begun = Instant::now();
@@ -135,7 +135,6 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
     (x, time, iterations)
 }
 
-/// Evaluates the field of KdV in a plain loop.
 fn field(u: &[f64], h: f64) -> Vec<f64> {
     let n = u.len();
     let (advection, dispersion) = (1.5 / h, 0.5 / (h * h * h));
@@ -154,7 +153,6 @@ fn field(u: &[f64], h: f64) -> Vec<f64> {
     f
 }
 
-/// Applies the classical Runge–Kutta method of order four, with negligible error.
 fn runge_kutta(map: &Kdv<f64>, start: &[f64], time: f64, steps: u32) -> Vec<f64> {
     let at = map.at(1.0, start.len()).expect("a chain");
     let dt = time / f64::from(steps);

@@ -1,4 +1,5 @@
-//! Energies of conservative systems: of a lift's map, which preserves its own, and of the field.
+//! Drift of energies of conservative systems: the energy that the lifted map preserves, and the
+//! original one.
 
 use kahan_lift::{Reembedding, Which};
 
@@ -17,9 +18,8 @@ const KEPT: [&str; 9] = [
     "Toda chain of 3",
 ];
 const STEPS: u64 = 1_000_000;
-/// The number of samples of the energies.
 const LOOKS: u64 = 10_000;
-/// The number of initial states, which differ by parts in a million.
+/// The number of initial states, which differ by millionths.
 const STARTS: u32 = 16;
 const EPS: f64 = 0.01;
 /// The largest error of a preserved energy, relative to the sum of its terms' sizes. Each step
@@ -30,7 +30,6 @@ const ROUNDING: f64 = 1e-12;
 /// drift. The root mean square over 16 orbits is uncertain by a factor of about 1.4.
 const WALK: f64 = 30.0;
 
-/// Prints the largest error of preserved energies, and its growth.
 pub(crate) fn energy() {
     println!(
         "| system | new variables | largest error over {STEPS:.0e} steps | growth from 10⁴ to 10⁶ steps |\n|---|---|---|---|"
@@ -78,12 +77,11 @@ const SMOOTH: [&str; 8] = [
     "φ⁴ chain of 3",
     "sine-Gordon chain of 3",
 ];
-/// The largest ratio of the errors in the last and first eighth of the time.
+/// The largest permitted ratio of the errors in the last and the first eighth of the time.
 const TREND: f64 = 1.2;
 const PROJECTION_EPS: f64 = 0.02;
 const PROJECTION_TIME: f64 = 4000.0;
 
-/// Prints the largest errors of the original energy in the first and the last eighth of the time.
 pub(crate) fn projection() {
     println!(
         "| system | as lifted: first, last eighth | ratio | projected: first, last eighth | ratio | steps of the map |\n|---|---|---|---|---|---|"

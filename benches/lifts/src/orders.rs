@@ -1,7 +1,9 @@
-//! Orders of convergence of lifted fields. The lift chosen by `kahan lift` for each of thirty
-//! systems runs with halved steps, plainly and composed to order 4. The error is the largest
-//! distance from the Dormand–Prince method with tolerance 1e-13 at eight times. Prints the least
-//! and largest ratio of successive errors between 1e-3 and 1e-9.
+//! Orders of convergence of lifted fields.
+//!
+//! The lift chosen by `kahan lift` for each of thirty systems runs with halved steps, plainly and
+//! composed to order 4. The error is the largest distance, at eight times, from the Dormand–Prince
+//! method with tolerance 1e-13. Prints the least and largest ratio of successive errors between
+//! 1e-3 and 1e-9.
 
 use kahan_core::Composition;
 use kahan_lift::Which;

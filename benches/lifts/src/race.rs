@@ -1,8 +1,9 @@
-//! Time at equal error of lifted fields, relative to the Dormand–Prince method of order 8. Each
-//! method runs to the time 100 from one initial state with halved steps or tolerances. The table
-//! gives the time of the cheapest run with an error of at most 1e-3, 1e-6 and 1e-9, relative to
-//! Dormand–Prince. The symplectic method is Störmer–Verlet, where applicable, composed to order 8
-//! with the coefficients of Kahan and Li.
+//! Time of lifted fields at equal error, relative to the Dormand–Prince method of order 8.
+//!
+//! Each method runs to the time 100 from one initial state with halved steps or tolerances. The
+//! table gives the time of the cheapest run with an error of at most 1e-3, 1e-6 and 1e-9, relative
+//! to Dormand–Prince. The symplectic method is Störmer–Verlet, where applicable, composed to order
+//! 8 with the coefficients of Kahan and Li.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -120,7 +121,7 @@ impl System {
         (lift, map)
     }
 
-    /// Returns the final state with both tolerances `tolerance`.
+    /// Returns the final state, with absolute and relative tolerance `tolerance`.
     fn dormand_prince(&self, tolerance: f64) -> Vec<f64> {
         match self.start.len() {
             2 => self.dormand_prince_of::<2>(tolerance),
@@ -163,7 +164,6 @@ impl System {
     }
 }
 
-/// Runs several times, and returns the least time in seconds with the result.
 fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     let mut least = f64::INFINITY;
     let mut result = Vec::new();
@@ -175,7 +175,8 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// Returns the least time within each tolerance; later runs have finer settings.
+/// Returns the least time within each tolerance; each run has a finer setting than the previous
+/// one.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

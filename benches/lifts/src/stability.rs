@@ -1,10 +1,11 @@
-//! Predicted and observed growth of the errors of a lift's relations. All lifts and forms that
-//! `kahan lift` considers, at most 120 per system, and the chosen one run at ε = 0.01 to the time
-//! 300. If an error exceeds 5 % of its variable's largest size, runs at ε/8 and ε/64 follow. A lift
-//! is good if its relations hold at ε = 0.01 and its states are right there or at a smaller ε
-//! (phases may err at first); good at smaller ε if both hold there; else bad. States of chaotic
-//! systems are not compared. Prints a row per system, the shares of right predictions, and every
-//! miss.
+//! Predicted and observed growth of the errors of a lift's relations.
+//!
+//! All lifts and forms that `kahan lift` considers, at most 120 per system, and the chosen one run
+//! at ε = 0.01 to the time 300. If an error exceeds 5 % of its variable's largest size, runs at ε/8
+//! and ε/64 follow. A lift is *good* if its relations hold at ε = 0.01 and its states are correct
+//! there or at a smaller ε (phases may err at first); *good at smaller ε* if both hold there;
+//! otherwise *bad*. States of chaotic systems are not compared. Prints a row per system, the shares
+//! of correct predictions, and every wrong one.
 
 use std::fmt;
 
@@ -14,10 +15,9 @@ use crate::systems::{System, distance, size};
 
 const EPS: f64 = 0.01;
 const TIME: f64 = 300.0;
-/// The number of samples of states and relations.
 const LOOKS: u32 = 300;
 const GOOD: f64 = 0.05;
-/// The factors by which ε is reduced if a lift is not good at first.
+/// The factors by which ε is reduced if a lift is not good at ε = 0.01.
 const FINER: [u32; 2] = [8, 64];
 const MOST: usize = 120;
 
@@ -67,7 +67,6 @@ enum Predicted {
 }
 
 impl Predicted {
-    /// Returns the prediction for the relations that are not preserved.
     fn of(lift: &Lift) -> Self {
         match lift.relations.iter().filter_map(|one| one.along).find(|one| *one != Along::Kept) {
             Some(Along::Grows) => Predicted::Grows,
@@ -99,12 +98,11 @@ impl Judged {
         judged
     }
 
-    /// Says whether relations and states are right at the last ε.
+    /// Returns whether relations and states are correct at the last ε.
     fn is_right(&self) -> bool {
         self.errors.last().is_some_and(|one| one.relations <= GOOD && one.states <= GOOD)
     }
 
-    /// Returns 0 for good, 1 for good at a smaller ε, 2 for bad.
     fn fate(&self) -> usize {
         if self.is_right() { usize::from(self.errors[0].relations > GOOD) } else { 2 }
     }

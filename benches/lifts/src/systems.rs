@@ -1,4 +1,4 @@
-//! The systems of `systems.tsv`, their lifts, and reference solutions. A line holds a name,
+//! The systems of `systems.tsv`, their lifts, and reference solutions. A line has a name,
 //! equations, parameter values, an initial state, a time up to which solutions are predictable, the
 //! energy of a conservative system, and the words `chaotic`, or `extra` for systems beyond the
 //! thirty.
@@ -15,7 +15,6 @@ use ode_solvers::{DVector, Dop853, OutputType};
 pub(crate) struct System {
     pub(crate) name: &'static str,
     tokens: Vec<Token>,
-    /// Names and values, in the order of their first use.
     pub(crate) parameters: Vec<(String, f64)>,
     /// The states, followed by the time 0 if the equations depend on it.
     pub(crate) start: Vec<f64>,
@@ -71,7 +70,6 @@ impl System {
         lift.unwrap_or_else(|mistakes| panic!("{}: {}", self.name, mistakes[0]))
     }
 
-    /// Returns all lifts and forms considered.
     pub(crate) fn lifts(&self) -> Vec<Lift> {
         kahan_lift::lifts(&self.tokens, &self.options(Which::Automatic)).expect("equations")
     }
@@ -84,7 +82,6 @@ impl System {
         field.with(values.map(|(name, value)| (name.as_str(), *value))).expect("all parameters")
     }
 
-    /// Returns all variables of a lift at these states.
     pub(crate) fn embedded(&self, lift: &Lift, states: &[f64]) -> Vec<f64> {
         [states.to_vec(), lift.embed(states, &self.values())].concat()
     }
@@ -118,7 +115,7 @@ impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
     }
 }
 
-/// A right-hand side as written, independent of the crate under test.
+/// A right-hand side as written, evaluated independently of the crate under test.
 pub(crate) enum Formula {
     Number(f64),
     State(usize),
@@ -129,7 +126,6 @@ pub(crate) enum Formula {
 }
 
 impl Formula {
-    /// Reads the right-hand sides of a block.
     pub(crate) fn read(text: &str, states: &[&str], parameters: &[(&str, f64)]) -> Vec<Self> {
         let mut mistakes = Diagnostics::default();
         let block = parse_lifted(&lenient::read(text).lexed.tokens, &mut mistakes);
@@ -172,7 +168,7 @@ impl Formula {
         }
     }
 
-    /// Returns the sum of the sizes of a sum's terms.
+    /// Returns the sum of the absolute values of a sum's terms.
     pub(crate) fn size(&self, x: &[f64]) -> f64 {
         match self {
             Formula::Sum(terms) => terms.iter().map(|(_, term)| term.value(x).abs()).sum(),
@@ -206,7 +202,7 @@ pub(crate) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size, value| size.max(value.abs()))
 }
 
-/// Returns the largest difference of components that both have, relative to the size of `b`.
+/// Returns the largest difference of common components, relative to the size of `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
     // `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };

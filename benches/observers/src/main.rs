@@ -1,6 +1,6 @@
-//! The cost of observers: orbits of E6 with observers, in turns with the plain orbit, and stability
-//! maps of Hénon and Heiles' system. `cargo run --release -p kahan-bench-observers` in this folder
-//! prints two tables: medians of ratios over rounds, and the least times.
+//! The cost of observers: orbits of E6 with observers, alternating with the plain orbit, and
+//! stability maps of Hénon and Heiles' system. `cargo run --release -p kahan-bench-observers` in
+//! this folder prints two tables: medians of ratios over rounds, and the least times.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -20,7 +20,6 @@ fn main() {
     stability_maps();
 }
 
-/// A name, and a run that returns its seconds.
 type Contender = (&'static str, Box<dyn Fn() -> f64>);
 
 fn observed<O: Observer<f64>>(observers: impl Fn() -> O + 'static) -> Box<dyn Fn() -> f64> {

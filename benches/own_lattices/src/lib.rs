@@ -1,7 +1,6 @@
-//! Lattices written by a user with only the README and the language reference.
-//! `cargo run --release -p kahan-bench-own-lattices --bin check` in this folder compares their
-//! steps with Kahan's map by dense elimination; without `--bin check`, times and conserved
-//! quantities are printed.
+//! Lattices written by a user with only the README and the language reference. `cargo run --release
+//! -p kahan-bench-own-lattices --bin check` in this folder compares their steps with Kahan's map by
+//! dense elimination; without `--bin check`, times and invariants are printed.
 #![allow(missing_docs, reason = "parameters are named in the equations")]
 use kahan_core::prelude::*;
 

@@ -1,4 +1,5 @@
-//! Many trajectories at once, by the macro's code and at run time; a unit has [`POINTS`] steps.
+//! Many trajectories in lanes, by the macro's code and by machine code made at run time; a unit has
+//! [`POINTS`] steps.
 
 use std::hint::black_box;
 
@@ -10,10 +11,9 @@ use kahan_runtime::MapAt;
 
 use crate::pair::{Pair, in_segments, timed};
 
-/// The number of trajectories, as in the section on ensembles.
+/// The number of trajectories, equal to that of the ensembles.
 const POINTS: usize = 512;
 
-/// Returns the tasks of one map on all available levels.
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
     M: KahanMap<f64, N> + Sync + Copy + 'static,

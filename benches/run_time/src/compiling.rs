@@ -1,4 +1,5 @@
-//! Compilation of plans to machine code: steps of catalog fields, with integrals or with columns.
+//! Times the compilation of plans to machine code: steps of catalog fields, with integrals or in
+//! columns.
 
 use std::hint::black_box;
 
@@ -11,7 +12,6 @@ use crate::pair::timed;
 const RATES: [(&str, f64); 3] = [("a1", 1.1), ("a2", -2.3), ("a3", 1.7)];
 const WEIGHTS: [(&str, f64); 3] = [("w1", 1.0), ("w2", 1.7), ("w3", 2.9)];
 
-/// Returns the tasks for fields with claims, of three and six variables.
 pub(crate) fn all() -> Vec<Task> {
     let (e6, euler, clebsch) = (
         include_str!("../../../systems/src/catalog/e6.rs"),
@@ -67,7 +67,7 @@ fn with_integrals(map: &Map, state: &[f64]) {
     black_box(integrals);
 }
 
-/// Compiles both forms for columns: scalar and vector registers.
+/// Compiles for columns, both for scalar and for vector registers.
 fn with_columns(map: &Map, state: &[f64]) {
     let mut columns: Vec<[f64; 8]> = state.iter().map(|x| [*x; 8]).collect();
     let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(|column| &mut column[..]).collect();

@@ -1,4 +1,4 @@
-//! A map as the macro's code and as read at run time.
+//! A map in two forms: the macro's code, and the field read at run time.
 
 use std::time::Instant;
 
@@ -7,7 +7,7 @@ use kahan_bench_fields::{EPS, Source, block_of};
 use kahan_core::prelude::*;
 use kahan_runtime::{Field, Map};
 
-/// The steps after which a run restarts, so that orbits stay in an ordinary range.
+/// The number of steps after which a run restarts, which keeps orbits in an ordinary range.
 pub(crate) const SEGMENT: usize = 1024;
 
 /// Both forms of a map, with the initial state of timings.
@@ -19,7 +19,7 @@ pub(crate) struct Pair<M, const N: usize> {
 }
 
 impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
-    /// Reads the map from its block's text. Panics if both forms reach different points.
+    /// Reads the map from its block's text. Panics if the two forms reach different points.
     pub(crate) fn new(source: Source, generated: M, values: &[(&str, f64)], start: [f64; N]) -> Self {
         let text = block_of(source.text).unwrap_or_else(|| panic!("{}: a file without a block", source.name));
         let field = Field::parse(text).unwrap_or_else(|mistakes| panic!("{}: {mistakes}", source.name));

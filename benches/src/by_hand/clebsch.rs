@@ -43,7 +43,7 @@ pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f6
     }
 }
 
-/// Multiplies by 2 beside the division, not before it, and adds D's latest term last.
+/// Multiplies by 2 during the division instead of before it, and adds D's latest term last.
 pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

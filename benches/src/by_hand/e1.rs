@@ -25,7 +25,8 @@ pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes 1/k first, which x and y need; only x closes the chain. z is divided by t at the end.
+/// Computes 1/k first, which x and y need; only x is on the critical path. z is divided by t at the
+/// end.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

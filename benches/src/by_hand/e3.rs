@@ -25,7 +25,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D = (1 + Z) + (X·2X + Y·2Y), and the sum of squares again for the numerators.
+/// Computes D = (1 + Z) + (X·2X + Y·2Y), and the sum of squares separately for the numerators.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -39,7 +39,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D as in the short chain, with the squares once, scaled beside the division.
+/// Computes D as in the short chain; the squares are computed once and scaled during the division.
 pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

@@ -25,7 +25,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Closes the chain with 1/D; 1/u, needed by z only, runs beside it.
+/// Only 1/D is on the critical path; 1/u, which z needs, is computed in parallel.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

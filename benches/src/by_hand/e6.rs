@@ -45,7 +45,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Like the short chain, with 3Y as Y + 2Y and the constant 8ε, which is exact where ε is.
+/// Like the short chain, with 3Y as Y + 2Y and the constant 8ε, which is an exact multiple of ε.
 pub(crate) fn shortest_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (two_eps, eight_eps) = (2.0 * eps, 8.0 * eps);
     move |[x, y, z]| {

@@ -34,7 +34,7 @@ pub(crate) fn fewest_operations(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3])
     }
 }
 
-/// Computes D = X(kεx + sεy) + (ct₀ + csεz) with prepared coefficients; the factors 2 are in
+/// Computes D = X(kεx + sεy) + (ct₀ + csεz) with prepared coefficients; factors 2 are merged with
 /// constants of the numerators.
 pub(crate) fn short_chain(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (s, r, b) = (eps * map.sigma, eps * map.rho, eps * map.beta);

@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes D = 1 − ε(p + q − ε), which uses every difference twice.
+/// Computes D = 1 − ε(p + q − ε); each difference is used twice.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -23,7 +23,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Computes D = (1 + (Y − X)) + ε((X + Y) − ε), six operations in a chain.
+/// Computes D = (1 + (Y − X)) + ε((X + Y) − ε), a chain of six operations.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -47,7 +47,7 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Prepares coefficients: two parallel products and two sums precede the division by D/(2ε).
+/// Prepares coefficients: the division by D/(2ε) waits for two parallel products and two sums.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
     let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);

@@ -20,7 +20,6 @@ fn exact(x: f64) -> BigRational {
     BigRational::from_float(x).expect("finite")
 }
 
-/// Compares each variant with the step of `map` over ℚ at equal floats.
 fn agree<const N: usize>(
     map: impl KahanMap<BigRational, N>,
     eps: f64,
@@ -81,7 +80,7 @@ fn e6() {
     agree(fields::E6, EPS, &[&fewest_operations(EPS), &short_chain(EPS), &shortest_chain(EPS)]);
 }
 
-/// ρ is large, so ε is smaller: ερ must not create poles in the box.
+/// ρ is large, so ε must be small: ερ must not create poles in the box.
 #[test]
 fn lorenz() {
     use super::lorenz::{fewest_operations, short_chain};

@@ -1,4 +1,4 @@
-//! The cost of compiling, now and before.
+//! The cost of compiling, compared with an earlier state.
 
 use anyhow::Result;
 

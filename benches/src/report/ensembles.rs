@@ -10,9 +10,7 @@ use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
 const BOUND: &str = "bound";
-/// One division of `f64`, four at a time.
 const DIVISIONS: &str = "divisions, AVX2";
-/// One multiply-add of `f64`, eight at a time.
 const MULTIPLY_ADDS: &str = "multiply-adds, AVX-512";
 const ENSEMBLE: &str = "ensemble";
 
@@ -54,7 +52,6 @@ pub(crate) fn ensembles(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Ensembles".to_owned(), text, table }], limits))
 }
 
-/// Returns the nanoseconds per trajectory and step of the default build, for each system.
 pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::ENSEMBLES, false)?)?;
     let tasks = worker.tasks().iter().enumerate().filter(|(_, task)| task.what == ENSEMBLE);
@@ -64,9 +61,9 @@ pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     Ok(systems.into_iter().zip(times).map(|(system, times)| (system, times[0] / POINTS)).collect())
 }
 
-/// Times all tasks of a system in both builds, and the bounds, in turns. Returns the lines of each
-/// system, then those of the bounds. The first line of a system, its ensemble in the default build,
-/// is the reference of its ratios.
+/// Times all tasks of a system in both builds, and the bounds, alternately. Returns the lines of
+/// each system, then those of the bounds. The first line of a system, its ensemble in the default
+/// build, is the reference of the ratios.
 fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> {
     let mut systems: Vec<&str> = workers[0].tasks().iter().map(|task| task.system.as_str()).collect();
     systems.sort_by_key(|&system| system == BOUND);
@@ -100,7 +97,6 @@ fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> 
     Ok(races.iter().zip(&times).map(lines).collect())
 }
 
-/// The number of trajectories in a unit.
 const POINTS: f64 = 512.0;
 
 fn row(line: &Line, lines: &[Line]) -> Vec<String> {
@@ -117,7 +113,7 @@ fn find<'l>(lines: &'l [Line], native: bool, what: &str) -> Option<&'l Line> {
     lines.iter().find(|line| line.native == native && line.what == what)
 }
 
-/// Returns the ratio to the least time that the processor's busiest unit permits.
+/// Returns the ratio to the least time that the throughput bounds permit.
 fn of_bound(line: &Line, lines: &[Line]) -> Option<f64> {
     let least = |what| find(lines, false, what).map(|line| line.nanoseconds);
     let bound = match line.what.as_str() {

@@ -8,7 +8,6 @@ use crate::race::{Effort, race, seconds};
 use crate::systems::System;
 use crate::table::{Table, short};
 
-/// Times the methods of `systems`, without limits.
 pub(crate) fn journeys(systems: &[System], effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let progress = Progress::new(systems.len());
     let mut table = Table::new(&["orbit", "ns a unit of time", "ratio", "quartiles", "error at the end"]);

@@ -43,7 +43,6 @@ impl fmt::Display for Section {
     }
 }
 
-/// Returns the sections and limits of a part as JSON, with the machine.
 pub(crate) fn result(root: &Path, sections: &[Section], limits: &[Limit]) -> String {
     let sections = sections.iter().map(|section| {
         let Section { title, text, table } = section;

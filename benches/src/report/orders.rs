@@ -8,7 +8,6 @@ use crate::race::{Effort, race, seconds};
 use crate::table::{Table, short};
 use kahan_bench_fields::{self as fields, start};
 
-/// Times both methods for the Euler top, E6 and Lotka–Volterra.
 pub(crate) fn orders(effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let progress = Progress::new(3);
     let mut table = Table::new(&[

@@ -1,4 +1,4 @@
-//! Fields read at run time, beside the macro's code.
+//! Fields read at run time, compared with the macro's code.
 
 use anyhow::{Context, Result};
 
@@ -9,20 +9,19 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// The prefixes of a task's name for both sides.
+/// The prefix of a task that runs the macro's code.
 const MACRO: &str = "macro: ";
 const RUN_TIME: &str = "run time: ";
-/// The prefix of tasks with one side.
+/// The prefix of a task without a counterpart.
 const COMPILING: &str = "compiling: ";
-/// Tasks without limits: separate calls for each step, whose counterpart has no calls, and
-/// ensembles with each side's default registers and rounding.
+/// Tasks without limits: separate calls for each step, whose counterpart is inlined, and ensembles
+/// with each side's default registers and rounding.
 const UNJUDGED: [&str; 2] = ["a step at a time", "ensemble"];
-/// The largest permitted ratio of run time to the macro.
+/// The largest permitted ratio of run-time code to the macro's code.
 const AT_MOST: f64 = 1.15;
 /// The largest permitted milliseconds from a plan to machine code.
 const COMPILING_AT_MOST: [(&str, f64); 2] =
     [("E6: step and integrals", 0.2), ("Clebsch: step and integrals", 1.0)];
-/// The number of trajectories in a unit of an ensemble's task.
 const POINTS: f64 = 512.0;
 
 struct Line {
@@ -37,7 +36,6 @@ impl Line {
         self.run_time / self.generated
     }
 
-    /// Returns the nanoseconds per state and step.
     fn cells(&self) -> [String; 3] {
         let states = if self.what.starts_with("ensemble") { POINTS } else { 1.0 };
         let time = |nanoseconds: f64| short(Some(nanoseconds / states));

@@ -19,7 +19,7 @@ struct Row {
     instructions: Option<f64>,
 }
 
-/// Times the steps of `systems` for an `effort`; counts instructions if valgrind is installed.
+/// Times the steps of `systems`; counts instructions if valgrind is installed.
 pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(systems.len());
     let (mut sections, mut limits, mut by_lu) = (Vec::new(), Vec::new(), Vec::new());
@@ -63,19 +63,15 @@ pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<S
     Ok((sections, limits))
 }
 
-/// Nanoseconds of one step of a system.
 pub(crate) struct StepTimes {
     pub(crate) system: &'static str,
     pub(crate) generated: f64,
-    /// The fastest hand-written step.
     pub(crate) by_hand: f64,
     /// Kahan's map by nalgebra's LU of static size.
     pub(crate) lu: f64,
-    /// The implicit midpoint rule with Newton's method.
     pub(crate) midpoint: f64,
 }
 
-/// Returns the least times per step in chains of dependent steps.
 pub(crate) fn step_times(systems: &[System], effort: Effort) -> Vec<StepTimes> {
     let of = |system: &System| {
         let (steps, standings) = (&system.steps, standings(system, effort));
@@ -94,7 +90,6 @@ pub(crate) fn step_times(systems: &[System], effort: Effort) -> Vec<StepTimes> {
     systems.iter().map(of).collect()
 }
 
-/// Returns the hand-written step with the least latency.
 fn fastest_by_hand(rows: &[Row]) -> Option<&Row> {
     let ratio = |row: &Row| row.standing.map_or(f64::NAN, |standing| standing.ratio.median);
     let by_hand = rows.iter().filter(|row| row.role == Role::ByHand && row.standing.is_some());

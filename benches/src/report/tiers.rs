@@ -1,4 +1,4 @@
-//! Tiers: the cost of their promises.
+//! The cost of the tiers' promises.
 
 use anyhow::Result;
 
@@ -9,12 +9,13 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// The reference of all others.
+/// The tier that is the reference of all others.
 const FAST: &str = "fast";
 /// The fast tier with separate calls for each step, like the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit: reference, native build (with multiply-adds) or not, largest ratio.
+/// The tiers with a limit: tier, reference, whether in the native build (with multiply-adds),
+/// largest ratio.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
@@ -55,7 +56,8 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
 
-/// Returns each tier's price relative to the fast tier, in the default build, up to 3 variables.
+/// Returns the cost of each tier relative to the fast tier, in the default build, for each system
+/// of up to three variables.
 pub(crate) fn tier_prices(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::TIERS, false)?)?;
     let lines = measure(&mut worker, effort)?;
@@ -70,7 +72,7 @@ struct Line {
 }
 
 impl Line {
-    /// Says whether limits apply: they hold for two and three variables only.
+    /// Returns whether limits apply, for two and three variables only.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }
@@ -81,7 +83,6 @@ fn measure(worker: &mut Worker, effort: Effort) -> Result<Vec<Line>> {
         worker.tasks().iter().map(|task| (task.system.clone(), task.what.clone())).collect();
     let mut systems: Vec<&str> = tasks.iter().map(|(system, _)| system.as_str()).collect();
     systems.dedup();
-    // The tasks of each system, the fast tier first.
     let races: Vec<Vec<usize>> = systems
         .iter()
         .map(|&system| {

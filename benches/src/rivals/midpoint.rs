@@ -7,8 +7,8 @@ pub(crate) const NAME: &str = "implicit midpoint, Newton";
 /// The largest final update of Newton's method, relative to max(1, |x̃|), in the maximum norm.
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
-/// Steps by h = 2ε: exact Jacobian I − ½h·f′, LU with partial pivoting, and Euler's step as the
-/// first guess. Panics for a singular Jacobian, which these chains never meet.
+/// Steps by h = 2ε. Newton's method starts at Euler's step and uses the exact Jacobian I − ½h·f′
+/// with LU and partial pivoting. Panics for a singular Jacobian, which these chains never meet.
 pub(crate) fn step<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -18,7 +18,7 @@ where
     move |x| {
         let x = SVector::from(x);
         let mut next = x + map.field(&x) * h;
-        // Convergence is quadratic; further iterations mean that rounding exceeds the tolerance.
+        // Convergence is quadratic; more iterations mean that rounding errors exceed the tolerance.
         for _ in 0..8 {
             let middle = (x + next) * 0.5;
             let residual = x + map.field(&middle) * h - next;

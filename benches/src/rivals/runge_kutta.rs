@@ -2,7 +2,6 @@
 
 use kahan_core::prelude::*;
 
-/// Steps by h = 2ε.
 pub(crate) fn step<F, const N: usize>(field: F, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     F: QuadraticField<f64, N>,

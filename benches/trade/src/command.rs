@@ -12,14 +12,13 @@ use super::scene::Setting;
 
 pub(crate) struct Told {
     pub(crate) choice: Setting,
-    /// Settings with the command's nanoseconds per unit of time: the finest of each scheme, because
-    /// all settings of a scheme have equal prices per step.
+    /// Settings with the command's nanoseconds per unit of simulated time: for each scheme the
+    /// finest one, because all settings of a scheme have equal prices per step.
     pub(crate) prices: Vec<(Setting, f64)>,
     /// The machine's speed during the run.
     pub(crate) pace: f64,
 }
 
-/// Runs this checkout's command.
 pub(crate) fn choice(field: &str, start: &[&str], horizon: f64, tolerance: f64) -> Result<Told> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let before = pace();
@@ -55,7 +54,7 @@ fn setting(object: &Value) -> Result<Setting> {
     let order = object["order"].as_u64().context("no order")?;
     let composition = Composition::of_order(u32::try_from(order)?).context("no such order")?;
     let compensated = object["compensated"] == true;
-    // Reading JSON may lose the last bit.
+    // Reading JSON may lose the last bit, so take the nearest admissible ε.
     let eps = precision.eps_near(object["eps"].as_f64().context("no eps")?, Need::Trajectory);
     Ok(Setting { scheme: Scheme { precision, composition, compensated }, eps })
 }

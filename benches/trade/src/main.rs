@@ -1,12 +1,12 @@
 //! Checks the choices of `kahan trade` and of the library against all settings, on new scenes,
-//! timed side by side. `cargo run --release -p kahan-bench-trade` in `benches/` takes six minutes
-//! on an idle machine. It prints each scene's results, and fails if
+//! timed alternately. `cargo run --release -p kahan-bench-trade` in `benches/` takes six minutes on
+//! an idle machine. It prints each scene's results, and fails if
 //!
 //! - a choice's error, at all points of a repeated orbit, exceeds its tolerance;
-//! - the command's choice costs more than 1.3 times the best setting that it may know to be
-//!   cheaper, or the library's more than 3 times the best of all. The command assumes that `f32` is
-//!   no cheaper than `f64`, so a choice in `f64` may cost 1.5 times a setting in `f32`; the output
-//!   compares with the best of all;
+//! - the command's choice costs more than 1.3 times the best setting that it can compare with, or
+//!   the library's more than 3 times the best of all. The command assumes that `f32` is no cheaper
+//!   than `f64`, so a choice in `f64` may cost 1.5 times a setting in `f32`; the output compares
+//!   with the best of all;
 //! - a price of the command differs too much from the one measured here, where the macro compiles
 //!   the orbit into an optimised program.
 
@@ -30,9 +30,11 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// The largest cost of the command's and the library's choice, relative to the best setting.
+/// The largest permitted cost of the command's and the library's choice, relative to the best
+/// setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
-/// The command checks some points of an orbit, more where it moves fast; this program checks all.
+/// The permitted excess of errors. The command checks some points of an orbit, more where it moves
+/// fast; this program checks all.
 const UNSEEN: f64 = 1.02;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
@@ -100,7 +102,7 @@ impl Check {
                 end: horizon,
                 allowed: 1e-3 * tolerance,
             };
-            // With a rounded ε the last point is near the horizon.
+            // With a rounded ε the last point lies only near the horizon.
             let limits = Limits { margin: 1.0 / 256.0, is_over: None, variables: None };
             let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
@@ -175,7 +177,6 @@ impl Check {
         Ok(())
     }
 
-    /// Repeats both choices and checks every point.
     fn errors<M: ExtendScalars<BigRational, N>, const N: usize>(
         &mut self,
         name: &str,

@@ -1,4 +1,4 @@
-//! Prices of settings, timed in turns.
+//! Prices of settings, timed alternately.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -8,14 +8,14 @@ use kahan_core::prelude::*;
 
 use super::scene::{Scene, Setting};
 
-/// The number of rounds, in which all settings take turns; the least time counts, because
-/// disturbances only slow a step.
+/// The number of rounds, in which all settings alternate; the least time counts, because
+/// disturbances only slow a step down.
 const ROUNDS: usize = 60;
 
 /// The largest permitted ratio between a price measured here and the command's, which times machine
-/// code with equal operations. Compilers differ in packing and spilling, above all in single
-/// precision: ratios from 0.9 to 2.1 were seen. Crates that are not optimised together take 3.6
-/// times as long, unoptimised programs a hundred times.
+/// code with equal operations. Compilers pack and spill differently, above all in single precision:
+/// ratios from 0.9 to 2.1 were measured. Crates that are not optimised together take 3.6 times as
+/// long, unoptimised programs a hundred times.
 pub(crate) const NEAR: f64 = 2.5;
 
 /// Returns the nanoseconds per unit of time for each setting, and the machine's pace.

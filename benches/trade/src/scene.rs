@@ -32,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// Runs an expression with the setting's orbit, begun by a closure.
+/// Runs an expression with the setting's orbit, which a closure creates.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
@@ -89,8 +89,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// Returns the largest distance from the reference over all steps, the last of which stands for
-    /// the horizon; stops beyond `enough`.
+    /// Returns the largest distance from the reference over all steps; the last step is compared
+    /// with the reference at the horizon. Ends once the distance exceeds `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -110,17 +110,16 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         worst
     }
 
-    /// Measures the nanoseconds per unit of time once.
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// The least number of timed steps, in all and in one piece; starting takes time.
+        /// The least number of timed steps, in total and in one piece; starting an orbit takes
+        /// time.
         const STEPS: usize = 400;
         const PIECE: usize = 64;
-        // Far beyond the horizon states may slow arithmetic: an epidemic's end is subnormal in
-        // `f32`.
+        // Far beyond the horizon arithmetic may be slow: an epidemic ends in subnormal `f32`.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// Times one kind of orbit, begun and followed here as in a user's loop. A common function
-        /// for all kinds would be too large to be compiled well, and an orbit from outside would
+        /// Times one kind of orbit, created and iterated here as in a user's loop. One function for
+        /// all kinds would be too large to be optimised well, and an orbit passed as argument would
         /// stay in memory.
         #[inline(never)]
         fn seconds<O: Iterator>(begin: impl Fn() -> O, steps: usize, repeats: usize) -> f64 {
@@ -138,8 +137,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// Returns the coarsest sufficient eps of each scheme, on a grid with ratio 1.1, while its
-    /// price stays below `dearest`.
+    /// Returns for each scheme the coarsest sufficient eps, on a grid with ratio 1.1, while its
+    /// price is below `dearest`.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scheme in Scheme::all() {

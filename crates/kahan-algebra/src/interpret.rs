@@ -1,5 +1,5 @@
-//! The second back end: evaluates every object of Kahan's method at a point, at run time, in any
-//! arithmetic. Exact arithmetic returns `None` for undefined values.
+//! Evaluates every object of Kahan's method at a point, at run time and in any arithmetic. Exact
+//! arithmetic returns `None` for undefined values.
 
 mod map;
 
@@ -116,7 +116,8 @@ impl Interpreter {
         self.at(arithmetic, point).next()
     }
 
-    /// Returns ∂x̃/∂x for x̃ = `next`: by dual numbers, or A(x,ε)⁻¹A(x̃,−ε).
+    /// Returns ∂x̃/∂x at x̃ = `next`: the derivative of the reduced map by dual numbers, or else
+    /// A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -174,7 +175,6 @@ impl<A: OverRationals> At<'_, A> {
         Some(entries.chunks(self.point.state.len()).map(<[A::Value]>::to_vec).collect())
     }
 
-    /// Returns the outputs of a plan, if all are defined.
     fn run(&self, plan: &Plan) -> Option<Vec<A::Value>> {
         self.run_with(plan, &self.point.state)
     }

@@ -1,10 +1,10 @@
 //! The written form of a field: sums used as factors, and reciprocals of divisors, are named
-//! values.
+//! subexpressions (`Values`).
 //!
-//! Expansion can lose digits: `(p - q)*x*y` is accurate for p near q, `p*x*y - q*x*y` is not; a
-//! common divisor of `x/(1 + nu) + x/(mu - nu)` can cancel where neither divisor does. So plans for
-//! floats use polynomials in states, parameters and values, without a division. After substitution
-//! of the values the components equal those of the [`Field`], which is proved, reduced and printed.
+//! Expansion can lose digits: `(p - q)*x*y` is accurate for p near q, `p*x*y - q*x*y` is not. A
+//! common divisor of `x/(1 + nu) + x/(mu - nu)` can vanish by rounding where neither divisor does.
+//! Plans for floats therefore use division-free polynomials in states, parameters and named
+//! subexpressions. After substitution the components equal those of the [`Field`].
 
 use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;
@@ -16,7 +16,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
-/// The quantity by which points of an orbit are differentiated.
+/// The variable by which the points of an orbit are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum By {
     /// A coordinate of the first point.
@@ -27,7 +27,7 @@ pub enum By {
     Epsilon,
 }
 
-/// The definition of a value, in states, parameters and earlier values.
+/// A named subexpression, a polynomial in states, parameters and earlier subexpressions.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Value {
     /// A sum written as a factor.
@@ -36,7 +36,7 @@ pub(crate) enum Value {
     Reciprocal(Polynomial),
 }
 
-/// The values of a field. Their variables are numbered after all symbols.
+/// The named subexpressions of a field. Their variables are numbered after all symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Values {
     first: usize,
@@ -44,23 +44,22 @@ pub(crate) struct Values {
     pub(crate) values: Numbered<Value>,
 }
 
-/// A field over its values.
+/// A field written with named subexpressions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kept {
     pub(crate) values: Values,
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field whose state-independent values are additional parameters, for which steps are planned.
+/// A field for planning steps: state-independent subexpressions are additional parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct WithConstants {
     pub(crate) field: Field,
-    /// The field over sums that depend on states; `None` if it is the field itself.
+    /// The field with sums that depend on states; `None` if it has only state-independent sums.
     pub(crate) kept: Option<Kept>,
-    /// For each added parameter the index of its value.
+    /// For each added parameter the index of its subexpression.
     pub(crate) places: Vec<usize>,
     pub(crate) values: Values,
-    /// The field's own symbols, without the added parameters.
     pub(crate) symbols: Symbols,
 }
 
@@ -83,7 +82,7 @@ impl Values {
         Values { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
 
-    /// Returns the index of the value of a variable.
+    /// Returns the index of the subexpression that a variable stands for.
     pub(crate) fn place(&self, variable: Variable) -> Option<usize> {
         usize::from(variable.0).checked_sub(self.first)
     }
@@ -92,7 +91,7 @@ impl Values {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// Returns the variable of a value, which is added if new; `None` beyond 2¹⁶ variables.
+    /// Returns the variable of a subexpression, added if new; `None` beyond 2¹⁶ variables.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let place = self.values.number(value);
         self.variable(place)
@@ -103,7 +102,8 @@ impl Values {
         self
     }
 
-    /// Converts a polynomial to a factor: a sum becomes a value times a number, a term stays.
+    /// Converts a polynomial to a factor: a sum becomes a named subexpression times a number, a
+    /// single term stays.
     pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.len() < 2 {
             return polynomial.clone();
@@ -121,7 +121,7 @@ impl Values {
         }
     }
 
-    /// Returns the quotient by a nonzero divisor without states; common monomials cancel.
+    /// Returns the quotient by a nonzero divisor without states, after cancelling common monomials.
     pub(crate) fn quotient(&mut self, dividend: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
         let (dividend, divisor) = (self.factor(dividend), self.factor(divisor));
         let common = dividend.monomial_content().gcd(&divisor.monomial_content());
@@ -130,7 +130,7 @@ impl Values {
         Some(&dividend * &self.reciprocal(&divisor)?)
     }
 
-    /// Returns whether a polynomial over the values divides only by factors of `denominator`.
+    /// Returns whether every divisor in a polynomial is a factor of `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
         places.all(|place| match &self.values[place] {
@@ -139,7 +139,6 @@ impl Values {
         })
     }
 
-    /// Replaces each value by its sum. The polynomial must not contain reciprocals.
     fn with_sums(&self, polynomial: &Polynomial) -> Polynomial {
         polynomial.variables().into_iter().fold(polynomial.clone(), |polynomial, variable| {
             match self.place(variable).map(|place| &self.values[place]) {
@@ -149,7 +148,8 @@ impl Values {
         })
     }
 
-    /// Returns the reciprocal of a nonzero state-independent polynomial, unless variables run out.
+    /// Returns the reciprocal of a nonzero state-independent polynomial; `None` beyond 2¹⁶
+    /// variables.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -159,8 +159,8 @@ impl Values {
         self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
     }
 
-    /// Returns the derivatives of a polynomial by all wanted variables, by the chain rule through
-    /// values. Derivatives of values that are sums become values.
+    /// Returns the derivatives of a polynomial by all wanted variables, by the chain rule.
+    /// Derivatives that are sums become named subexpressions.
     fn gradient(
         &mut self,
         polynomial: &Polynomial,
@@ -210,7 +210,7 @@ impl Values {
     }
 }
 
-/// The nonzero derivatives by variable, unordered.
+/// The nonzero derivatives, each with its variable, unordered.
 type Gradient = Vec<(Variable, Polynomial)>;
 
 fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
@@ -221,9 +221,9 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 }
 
 impl Kept {
-    /// Builds a field over the values that it needs.
+    /// Builds a field with the subexpressions that it needs.
     ///
-    /// If ε occurs in even powers only, ε² becomes the first value, a parameter of plans.
+    /// If ε occurs in even powers only, ε² becomes the first subexpression.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -268,7 +268,7 @@ impl Kept {
         Kept { components, values: kept }
     }
 
-    /// Returns the expanded form of a field, with its denominators as divisors.
+    /// Returns the written form of an expanded field: its denominators are divisors.
     pub(crate) fn of(field: &Field) -> Self {
         let mut values = Values::of(&field.symbols);
         let components = field.components.iter().map(|component| {
@@ -296,7 +296,8 @@ impl Kept {
         Kept::new(values, components)
     }
 
-    /// Returns the field with derivative vectors for `by`; its symbols are `tangent`.
+    /// Returns the field together with one derivative vector for each entry of `by`; `tangent`
+    /// names all variables.
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
@@ -326,7 +327,7 @@ impl Kept {
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
-    /// Returns ∂f/∂a over the values; for a = ε returns f + ε ∂f/∂ε, to be multiplied by 1/ε.
+    /// Returns ∂f/∂a. For a = ε returns f + ε ∂f/∂ε, which the caller multiplies by 1/ε.
     fn sources(&self, symbols: &Symbols, values: &mut Values, by: By) -> Vec<Polynomial> {
         let name = match by {
             By::Start => return vec![Polynomial::zero(); self.components.len()],
@@ -342,7 +343,7 @@ impl Kept {
         self.components.iter().map(source).collect()
     }
 
-    /// Returns the nonzero entries of f′(x) by rows and columns, and the values in them.
+    /// Returns the nonzero entries of f′(x), row by row, with the subexpressions in them.
     pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
@@ -356,13 +357,14 @@ impl Kept {
         (values, rows)
     }
 
-    /// Turns state-independent values into parameters; returns `field` if a coefficient vanishes.
+    /// Turns state-independent subexpressions into parameters; returns `field` if a coefficient of
+    /// the result vanishes.
     pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// Turns values into parameters that are free of all variables that satisfy `varies`. Returns
-    /// the plain field if it divides by such a variable.
+    /// Turns subexpressions without varying variables into parameters. Returns the plain field if
+    /// it divides by a varying variable.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,
@@ -416,11 +418,11 @@ impl Kept {
         WithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
-    /// Returns whether a step planned from expanded sums may lose digits: products of two written
+    /// Returns whether a step planned from expanded sums may lose digits: if a term has two written
     /// sums, or a constant times a sum as in `(y - 1)/s`. A sum that contains the component's own
-    /// state is harmless: the constant is also on the diagonal of A and divided out.
+    /// state is harmless: the constant is also on the diagonal of A and cancels.
     ///
-    /// Every value must be a sum, as in a field with constants.
+    /// Requires that every subexpression is a sum, as in a field with named constants.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
@@ -437,7 +439,7 @@ impl Kept {
         })
     }
 
-    /// Substitutes for each variable; values are added to `others`.
+    /// Replaces each variable by `put`; adds the resulting subexpressions to `others`.
     pub(crate) fn with(&self, others: &mut Values, put: impl Fn(Variable) -> Polynomial) -> Vec<Polynomial> {
         let mut moved: Vec<Polynomial> = Vec::with_capacity(self.values.values.len());
         let in_others = |polynomial: &Polynomial, moved: &[Polynomial]| {
@@ -468,7 +470,7 @@ impl Kept {
 }
 
 impl WithConstants {
-    /// Returns the expanded field without values.
+    /// Returns the expanded field, without added parameters.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Values::of(&symbols);

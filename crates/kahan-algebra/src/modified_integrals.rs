@@ -115,10 +115,10 @@ impl From<OverBudget> for No {
     }
 }
 
-/// A form λ with its derivative, or its derivative over m.
+/// A form λ with λ′, or with λ′/m, where λ′ is its derivative along the field.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product of two linear integrals, and two states whose product occurs in it.
+/// A product of two linear integrals, and a pair of states whose product occurs in it.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
@@ -128,9 +128,7 @@ struct Product {
 /// ẋ = F(x)/q with polynomials in states and parameters, q free of states.
 struct Flow<'a> {
     symbols: &'a Symbols,
-    /// F
     components: Vec<Polynomial>,
-    /// q
     divisor: Polynomial,
 }
 
@@ -152,7 +150,6 @@ impl<'a> Flow<'a> {
         })
     }
 
-    /// Adds the linear integrals, and those by polarisation.
     fn add_polarised(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
         let symbols = self.symbols;
         let states: Vec<Polynomial> = (0..self.components.len()).map(|i| self.state(i)).collect();
@@ -163,7 +160,7 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        // The linear integrals begin a basis of the forms with affine derivative.
+        // Linear integrals come first in a basis of the forms with affine derivatives.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
         let mut forms = Vec::new();
@@ -178,7 +175,8 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // Reduce modulo products: without x·y from (x + y)² the energy is a sum of squares.
+            // Reduce modulo products: subtracting a multiple of (x + y)² may turn the energy into a
+            // sum of squares.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -189,8 +187,9 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the products of linear integrals, those of two different ones first. The last state
-    /// of each occurs in no other one, so no later product contains the pair of an earlier one.
+    /// Returns the products of linear integrals, those of two different ones first. Each pair of
+    /// states occurs in no later product, since the last state of a linear integral occurs in no
+    /// other one.
     fn products(
         &self,
         relations: &[Relation],
@@ -203,7 +202,7 @@ impl<'a> Flow<'a> {
                 let is_square = i == j;
                 let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
                 let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
-                // The square of a single state was omitted already.
+                // Products that are squares of one state were removed before.
                 if pair[0] != pair[1] {
                     let value = forms[i].0.mul_within(&forms[j].0, budget)?;
                     if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
@@ -216,7 +215,7 @@ impl<'a> Flow<'a> {
     /// Adds the integrals by rotation, ẏ = m N y, for each m.
     fn add_rotations(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
         for multiplier in self.multipliers(budget)? {
-            // The variables with ẋ = m n, n a form in these variables, and the constant 1.
+            // The candidates for y: variables with ẋ = m n, n affine in these variables.
             let mut slopes = Vec::with_capacity(self.components.len());
             for component in &self.components {
                 let slope = component.div_within(&multiplier, budget)?;
@@ -239,7 +238,7 @@ impl<'a> Flow<'a> {
                 second.push(twice);
             }
             for delta in deltas {
-                // The forms λ with λN² = −δλ.
+                // Forms λ with λN² = −δλ.
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
@@ -257,8 +256,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ for forms λᵢ and `further` functions vₖ with
-    /// their derivatives, without products of the first `constant` forms.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ in `further`, given
+    /// with their derivatives. Omits products of the first `constant` forms.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -285,8 +284,8 @@ impl<'a> Flow<'a> {
         Ok(integrals)
     }
 
-    /// Returns the forms m that divide at least two components and could rotate a pair of
-    /// variables: one occurs in the other's component, or each in its own.
+    /// Returns the forms m that divide at least two components and may rotate a pair of variables:
+    /// either variable occurs in the other's quotient, or each occurs in its own.
     fn multipliers(&self, budget: &mut Budget) -> Within<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -309,7 +308,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes the variables whose n depends on a removed one.
+    /// Removes variables whose n depends on a removed variable, repeatedly.
     fn close(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -356,7 +355,7 @@ impl<'a> Flow<'a> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // The first form stands for the constant 1 in I as a quadratic form of (1, x).
+        // The first form represents the constant 1 in I, a quadratic form of (1, x).
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -382,7 +381,7 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(No);
         }
-        // u̇/m + δy, which is 0 except in the constant term of I.
+        // u̇/m + δy, which is 0 except for the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

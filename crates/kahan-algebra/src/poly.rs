@@ -66,7 +66,6 @@ impl Polynomial {
         sum
     }
 
-    /// Sums terms; `add` adds the coefficients of repeated monomials.
     fn collected<E>(
         mut unsorted: Vec<Term>,
         mut add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,

@@ -2,8 +2,8 @@
 //!
 //! Numerator and denominator are coprime, and the denominator is primitive with positive leading
 //! coefficient, so equal functions are equal as data. Each operation exists with and without a
-//! [`Budget`]. Operands are in lowest terms, so only a few factors can cancel (Henrici), which
-//! keeps each gcd small. Absent: evaluation, and unreduced quotients.
+//! [`Budget`]. Operands are in lowest terms, so only few factors can cancel (Henrici's algorithm),
+//! which keeps each gcd small. Absent: evaluation, and unreduced quotients.
 
 mod common;
 #[cfg(test)]
@@ -64,7 +64,7 @@ impl RationalFunction {
         Ok(Some(Self::from_coprime(numerator, denominator)))
     }
 
-    /// Returns the numerator, which carries the rational content and the sign.
+    /// Returns the numerator, which includes the rational factor and the sign.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }
@@ -193,7 +193,6 @@ impl RationalFunction {
     }
 }
 
-/// Divides both polynomials by their gcd; at least one must be nonzero.
 fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polynomial, Polynomial)> {
     if a.is_one() || b.is_one() {
         return Ok((a.clone(), b.clone()));

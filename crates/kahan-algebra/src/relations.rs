@@ -1,10 +1,10 @@
 //! Relations between parameters and ε, each solved for a name that enters linearly.
 //!
-//! Polynomials that are to vanish come in; values of some names as rational functions of the others
-//! go out. A value contains no name that has a value. To solve a relation divides by the
-//! coefficient of its name; the coefficient is assumed nonzero where the relations hold, and its
-//! factors are divided out of later relations. A relation whose coefficient and rest are coprime is
-//! irreducible, so its generic points do not depend on the name that it is solved for.
+//! Polynomials that are to vanish come in; values of some names, as rational functions of the other
+//! names, go out. Solving divides by the coefficient of the name. The coefficient is assumed
+//! nonzero where the relations hold, and its factors are divided out of later relations. A relation
+//! a·v + b with coprime a and b is irreducible: its generic solutions do not depend on the choice
+//! of v.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, Within, gcd_within};
 use crate::rational_function::RationalFunction;
@@ -30,22 +30,22 @@ pub enum Obstacle {
     Contradiction,
     /// No name enters linearly.
     NotLinear,
-    /// A product, which holds if either factor vanishes.
+    /// The relation is a product; it does not say which factor is to vanish.
     Product(Polynomial, Polynomial),
     /// The relation is too large to be solved.
     TooLarge,
 }
 
-/// The quality of a name to solve a relation for, best first.
+/// The preference among names to solve a relation a·v + b = 0 for, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
-    /// The coefficient is a number.
+    /// a is a number.
     Number,
-    /// Coefficient and rest are coprime, so the relation is irreducible.
+    /// a and b are coprime, so the relation is irreducible.
     Irreducible,
-    /// Coefficient and rest have a common factor, which is assumed nonzero.
+    /// a and b have a common factor, which is assumed nonzero.
     Factor,
-    /// The rest is 0: the relation is name · coefficient, and either may be meant to vanish.
+    /// b = 0: either v or a may be meant to vanish.
     Product,
 }
 
@@ -63,8 +63,8 @@ impl Default for Relations {
 
 impl Relations {
     /// Adds the relation `polynomial` = 0 and returns the name that it was solved for. Prefers a
-    /// coefficient that is a number, then one coprime to the rest; ties go to the first name in
-    /// `names`, then among variables that earlier values introduced.
+    /// name whose coefficient is a number, then one whose coefficient is coprime to the remaining
+    /// terms. Ties go to the first name in `names`, then to variables introduced by earlier values.
     ///
     /// # Errors
     /// Returns the [`Obstacle`] and adds nothing.
@@ -112,14 +112,13 @@ impl Relations {
         Ok(name)
     }
 
-    /// Refuses a relation written as a product, which does not say which factor is to vanish.
     fn refuse_product(&mut self, polynomial: &Polynomial) -> Result<(), Obstacle> {
         let mut own = polynomial.clone();
         for index in 0..self.nonzero.len() {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // A polynomial that is linear in a name is a product if its coefficients share a factor.
+        // A polynomial a·v + b is a product if a and b have a common factor.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };
@@ -198,13 +197,12 @@ pub(crate) fn put_into<'a>(
     Ok(Some(function))
 }
 
-/// Returns the coefficient of a name in a polynomial that is linear in it, and the rest.
+/// Returns a and b of a polynomial a·v + b.
 fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial) {
     let mut parts = polynomial.coefficients_in(name);
     (parts.remove(&1).unwrap_or_default(), parts.remove(&0).unwrap_or_default())
 }
 
-/// Removes all factors that the polynomial shares with `other`.
 fn without(mut polynomial: Polynomial, other: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
     loop {
         let common = gcd_within(&polynomial, other, budget)?;

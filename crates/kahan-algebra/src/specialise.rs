@@ -31,7 +31,7 @@ impl System {
             Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
-            // A block has one unconditional density; a second one differs from it by an integral.
+            // A block has one unconditional density; a second one is the first times an integral.
             let is_density = |claim: &Claim| claim.kind == ClaimKind::Density && claim.is_unconditional();
             if !is_density(&claim) || !claims.iter().any(is_density) {
                 claims.push(claim);
@@ -100,7 +100,6 @@ struct Specialisation<'a> {
 }
 
 impl Specialisation<'_> {
-    /// Returns a variable without a value under its new index.
     fn renamed(&self, variable: Variable) -> Variable {
         let old = &self.field.symbols;
         let symbol = match old.symbol(variable) {
@@ -128,7 +127,7 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// Specialises the kept values; `None` for rational parameters, or if a divisor is lost.
+    /// Specialises the written form; `None` for rational parameters, or if a divisor cancels.
     fn kept(&self, kept: &Kept, components: &[RationalFunction]) -> Option<Kept> {
         let mut values = Values::of(self.new);
         let put = |variable| match self.relations.value(variable) {
@@ -158,7 +157,8 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// Solves a claim's conditions on the specialisation; `None` if false or not known equivalent.
+    /// Solves the conditions after specialisation; `None` if they are false, or not known to be
+    /// equivalent.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

@@ -57,7 +57,8 @@ pub struct Condition {
     pub variable: Variable,
     /// The value of `variable`, in names that no condition of the claim is solved for.
     pub value: RationalFunction,
-    /// The polynomials that must be nonzero for this relation: coefficient of the name, divisors.
+    /// The polynomials that must be nonzero for this relation: the name's coefficient, and
+    /// divisors.
     pub nonzero: Vec<Polynomial>,
 }
 

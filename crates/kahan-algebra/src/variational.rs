@@ -1,8 +1,8 @@
 //! The variational field: a field together with tangent vectors.
 //!
-//! ẋ = f(x) becomes ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic again. The map is x ↦ x̃, v
-//! ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarisation and differentiation commute. For a = ε the term is f/ε
-//! + ∂f/∂ε.
+//! ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a, which is quadratic again. The map becomes x ↦ x̃,
+//! v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarisation and differentiation commute. For a = ε the
+//! inhomogeneous term is f/ε + ∂f/∂ε.
 
 use crate::field::Field;
 pub use crate::kept::By;
@@ -59,7 +59,6 @@ impl System {
 }
 
 impl Symbols {
-    /// Adds the names of a vector for each entry of `by`, and a parameter for 1/ε if needed.
     fn with_tangents(&self, by: &[By]) -> Symbols {
         let (mut states, mut parameters) = (self.states.clone(), self.parameters.clone());
         for state in by.iter().flat_map(|_| &self.states) {

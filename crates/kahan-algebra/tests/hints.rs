@@ -131,7 +131,7 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
 fn hints_on_texts_of_other_tools_lead_on() {
     let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);
     for (wrong, part, right) in [
-        // Products without their sign, units.
+        // Products without `*`, and units.
         ("(x)' = -9.999 x + 9.999 y", "`-9.999*x + 9.999*y`", "(x)' = -9.999*x + 9.999*y"),
         ("x' = 2x - 3xy", "`2*x - 3*x*y`; if `xy` is one name", "x' = 2*x - 3*x*y"),
         ("x' = 2x - 3xy", "if `xy` is one name", "x' = 2*x - 3*xy"),

@@ -102,7 +102,7 @@ fn lifted_fields_keep_relations_and_energies() {
     let relation = "Polarisation: -w + x^2 - eps^2*y^2";
     check("xdot = y; ydot = x*w - 3*y^2 + y*w; wdot = 2*x*y;", &[relation]);
     check("xdot = y; ydot = mu*(y - w*y) - x; wdot = 2*x*y;", &[relation]);
-    // The pendulum, with parameters, with friction.
+    // The pendulum: plain, with parameters, and with friction.
     let turning = "Rotation: (s^2 + c^2)/(1 + eps^2*p^2)";
     check(
         "xdot = p; pdot = -s; sdot = c*p; cdot = -s*p;",

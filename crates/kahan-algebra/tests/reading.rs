@@ -215,7 +215,7 @@ fn what_once_went_wrong_stays_mended() {
     for text in ["xdot = 2α*x;", "xdot = 1.5ü*x;", "xdot = x^2é;", "xdot = 0é;", "xdot = 1_é*x;"] {
         assert_eq!(reading(text).diagnostics().len(), 1, "{text}");
     }
-    // An open comment used to swallow the rest silently.
+    // An unclosed comment once hid all later text silently.
     assert_eq!(reading("xdot = x; /* open; ydot = y;").diagnostics().len(), 1);
     // An underscore in an exponent is also valid in Rust.
     assert_eq!(equations("xdot = 1e1_0*x;"), equations("xdot = 10000000000*x;"));

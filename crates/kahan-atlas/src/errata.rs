@@ -51,7 +51,6 @@ fn misprint(found: &Found<'_>, checked: &Checked<'_>) -> Markup {
     }
 }
 
-/// Returns the least squares slope of a component's heights against `of(n)`, from step `from` on.
 fn measured(found: &Found<'_>, figure: &Figure, variable: &str, from: usize, of: fn(f64) -> f64) -> String {
     let heights = found.orbits.get(figure.name).and_then(|orbit| orbit.log_heights(variable));
     heights.map_or_else(

@@ -35,8 +35,8 @@ impl<'a> Found<'a> {
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
-        // Establishing the claims also measures the orbits, in parallel; below they are only looked
-        // up.
+        // Establishing the claims also measures the orbits, in parallel; `measurement` then returns
+        // the stored results.
         let established = paper.for_all(&claims, None, |claim| {
             let established = paper.establish(claim);
             each();
@@ -73,7 +73,6 @@ impl<'a> Found<'a> {
         self.claims.iter().find(|checked| checked.claim.id == *id)
     }
 
-    /// Returns the claims whose names begin with `parts`.
     pub(super) fn claims_of(&self, parts: &[&str]) -> impl Iterator<Item = &Checked<'a>> {
         self.claims.iter().filter(move |checked| checked.claim.id.begins_with(parts))
     }

@@ -1,9 +1,9 @@
-//! The paper as one page, written from claims that were established for that page.
+//! The paper as one HTML page, written from claims established for that page.
 //!
-//! In: the claims of `kahan-paper` with their outcomes, and heights along its orbits. Out: one
-//! self-contained HTML document with MathML and SVG, without network access and scripts. The crate
-//! must not know the command or files. No result is stored here: [`Found::compute`] establishes the
-//! claims and computes the orbits, and [`page`] writes the document, one module a section.
+//! The claims of `kahan-paper` with their outcomes, and heights along its orbits, come in. One
+//! self-contained HTML document with MathML and SVG goes out, without scripts or network access.
+//! [`Found::compute`] establishes the claims and computes the orbits; [`page`] writes the document,
+//! one module for each section. The crate must not know the command or files.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -41,11 +41,12 @@ fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
     table_of_formulas(id, caption, &headings, SYSTEMS.iter().filter(solved).map(cells))
 }
 
-/// Writes one cell (table, system, column) from its claim, with a link to the claim.
+/// Writes the cell of a table (table, system, column) from its claim, with a link to the claim.
 fn entry(found: &Found<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
-    // Solutions are definitions at the front; values are the right-hand side of the last relation.
+    // Solutions are definitions at the beginning; values are the right-hand side of the last
+    // relation.
     let formula = match items.first() {
         Some(LatexItem { sign: "\\coloneqq", right, .. }) if !INTEGRALS.contains(&cell_of[2]) => Some(right),
         _ => items.last().map(|item| &item.right),

@@ -9,19 +9,17 @@ use kahan_paper::formula::latex_of;
 use kahan_paper::{Outcome, Structure, structure};
 use kahan_systems::registry::SYSTEMS;
 
-/// Sets an expression of the language of claims in LaTeX.
 fn latex(expression: &str) -> String {
     // `latex_of` reads statements; the right-hand side of a definition may be any expression.
     let item = latex_of(&format!("value := {expression}")).ok().and_then(|items| items.into_iter().next());
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
 
-/// Writes the cell for the definition `name` of a row.
 fn value(row: &Structure, name: &str) -> Markup {
     html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
 }
 
-/// Returns the names of a tensor's entries {x,y}, {y,z}, {z,x}; maps have the suffix `_eps`.
+/// Returns the names of a tensor's entries {x,y}, {y,z}, {z,x}; names for maps end in `_eps`.
 fn entries(tensor: &str, suffix: &str) -> [String; 3] {
     ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }

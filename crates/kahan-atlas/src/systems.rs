@@ -1,4 +1,4 @@
-//! The systems: field, A(x,ε) and map of each, derived from the blocks of the catalog, with claims.
+//! The systems: for each its field, A(x,ε) and map, derived from the catalog, and its claims.
 
 use maud::{Markup, html};
 
@@ -26,7 +26,6 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-/// Writes the section on the systems that are not in the paper.
 pub(super) fn further(found: &Found<'_>) -> Markup {
     html! {
         section #further {

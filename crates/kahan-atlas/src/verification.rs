@@ -25,7 +25,6 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-/// Writes the number of claims for each outcome.
 pub(super) fn counts(found: &Found<'_>) -> Markup {
     let kinds = [
         ("proved", "proved over ℚ"),

@@ -25,7 +25,6 @@ pub(super) fn grouped(value: u64) -> String {
     text
 }
 
-/// Returns the anchor of a claim on the page.
 pub(super) fn anchor(id: &Id) -> String {
     format!("claim-{id}")
 }
@@ -35,7 +34,6 @@ pub(super) fn link(checked: &Checked<'_>) -> Markup {
     html! { a href=(format!("#{}", anchor(id))) { code { (id) } } }
 }
 
-/// Writes an outcome as a mark with words.
 pub(super) fn badge(outcome: Outcome) -> Markup {
     let (class, sign) = match outcome {
         Outcome::Failed => ("failed", "✗"),

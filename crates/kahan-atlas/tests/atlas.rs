@@ -40,7 +40,6 @@ fn page_with(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
     page(&Found { paper, claims: claims.collect(), orbits }, &making())
 }
 
-/// Counts misprints as corrected and all other claims as proved.
 fn good(claim: &Claim) -> Outcome {
     if claim.printed().is_some() { Outcome::Misprint } else { Outcome::Proved }
 }
@@ -53,7 +52,7 @@ fn attributes<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
 #[test]
 fn the_page_is_well_formed_and_its_links_lead_somewhere() {
     let page = page_with(&Paper::new(), good);
-    // XML requires an end for `<meta>`, which HTML leaves open.
+    // XML requires `<meta>` to be closed, HTML does not.
     let xml: String = page
         .split_inclusive('>')
         .map(|piece| if piece.contains("<meta") { piece.replace('>', "/>") } else { piece.to_owned() })
@@ -193,7 +192,6 @@ fn a_claim_that_failed_is_told_at_the_top_and_shown_open() {
     assert!(page_with(&paper, good).contains("no claim failed."));
 }
 
-/// Returns the part of the page about one system.
 fn sheet<'a>(page: &'a str, command: &str) -> &'a str {
     let (_, after) =
         page.split_once(&format!(" id=\"system-{command}\"")).unwrap_or_else(|| panic!("{command}"));
@@ -244,7 +242,7 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
                 ClaimBody::Function(_) => assert_eq!(formulas, 1, "{id}"),
                 ClaimBody::Recurrence { .. } => assert_eq!(formulas, 2, "{id}"),
             }
-            // Checks that the formula shows each of its variables.
+            // Check that the formula contains each of its variables.
             let words = text_of(block);
             let symbols = &system.field.symbols;
             for (i, state) in symbols.states.iter().enumerate().filter(|(_, state)| state.len() == 1) {
@@ -265,7 +263,7 @@ fn parentheses_stretch_around_what_is_tall() {
     let page = page_with(&Paper::new(), good);
     let mut stretched = 0;
     for formula in formulas(&page) {
-        // Each open parenthesis: its position, and whether it stretches.
+        // The open parentheses: position, and whether each stretches.
         let mut open: Vec<(usize, bool)> = Vec::new();
         let mut at = 0;
         for piece in formula.split_inclusive('<') {
@@ -294,7 +292,7 @@ fn parentheses_stretch_around_what_is_tall() {
 fn width(formula: &str) -> usize {
     let xml = format!("<math {formula}</math>");
     let mut reader = Reader::from_str(&xml);
-    // Each open element: its name, and the widths of its children.
+    // The open elements: name, and widths of the children.
     let mut open: Vec<(String, Vec<usize>)> = vec![(String::new(), Vec::new())];
     loop {
         match reader.read_event().expect("well formed") {

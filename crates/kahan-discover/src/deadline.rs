@@ -1,4 +1,4 @@
-//! Deadlines of work, and the messages of work to its watch.
+//! Time limits of long computations, and their reports to a [`Watch`].
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -8,13 +8,14 @@ use kahan_algebra::system::Claim;
 
 use crate::watch::{Finding, Progress, Watch};
 
-/// The least time between two looks of the watch within a stage.
+/// The least time between two calls of `look` within a stage.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
-/// Work under a watch. Remembers reported findings; makes no calls after the watch ended it.
+/// A computation observed by a watch. Each finding is reported once; after the watch ends the
+/// computation, it is called no more.
 pub struct Work<'a> {
     watch: &'a dyn Watch,
-    /// The current stage, and the done and total counts of its items.
+    /// The current stage, and the numbers of done and of all items.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
     looked: Cell<Option<Duration>>,
@@ -36,8 +37,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports progress. The watch looks at the beginning of a stage; at counted items it looks a
-    /// few times a second, or always without a clock.
+    /// Reports progress. Calls `look` when a stage begins. Counted items cause a call a few times a
+    /// second, or each time without a clock.
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -50,7 +51,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports a proved claim once; the watch looks at once, so that it may end the work.
+    /// Reports a proved claim once. Then calls `look`, so that the watch may end the computation.
     pub fn found(&self, claim: &Claim, text: &str) {
         if !self.is_ended.get() && self.told.borrow_mut().insert(text.to_owned()) {
             self.watch.found(&Finding::claimed(claim, text));
@@ -58,7 +59,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Returns the time; `None` without a clock or after the end of the work.
+    /// Returns the time; `None` without a clock or after the end of the computation.
     fn now(&self) -> Option<Duration> {
         if self.is_ended.get() { None } else { self.watch.now() }
     }
@@ -79,9 +80,9 @@ impl<'a> Work<'a> {
     }
 }
 
-/// The end of the time for some work; remembers whether it stopped something. Statements on absence
-/// require a search that was not stopped. The deadline passes at once if the watch ends the work;
-/// without a clock it never passes by time.
+/// A time limit, which remembers whether it stopped a computation. Absence of structures may be
+/// stated only if the search was not stopped. The deadline passes at once if the watch ends the
+/// computation; without a clock, time never ends it.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a Work<'a>>,
@@ -98,7 +99,6 @@ impl<'a> Deadline<'a> {
         Deadline { work: Some(work), end, has_stopped: Cell::new(false) }
     }
 
-    /// Sets a new deadline after this share of the remaining time.
     pub(crate) fn after_share(&self, share: f64) -> Self {
         self.work.map_or_else(Deadline::never, |work| Deadline::after(work, share * self.left()))
     }
@@ -109,7 +109,7 @@ impl<'a> Deadline<'a> {
         Deadline { work: None, end: None, has_stopped: Cell::new(false) }
     }
 
-    /// Tells whether the deadline has passed; a caller that hears so must stop.
+    /// Returns whether the deadline has passed; the caller must then stop.
     #[must_use]
     pub fn passed(&self) -> bool {
         let Some(work) = self.work else { return false };
@@ -128,7 +128,7 @@ impl<'a> Deadline<'a> {
         self.has_stopped.get()
     }
 
-    /// Returns the remaining seconds: infinite without a time limit, 0 after the end of the work.
+    /// Returns the remaining seconds: infinite without a limit, 0 after the end of the computation.
     #[must_use]
     pub fn left(&self) -> f64 {
         match (self.work, self.end) {
@@ -163,7 +163,6 @@ mod tests {
         assert!(!timeless.passed() && timeless.left() == f64::INFINITY);
     }
 
-    /// One tick of the clock is a millisecond.
     #[test]
     fn the_watch_looks_some_times_a_second_and_no_more_once_it_has_ended_the_work() {
         let clock = Ticking::ending_at_look(4);

@@ -8,8 +8,8 @@
 //!
 //! Modules in reading order: [`watch`], [`deadline`], [`modular`] (arithmetic), [`maps`],
 //! [`orbits`], [`integrals`], [`densities`], [`poisson`], [`drift`], [`claims`] (proof and text),
-//! `stages` (the search) and [`report`]. [`mod@scan`] searches special values on a grid,
-//! [`mod@poles`] follows curves through poles.
+//! `stages` (the search) and [`report`]. [`mod@scan`] searches special parameter values on a grid,
+//! [`mod@poles`] follows singular curves of the map through poles.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

@@ -1,4 +1,4 @@
-//! The results of a search as plain data, and in words.
+//! The results of a search as plain data and as sentences.
 
 use std::fmt;
 
@@ -16,8 +16,8 @@ use crate::orbits::hilbert::Hilbert;
 use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
-/// The most characters of a claim that is printed. Longer integrals are left to a basis if one
-/// exists; other longer claims are in blocks and JSON only.
+/// The most characters of a claim that is printed. Longer integrals are given by a basis if one
+/// exists; other longer claims occur in blocks and JSON only.
 pub const MOST_READABLE: usize = 4000;
 
 /// The fixed values and the limits of a search.
@@ -27,16 +27,16 @@ pub struct Options {
     pub eps: Option<Rational>,
     /// The fixed parameters by name; the others are generic.
     pub parameters: Vec<(String, Rational)>,
-    /// The highest degree of relations. If `None`, the number of variables determines a degree, and
-    /// the search goes on to higher degrees while integrals may be missing and time is left; those
-    /// results depend on the speed of the machine.
+    /// The highest degree of relations. If `None`, the number of variables determines a default
+    /// degree, and higher degrees follow while integrals may be missing and time is left. Results
+    /// of higher degrees depend on the speed of the machine.
     pub degree: Option<u32>,
     /// The most iterates whose degrees are computed.
     pub iterates: usize,
-    /// The degree after which no further iterate is taken; larger for the first five.
+    /// The degree after which no further iterate is computed; larger for the first five.
     pub iterate_degree: usize,
-    /// The time limit in seconds by the watch's clock. Unfinished work is left out, and the report
-    /// says so. Without a clock there is no limit.
+    /// The time limit in seconds by the watch's clock. The report says whether work was left out.
+    /// Without a clock there is no limit.
     pub seconds: f64,
 }
 
@@ -62,19 +62,19 @@ pub struct StructureReport {
     pub divergence: String,
     /// Whether det(I − t f′(x)) is even in t.
     pub is_even: bool,
-    /// Linear integrals of the flow, which the map keeps.
+    /// Linear integrals of the flow, which the map preserves.
     pub linear_integrals: Vec<String>,
-    /// Independent quadratic integrals of the flow; the map need not keep them.
+    /// Independent quadratic integrals of the flow, which the map may not preserve.
     pub quadratic_integrals: Vec<String>,
     /// The degree, at most 2, up to which the flow's integrals are complete.
     pub flow_degree: u32,
-    /// The number of flow integrals that the map keeps unchanged.
+    /// The number of flow integrals that the map preserves unchanged.
     pub kept: usize,
     /// The K with f = K∇H of a reduced basis, by the length of the modified Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 
-/// The end of a search for densities 1/P without a proved one.
+/// The result of a search for densities 1/P without a proved one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DensitySearch {
     /// The degree of a P that was observed modulo a prime.
@@ -95,7 +95,7 @@ pub struct HamiltonianReport {
     /// Whether the modified Hamiltonian was written out and proved as a claim.
     pub modified_is_proved: bool,
     /// Whether (I − ε² f′²)K, with the Jacobian f′ of the field, is proved to be an invariant
-    /// Poisson bracket, which may be too long to be written.
+    /// Poisson bracket. It may be too long to be written.
     pub bracket_is_proved: bool,
     /// The form in which the modified Hamiltonian is given.
     pub place: ModifiedPlace,
@@ -120,26 +120,26 @@ impl HamiltonianReport {
 /// The form in which a modified Hamiltonian is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModifiedPlace {
-    /// Left out, as formulas and bases imply it.
+    /// Omitted, because formulas and bases imply it.
     Implied,
-    /// The compact form, independent of the formulas.
+    /// The compact form; no formula depends on it.
     Alone,
-    /// The compact form in place of the formula with this index, which is far longer.
+    /// The compact form in place of the much longer formula with this index.
     InsteadOf(usize),
 }
 
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// The number is maximal: with one more integral, every orbit would be finite.
+    /// Orbits show the maximal number: with one more integral, every orbit would be finite.
     Orbits,
-    /// The number is maximal by the [`Ceiling`].
+    /// The number is the upper bound of the [`Ceiling`].
     Ceiling,
     /// Proved exponential growth in the plane, which excludes integrals.
     Growth,
     /// Observed linear growth in the plane with a drift of infinite order.
     Linear,
-    /// The number is maximal by the drifts.
+    /// The number is the upper bound given by the drifts.
     Drifts,
     /// The given degree.
     Degree,
@@ -166,7 +166,7 @@ impl Bound {
     }
 
     /// Returns the reason why only the `known` integrals exist; `None` if more may exist. The
-    /// drifts admit at most `by_drifts` integrals.
+    /// drifts allow at most `by_drifts` integrals.
     pub(crate) fn complete(
         hilbert: &Hilbert,
         n: usize,
@@ -212,26 +212,26 @@ pub struct Report {
     /// The Hilbert function of a generic orbit; `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
     /// The number of independent algebraic integrals that orbits show or that are proved: formulas,
-    /// those in bases, modified Hamiltonians, and those without a formula here.
+    /// those in bases, modified Hamiltonians, and those for which no formula was found.
     pub independent: usize,
-    /// The upper bound of the number of integrals by the fixed points of the map.
+    /// The upper bound on the number of integrals that follows from fixed points of the map.
     pub ceiling: Option<Ceiling>,
     /// The reason why the search for integrals ended.
     pub bound: Bound,
     /// Proved, independent integrals of the map.
     pub integrals: Vec<Formula>,
-    /// Hirota–Kimura bases for integrals without a formula here, the shortest first.
+    /// Hirota–Kimura bases for integrals without a formula, the shortest first.
     pub bases: Vec<Basis>,
     /// Proved invariant densities; the first has least degree.
     pub densities: Vec<Formula>,
     /// Proved invariant Poisson brackets: those with polynomial entries by descending rank, then
-    /// those from the density and integrals.
+    /// those made from the density and integrals.
     pub brackets: Vec<Bracket>,
     /// The number of brackets with polynomial entries, which come first.
     pub polynomial_brackets: usize,
     /// Proved drifts, independent of each other and of the integrals.
     pub drifts: Vec<Drift>,
-    /// The end of the search for densities.
+    /// The result of the search for densities.
     pub density_search: DensitySearch,
     /// The name of the system's own unconditional density; a block holds only one.
     pub own_density: Option<String>,
@@ -241,7 +241,7 @@ pub struct Report {
     pub survivors: Option<Survivors>,
     /// Whether the time ran out before all was done.
     pub out_of_time: bool,
-    /// Every verdict in words; each sentence states what was shown.
+    /// All conclusions as sentences, each stating exactly what was shown.
     pub sentences: Vec<String>,
 }
 
@@ -287,7 +287,7 @@ impl Report {
     }
 }
 
-/// The reason why nothing can be reported.
+/// The reason why the field cannot be studied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DiscoverError {
     /// A value was given for a name that is not a parameter of the field.
@@ -306,7 +306,7 @@ pub enum DiscoverError {
     TooLong,
 }
 
-/// The most variables of a field; the first elimination takes seconds, and cubically more beyond.
+/// The most variables of a field. The first elimination then takes seconds; its cost is cubic.
 pub(crate) const MOST_VARIABLES: usize = 500;
 
 impl fmt::Display for DiscoverError {

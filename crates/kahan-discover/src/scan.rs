@@ -1,4 +1,5 @@
-//! Special values of parameters and ε on a rational grid, by degrees or ranks that are not generic.
+//! Finds special values of parameters and ε on a rational grid, where degrees or ranks are not
+//! generic.
 
 mod proposals;
 mod shapes;
@@ -28,7 +29,7 @@ pub struct Scanned {
     pub values: Vec<Rational>,
 }
 
-/// The degrees and ranks observed at some values of the scanned quantities.
+/// Degrees and ranks observed at one grid point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sight {
     /// The degrees d₀ = 1, d₁, … of the iterates.
@@ -44,20 +45,20 @@ pub struct Sight {
 pub struct GridPoint {
     /// The values, in the order of the names.
     pub values: Vec<Rational>,
-    /// The observation; `None` if no invertible map exists or its orbits end at poles.
+    /// The observation; `None` if no map exists or its orbits end at poles.
     pub sight: Option<Sight>,
 }
 
-/// A grid of observations, and the generic observation.
+/// The observations on a grid, and the generic observation.
 #[derive(Clone, Debug)]
 pub struct Scan {
-    /// The names of the scanned quantities.
+    /// The names of the scanned parameters.
     pub names: Vec<String>,
-    /// The observation with all scanned quantities generic.
+    /// The observation at generic values of all scanned parameters.
     pub generic: Sight,
-    /// The points of the grid, the last quantity running fastest; fewer if time ran out.
+    /// The points of the grid, the last parameter running fastest; fewer if time ran out.
     pub points: Vec<GridPoint>,
-    /// Relations between scanned quantities at which all points of the grid are special.
+    /// Relations between scanned parameters at which all points of the grid are special.
     pub relations: Vec<Proposal>,
     /// Whether time ran out.
     pub out_of_time: bool,
@@ -70,17 +71,17 @@ impl Scan {
     }
 }
 
-/// Limits that suffice to tell special values and allow thousands of points.
+/// Limits low enough for thousands of points, and sufficient to find special values.
 const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Observes degrees and ranks on the grid, and proves claims at relations between the quantities.
-/// `options` fixes further parameters and ε, the degree of relations and the time. `watch` hears of
-/// the number of points done, and of claims as they are proved.
+/// Observes degrees and ranks on the grid, and proves claims at relations between parameters or ε.
+/// `options` fixes further parameters and ε, the degree of relations and the time. `watch` is told
+/// the number of points done, and each claim as soon as it is proved.
 ///
 /// # Errors
-/// As [`discover`](crate::discover()), for the field at generic values of the scanned quantities.
+/// As [`discover`](crate::discover()), for the field at generic values of the scanned parameters.
 pub fn scan(
     system: &System,
     scanned: &[Scanned],
@@ -103,7 +104,7 @@ pub fn scan(
     let show =
         |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
     show(0);
-    // The generic observation is needed for comparison, so it has no deadline.
+    // Every point is compared with the generic observation, so it has no deadline.
     let generic = look(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
     let mut points = Vec::new();
     for index in 0..total {

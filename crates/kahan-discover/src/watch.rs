@@ -1,7 +1,8 @@
-//! The interface to a watcher of long work: clock, threads, progress, findings, and a stop.
+//! The interface to the observer of a long computation: clock, threads, progress, findings, and
+//! stop.
 //!
-//! Libraries have no clock, threads or screen of their own. The caller brings them along as a
-//! [`Watch`], so the work also runs in a notebook, and in a browser without a clock.
+//! Libraries have no clock, threads or screen of their own. The caller provides them as a
+//! [`Watch`], so computations also run in a notebook, and in a browser without a clock.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -10,16 +11,17 @@ use std::time::Duration;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::Claim;
 
-/// The watcher of long work; all methods have defaults, which do nothing.
+/// The observer of a long computation. Default methods provide no clock and one thread, and ignore
+/// all calls.
 pub trait Watch: Sync {
     /// Returns the time since a fixed moment; `None` without a clock, so time limits do not apply.
     fn now(&self) -> Option<Duration> {
         None
     }
 
-    /// Observes the progress; `Break` ends the work. After `Break` the watch is not called again,
-    /// and the result is that of an elapsed time limit. The work calls `look` when a stage begins,
-    /// after each finding, and at most a few times a second otherwise, if a clock exists.
+    /// Receives the progress; `Break` ends the computation. After `Break` the watch is called no
+    /// more, and the result is that of an elapsed time limit. `look` is called when a stage begins,
+    /// after each finding, and otherwise at most a few times a second if a clock exists.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
@@ -27,7 +29,7 @@ pub trait Watch: Sync {
     /// Receives a finding as soon as it is proved.
     fn found(&self, _finding: &Finding) {}
 
-    /// Returns the number of threads for the work, at least 1; answers do not depend on it.
+    /// Returns the number of threads to use, at least 1; results do not depend on it.
     fn threads(&self) -> usize {
         1
     }
@@ -85,7 +87,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// A watch without a clock, with one thread, which hears nothing and stops nothing.
+/// A watch without a clock, with one thread, that ignores all calls.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 

@@ -51,7 +51,7 @@ fn the_lagrange_top_has_four_integrals() {
     let report = report(LAGRANGE, &options());
     assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
     check_lines(LAGRANGE, &report);
-    // The third integral is a polynomial after the second is subtracted, as in the catalog.
+    // The third integral becomes a polynomial by subtracting the second, as in the catalog.
     assert!(report.integrals[2].denominator.is_one() && report.densities.len() == 1);
     let lengths: Vec<usize> = report.integrals.iter().map(|formula| formula.text.len()).collect();
     assert!(lengths.iter().sum::<usize>() <= 2500, "{lengths:?}");
@@ -83,7 +83,6 @@ fn what_is_too_long_to_be_written_is_given_by_a_basis() {
     assert!(report.sentences.iter().any(|sentence| sentence.contains("Hirota-Kimura basis")));
 }
 
-/// For a linear field Kahan's map is a Cayley transform, which keeps every quadratic integral.
 #[test]
 fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     let text = "qdot = k*p; pdot = -q; sdot = 2*t; tdot = -2*s;";
@@ -94,7 +93,7 @@ fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     check_lines(text, &report);
 }
 
-/// At ε = 0 a formula is an integral of the flow; terms must not cancel for small ε.
+/// At ε = 0 formulas are integrals of the flow; no terms may cancel for small ε.
 #[test]
 fn formulas_have_a_limit_at_small_steps() {
     let text = "q1dot = p1; q2dot = p2; p1dot = -q1^2 - q2^2 - w*q1; p2dot = -2*q1*q2 - w*q2;";
@@ -106,7 +105,7 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
-/// The 2^24 sets of 24 integrals, and more products, must not be enumerated.
+/// Enumerating all 2^24 sets of 24 integrals would never end.
 #[test]
 fn many_integrals_are_no_burden() {
     let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();
@@ -139,7 +138,7 @@ fn hamiltonian_structure_is_found_with_its_tensor() {
     assert_eq!(structure.divergence, "0");
     let hamiltonian = structure.hamiltonians.pop().expect("f = K grad H");
     assert!(hamiltonian.modified_is_proved);
-    // K is determined up to a factor, by which its first entry is 1.
+    // K is determined up to a factor, chosen so that its first entry is 1.
     let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
     assert_eq!(hamiltonian.tensor, expected);
     assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
@@ -223,12 +222,11 @@ fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
     let modified = hamiltonian.modified(&Text);
     assert!(modified.len() * 4 < found.integrals[1].text.len(), "{modified}");
     check_lines(&text, &found);
-    // If the constants do not cancel in the sum, the Hamiltonian structure is lost.
+    // The Hamiltonian structure requires that the constants cancel in the sum.
     let found = report(&chain("1"), &options());
     assert_eq!((found.independent_integrals(), found.structure.hamiltonians.is_empty()), (0, true));
 }
 
-/// For seven sites the modified Hamiltonian is too long to be written, but counts.
 #[test]
 fn a_modified_hamiltonian_too_long_to_be_written_counts() {
     let names = ["a", "b", "c", "d", "e", "f", "g"];
@@ -339,8 +337,8 @@ fn growth_ends_searches_in_the_plane() {
     // At ε = 1 an integral exists.
     let found = searched(LOTKA_VOLTERRA, &Options { eps: Some(Rational::one()), ..options() });
     assert_eq!((found.growth.proof, found.bound), (None, Bound::Orbits));
-    // At a = 0 the field has no value at ε = 0. The next value of x has order 4 as a Möbius map, so
-    // an integral in x of degree 4 exists.
+    // At a = 0 the field has no value at ε = 0. The map of x has order 4 as a Möbius map, so an
+    // integral in x of degree 4 exists.
     let periodic = "struct S { a } xdot = 1 + x^2/(4*(a + eps^2)); ydot = x*y + 1;";
     let at_zero = vec![("a".to_owned(), Rational::zero())];
     let found = searched(periodic, &Options { degree: Some(1), parameters: at_zero, ..options() });

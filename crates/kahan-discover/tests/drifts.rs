@@ -13,7 +13,6 @@ fn report(text: &str, degree: Option<u32>) -> Report {
     discover(&system, &options, &Unwatched).expect("there is a map")
 }
 
-/// Returns the lines of a report's drifts; checks that they compile after the other claims.
 fn drifts(text: &str, report: &Report) -> Vec<String> {
     check_lines(text, report);
     report.drifts.iter().map(|drift| drift.text.clone()).collect()
@@ -48,7 +47,7 @@ fn drifts_are_found_where_they_are_known() {
 
 #[test]
 fn first_order_recurrences_are_found() {
-    // E8 and E7: with F1 = 2εN these are the recurrences of the paper, section 6.
+    // E8 and E7: with F1 = 2εN the drifts are the recurrences of the paper, section 6.
     let e8 = "xdot = -x^2; ydot = -x*(x + y); zdot = 2*y*(x + y) + x*z;";
     let of_e8 = [
         "drift F1 = 1/x by F1 + 2*eps;",

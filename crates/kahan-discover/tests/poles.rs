@@ -37,7 +37,7 @@ fn patterns_of_known_systems() {
         verdicts(&generic).iter().all(|(_, confined, images)| *confined == Some(false) && *images == [0; 8])
     );
     assert_eq!(generic.patterns.len(), 3);
-    // Pairs of conjugate planes have points modulo half of the primes only.
+    // Pairs of conjugate planes have points modulo only half of the primes.
     let e4 = found(E4, None, 4);
     let expected = [(true, vec![2]), (true, vec![0, 0, 2]), (true, vec![0, 0, 2])];
     let e4: Vec<_> =
@@ -79,12 +79,12 @@ fn confinement_alone_proves_nothing() {
     let growth = |found: &Poles| GrowthVerdict::of(&found.degrees).growth;
     let chaotic = found(HENON_HEILES, None, 8);
     assert!(confines(&chaotic) && matches!(growth(&chaotic), Growth::Exponential { .. }));
-    // Absence of confinement proves nothing either: linearisable maps need not confine.
+    // Linearisable maps need not confine, so absence of confinement proves nothing.
     let linear = found(E3, None, 8);
     assert!(!confines(&linear) && growth(&linear) == Growth::Linear);
 }
 
-/// Compares patterns at ε = 1/3 with curves moved by δ and followed over ℚ(δ).
+/// Compares patterns at ε = 1/3 with exact jets over ℚ(δ).
 fn check_against_exact_germs(text: &str, steps: usize, expected: usize) {
     let eps = Rational::new(1, 3);
     let found = found(text, Some(eps.clone()), steps);

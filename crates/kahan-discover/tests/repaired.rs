@@ -1,11 +1,11 @@
 //! Fields with coefficients that depend on ε: their maps have an integral, unlike those of ε = 0.
 //!
-//! The fields at ε = 0 are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
-//! by y z², inhomogeneous forms of the reduced Nahm systems of octahedral and icosahedral symmetry.
-//! The repaired maps contract three lines to points, which reach points of indeterminacy after (4,
-//! 4, 2) and (6, 3, 2) steps; these numbers determine the coefficients. Schmalian, Suris and
-//! Tumarkin, "How one can repair non-integrable Kahan discretizations. II" (2021), repair a map in
-//! this way.
+//! At ε = 0 the fields are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
+//! by y z². They are inhomogeneous forms of the reduced Nahm systems of octahedral and icosahedral
+//! symmetry. The repaired maps contract three lines to points, which reach points of indeterminacy
+//! after (4, 4, 2) and (6, 3, 2) steps; these numbers determine the coefficients. Schmalian, Suris
+//! and Tumarkin, "How one can repair non-integrable Kahan discretizations. II" (2021), repair a map
+//! in this way.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Options, Report, Unwatched, discover};
@@ -24,7 +24,6 @@ const OF_DEGREE_6: [&str; 2] = [
      ydot = -y*(1 + 4*(1 + eps^2)/(1 + 3*eps^2)*x + y);",
 ];
 
-/// Returns the report of a field, whose claims are proved in a block of the field.
 fn found(text: &str, eps: Option<Rational>) -> Report {
     let options = Options { seconds: 3600.0, eps, ..Options::default() };
     let report = discover(&system(text), &options, &Unwatched).expect("there is a map");

@@ -56,7 +56,7 @@ fn what_is_fixed_is_put_into_the_rules() {
     check(PENDULUM, Options { eps, parameters, ..Options::default() }, 1, &expected);
 }
 
-/// In two hundred variables, proofs by the prover would take a minute.
+/// In two hundred variables the prover would need a minute.
 #[test]
 fn long_chains_show_theirs_at_once() {
     let n = 50;
@@ -71,7 +71,7 @@ fn long_chains_show_theirs_at_once() {
     let report = discover(&system(&chain.join(" ")), &Options::default(), &watch).expect("there is a map");
     assert_eq!(watch.findings().len(), n);
     assert!(watch.looks().iter().all(|stage| stage == FIRST_STAGE));
-    // The energy fills a page and comes last.
+    // The energy is long and comes last.
     let lines = lines(&report);
     let (energy, rotations) = lines.split_last().expect("there are integrals");
     assert!(energy.starts_with("integral H1 = 2*x0^2 - 2*x0*x1 - 2*x0*x49 + p0^2 - 2*g*c0 + 2*x1^2"));

@@ -7,13 +7,12 @@ use kahan_discover::{DiscoverError, Options, Scan, Scanned, Unwatched, scan};
 mod support;
 use support::*;
 
-/// Returns an axis with values between two integers, `parts` to a unit.
+/// Returns an axis with values between two integers, `parts` for each unit.
 fn axis(name: &str, from: i64, to: i64, parts: i64) -> Scanned {
     let values = (from * parts..=to * parts).map(|above| Rational::new(above, parts)).collect();
     Scanned { name: name.to_owned(), values }
 }
 
-/// Scans a name through the quarters from -2 to 2.
 fn scanned(text: &str, name: &str) -> Scan {
     scan(&system(text), &[axis(name, -2, 2, 4)], &Options::default(), &Unwatched).unwrap()
 }
@@ -62,7 +61,6 @@ fn grids_have_axes_and_names_are_checked() {
     assert_eq!(divided.unwrap().points[0].sight, None);
 }
 
-/// Scans a grid of integers, and checks that the watch hears of all points and claims.
 fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     let axes: Vec<Scanned> = names.iter().map(|name| axis(name, from, to, 1)).collect();
     let watch = Recording::default();

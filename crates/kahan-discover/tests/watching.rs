@@ -1,4 +1,4 @@
-//! Tests that a watch hears all claims, can end a search, and needs no clock.
+//! Tests that a watch is told all claims, can end a search, and needs no clock.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
@@ -29,7 +29,7 @@ fn a_watch_hears_of_each_claim_of_the_report_once_and_of_each_stage() {
             let begins = format!("{} {} ", finding.kind.keyword(), finding.name);
             assert!(finding.text.starts_with(&begins), "{finding:?}");
         }
-        // The watch also looks after each finding, at the stage that found it.
+        // `look` is also called after each finding, in the stage that found it.
         let mut stages = watch.looks();
         stages.dedup();
         let all = [
@@ -62,7 +62,6 @@ fn a_watch_that_ends_a_search_at_its_first_finding_finds_that_in_the_report() {
     }
 }
 
-/// Work that ends at the first look has the result of zero time.
 #[test]
 fn to_end_work_is_to_take_its_time_away() {
     let found = |seconds: f64, watch: &dyn Fn() -> Recording| {

@@ -11,7 +11,6 @@ use num_integer::Integer;
 use super::lifted;
 use super::sparse::Residues;
 
-/// Factors with integer coefficients modulo a product of primes.
 #[derive(Default)]
 pub(super) struct Combined {
     modulus: BigInt,

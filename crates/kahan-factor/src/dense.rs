@@ -5,7 +5,7 @@ use kahan_algebra::prime_field::PrimeField;
 /// Coefficients by exponent.
 pub type Dense = Vec<u64>;
 
-/// Bound from which sums of products of residues below 2^62 are reduced, to avoid overflow.
+/// The bound from which sums of products of residues below 2^62 are reduced; they never overflow.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Removes trailing zeros.
@@ -17,7 +17,7 @@ pub fn trimmed(mut a: Dense) -> Dense {
     a
 }
 
-/// Adds the first `sums.len()` coefficients of a·b to sums that are not reduced yet.
+/// Adds the first `sums.len()` coefficients of a·b to `sums`, which are reduced by the caller.
 pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
     for (shift, &left) in a.iter().enumerate().take(sums.len()) {
         for (sum, &right) in sums[shift..].iter_mut().zip(b) {
@@ -40,7 +40,6 @@ pub(super) fn product_to(field: PrimeField, a: &[u64], b: &[u64], len: usize) ->
     reduced(field, &sums)
 }
 
-/// Returns Σ aᵢ·bᵢ.
 pub(super) fn dot(field: PrimeField, a: &[u64], b: &[u64]) -> u64 {
     let mut sum = 0;
     for (&left, &right) in a.iter().zip(b) {
@@ -70,7 +69,7 @@ pub(super) fn monic(field: PrimeField, a: &[u64]) -> Dense {
     a.iter().map(|&coefficient| field.mul(coefficient, inverse)).collect()
 }
 
-/// Returns the quotient and the remainder of a by b.
+/// Returns the quotient and the remainder of a divided by b.
 ///
 /// # Panics
 /// If b is 0.
@@ -139,8 +138,8 @@ pub fn derivative(field: PrimeField, a: &[u64]) -> Dense {
     trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
 }
 
-/// Returns for pairwise coprime factors fᵢ the sᵢ of lower degree with Σ sᵢ·∏_{j≠i} fⱼ = 1; `None`
-/// if two factors are not coprime.
+/// Returns for pairwise coprime factors fᵢ the polynomials sᵢ with deg sᵢ < deg fᵢ and Σ sᵢ·∏_{j≠i}
+/// fⱼ = 1; `None` if two factors are not coprime.
 pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
     let cofactor = |skipped: usize, modulus: &Dense| {
         let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);

@@ -1,10 +1,10 @@
 //! Irreducible factors of multivariate polynomials over ℚ, as powers of primitive polynomials.
 //!
-//! Divides by the content and by monomials, splits off contents in a main variable, factors an
-//! image in one variable (`univariate`), and lifts it to further variables (`multivariate`,
-//! `sparse`, `series`). Divisions prove factors; irreducible images prove that factors are
-//! irreducible. Seeded random points only affect speed. A budget of work, never a clock, ends the
-//! search. Absent: recombination of multivariate factors. New points serve as well (Hilbert's
+//! The common factors of all terms and of all coefficients in a main variable are divided out
+//! first. Then an image in one variable is factored (`univariate`) and lifted to further variables
+//! (`multivariate`, `sparse`, `series`). Division proves factors; irreducible images prove
+//! irreducibility. Seeded random points only affect speed. A budget of work, never a clock, ends
+//! the search. Multivariate factors are not recombined: other points serve as well (Hilbert's
 //! irreducibility theorem). The crate must not know vector fields or names of variables.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -33,24 +33,24 @@ use kahan_algebra::rational::Rational;
 pub struct Factors {
     /// The rational factor, with the sign; 0 for the polynomial 0.
     pub content: Rational,
-    /// Pairwise coprime polynomials with coprime integer coefficients and a positive leading one,
+    /// Pairwise coprime polynomials with coprime integer coefficients, the leading one positive,
     /// and their exponents. Sorted by degree, then by number of terms.
     pub factors: Vec<(Polynomial, u32)>,
     /// Whether every factor is proved irreducible.
     pub is_complete: bool,
 }
 
-/// Limits on the square-free decomposition after the budget ran out.
+/// Limits for the square-free decomposition that follows after the budget ran out.
 const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
 /// Returns the irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
 ///
-/// If the budget runs out, `is_complete` is false and the rest is decomposed into square-free
-/// parts, or kept whole if their gcds become too expensive; the product is still the polynomial. An
-/// irreducible polynomial costs one pass over its terms per variable and one univariate
-/// factorisation. Factors of t terms in n variables cost about n·t lifts in two variables. A budget
-/// of ten million lasts a few seconds at most.
+/// If the budget runs out, `is_complete` is false. The remaining polynomial is then decomposed into
+/// square-free factors, or left whole if their gcds are too expensive; the product is still the
+/// polynomial. An irreducible polynomial costs one pass over its terms for each variable and one
+/// univariate factorisation. Factors of t terms in n variables cost about n·t lifts in two
+/// variables. A budget of ten million lasts a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
@@ -81,7 +81,7 @@ impl Factors {
 
 type Powers = Vec<(Polynomial, u32)>;
 
-/// Returns the variables that divide a polynomial, and the primitive part of the rest.
+/// Splits a polynomial into its monomial factors and the primitive remaining polynomial.
 fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     let monomial = polynomial.monomial_content();
     let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
@@ -89,7 +89,8 @@ fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
 }
 
-/// Returns the irreducible factors of a primitive polynomial without monomial factors, if found.
+/// Returns the irreducible factors of a primitive polynomial without monomial factors; `None` if
+/// they are not found.
 fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
     let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
     let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
@@ -102,7 +103,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// Chooses a variable of degree 1, else one of low degree with a short leading coefficient.
+/// Chooses a variable of degree 1, or else one of low degree with a short leading coefficient.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);
@@ -110,8 +111,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// Splits off the factors that do not contain `main`; `None` if the search fails. These factors
-/// divide every coefficient, so they are among the factors of the shortest one.
+/// Splits off the factors free of `main`; `None` if the search fails. They divide every
+/// coefficient, so they are among the factors of the shortest one.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 use super::dense::{self, Dense};
 use super::univariate::Integers;
 
-/// Monic polynomials whose product is a given polynomial modulo `modulus`, up to a unit.
+/// Monic polynomials whose product is, up to a unit, a given polynomial modulo `modulus`.
 pub(super) struct Lifted {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,
@@ -58,7 +58,6 @@ fn residue(field: PrimeField, value: &BigInt) -> u64 {
     field.reduce(&Rational::from(value.clone())).expect("integers have residues")
 }
 
-/// Returns a·b modulo `modulus`, coefficients by exponent.
 pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers {
     let mut product = vec![BigInt::zero(); a.len() + b.len() - 1];
     for (shift, left) in a.iter().enumerate() {

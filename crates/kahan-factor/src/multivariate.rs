@@ -13,9 +13,9 @@ use super::combined::Combined;
 use super::sparse::{self, Problem};
 use super::{Powers, irreducible, univariate, without_monomial};
 
-/// Number of attempts with new points after a failed lift; the range of the points grows each time.
+/// The most attempts with new points after a failed lift; the range of the points grows each time.
 const ROUNDS: u32 = 8;
-/// Number of images to compare; the one with the fewest factors is lifted.
+/// The number of images to compare; the one with the fewest factors is lifted.
 const IMAGES: usize = 2;
 
 /// Returns the irreducible factors with their exponents; `None` if no image can be lifted.
@@ -54,7 +54,7 @@ pub(super) fn factors(
     Ok(None)
 }
 
-/// The polynomial with values for all variables but the main one.
+/// The polynomial with integer values for all variables except the main one.
 struct Image {
     points: Vec<i64>,
     factors: Powers,
@@ -94,12 +94,12 @@ impl Image {
         matches!(self.factors.as_slice(), [(_, 1)])
     }
 
-    /// Returns a sort key: fewer repeated factors first, then fewer factors.
+    /// Returns the sort key of an image: fewer repeated factors, then fewer factors.
     fn key(&self) -> (i64, usize) {
         (-self.factors.iter().map(|(factor, _)| i64::from(factor.degree())).sum::<i64>(), self.factors.len())
     }
 
-    /// Returns the factors of the polynomial whose images are `self.factors`, if the lift succeeds.
+    /// Returns the factors of the polynomial with the images `self.factors`, if the lift succeeds.
     fn lifted(
         &self,
         whole: &Polynomial,
@@ -126,8 +126,8 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.taken_out(candidate, budget)?, *exponent));
                 }
-                // With equal degrees, the product assigns to each image the factor that it is the
-                // image of, starting from the largest.
+                // If every factor has the degree of its image and the product is right, each factor
+                // belongs to its image.
                 let degrees = factors.iter().zip(&self.factors);
                 let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
                     factor.degree_in(order[0]) == image.degree()
@@ -215,7 +215,8 @@ impl Lead {
         Ok(product)
     }
 
-    /// Divides out the factors that a multiplier may have left, and returns the primitive part.
+    /// Divides by factors of the leading coefficient that the multiplier introduced; returns the
+    /// primitive part.
     fn taken_out(&self, polynomial: Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let (_, mut rest) = without_monomial(&polynomial);
         for (factor, exponent) in self.factors.iter().filter(|(factor, _)| factor.len() > 1) {

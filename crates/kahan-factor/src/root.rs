@@ -15,7 +15,6 @@ pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u
     if polynomial.is_empty() {
         return None;
     }
-    // Returns the greatest common divisor with base^exponent − less.
     let common = |polynomial: &[u64], base: &[u64], exponent: u64, less: &[u64]| {
         let power = dense::power(field, base, exponent, polynomial);
         dense::gcd(field, polynomial, &dense::difference(field, &power, less))

@@ -15,16 +15,14 @@ pub(super) type Rows = Vec<Vec<u64>>;
 pub(super) struct Question<'a> {
     /// The product, up to a factor without x; all rows have equal length.
     pub(super) whole: &'a Rows,
-    /// The factors at y = point, with their exponents.
     pub(super) factors: &'a [(Dense, u32)],
     /// For each factor a multiple of its leading coefficient, by powers of y, as long as a row.
     pub(super) multipliers: &'a [Dense],
-    /// The value of y at which the factors are known.
     pub(super) point: u64,
 }
 
-/// Lifts the factors, each multiplied by multiplier / leading coefficient. `None` at a bad point:
-/// the leading coefficient vanishes there, or two factors agree.
+/// Lifts the factors, each multiplied by multiplier / leading coefficient. `None` if the leading
+/// coefficient vanishes at the point, or two factors agree there.
 pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Rows>> {
     let Question { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
@@ -49,12 +47,12 @@ pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Row
     Some(results)
 }
 
-/// Lifts monic factors from t = 0: for each factor its coefficients, polynomials in x, by powers of
-/// t.
+/// Lifts monic factors from t = 0; returns for each factor its coefficients by powers of t, which
+/// are polynomials in x.
 fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Vec<Vec<Dense>>> {
     let by_t = transposed(whole, whole[0].len());
     let inverses = dense::partial_fractions(field, &factors)?;
-    // products[i] is the product of the factors up to the i-th.
+    // products[i] is the product of factors 0 … i.
     let mut products: Vec<Vec<Dense>> = Vec::new();
     for factor in &factors {
         let one = vec![1];
@@ -66,7 +64,7 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
     }
     let mut lifted: Vec<Vec<Dense>> = factors.into_iter().map(|factor| vec![factor]).collect();
     for step in 1..by_t.len() {
-        // Update the products, first without the new coefficients,
+        // Update the products without the new coefficients first;
         for index in 0..lifted.len() {
             let mut sums = vec![0; whole.len()];
             if index > 0 {
@@ -78,7 +76,7 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
             products[index].push(dense::reduced(field, &sums));
         }
         let error = dense::difference(field, &by_t[step], &products[lifted.len() - 1][step]);
-        // then with them.
+        // then add the new coefficients.
         let mut before: Dense = Vec::new();
         for index in 0..lifted.len() {
             let image = lifted[index][0].clone();
@@ -99,16 +97,14 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
     Some(lifted)
 }
 
-/// Transposes; short rows are padded with zeros.
 fn transposed(rows: &[Dense], columns: usize) -> Rows {
     let column = |place: usize| rows.iter().map(|row| row.get(place).copied().unwrap_or(0)).collect();
     (0..columns).map(column).collect()
 }
 
-/// Returns the monic k-th root of a monic polynomial in x over power series in t that is a k-th
-/// power.
+/// Returns the monic k-th root of a k-th power of a monic polynomial in x, over power series in t.
 ///
-/// With h(1/x)·x^(kd) the power and α = 1/k, the series h^α follows from h·(h^α)′ = α·h′·h^α
+/// Let h(1/x)·x^(kd) be the power and α = 1/k. The series h^α follows from h·(h^α)′ = α·h′·h^α
 /// (Knuth, The Art of Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
 fn root(field: PrimeField, power: Rows, exponent: u32, len: usize) -> Option<Rows> {
     if exponent == 1 {

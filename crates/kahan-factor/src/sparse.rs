@@ -4,7 +4,8 @@
 //! the earlier variables and interpolates on the known monomials of each factor (Zippel,
 //! "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers of one
 //! point, so the linear systems are Vandermonde's (Monagan and Tuncer, CASC 2016; Chen and Monagan,
-//! CASC 2020). Monomials that vanish at a fixed point are missing, which division detects.
+//! CASC 2020). A monomial whose coefficient vanishes at the points is missed; the final division
+//! detects this.
 
 use std::collections::BTreeMap;
 
@@ -21,19 +22,17 @@ pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
 /// A polynomial to factor, with the factors of one of its images.
 pub(super) struct Problem<'a> {
-    /// The polynomial, with integer coefficients.
     pub(super) whole: &'a Polynomial,
     /// The variables of the polynomial, the main one first.
     pub(super) order: &'a [Variable],
     /// The values of all variables but the main one.
     pub(super) points: &'a [i64],
-    /// The factors at the points, with their exponents.
     pub(super) images: &'a [(Polynomial, u32)],
     /// For each factor a multiple of its leading coefficient in the main variable.
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// Lifts the factors modulo p, times multiplier / leading coefficient; `None` at a bad point.
+/// Lifts the factors modulo p, each times multiplier / leading coefficient; `None` at a bad point.
 pub(super) fn lift(
     field: PrimeField,
     problem: &Problem<'_>,
@@ -66,7 +65,7 @@ pub(super) fn lift(
     Ok(Some(factors.into_iter().map(|(factor, _)| factor).collect()))
 }
 
-/// Returns for each i the polynomial with its first i variables free, starting with i = 1.
+/// Returns the polynomials with the first 1, 2, … variables free and the others at the points.
 fn stages(field: PrimeField, polynomial: &Polynomial, order: &[Variable], points: &[u64]) -> Vec<Residues> {
     let mut stages = vec![residues(field, polynomial, order)];
     for &point in points.iter().rev() {
@@ -93,7 +92,7 @@ fn residues(field: PrimeField, polynomial: &Polynomial, order: &[Variable]) -> R
         .collect()
 }
 
-/// The step that frees one more variable.
+/// One lifting step, which frees one more variable.
 struct Step<'a> {
     field: PrimeField,
     whole: &'a Residues,
@@ -153,7 +152,7 @@ fn column(rows: &Rows) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
-/// Returns the value of a monomial, without main variable and variables after `base`.
+/// Returns the value of a monomial in the variables of `base`, without the main variable.
 fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     let powers = exponents[1..].iter().zip(base);
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
@@ -161,12 +160,13 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
 
 /// A polynomial that is evaluated at successive powers of a point.
 struct Walk {
-    /// For each term: exponents of the two free variables, value, and ratio to the next value.
+    /// For each term: exponents of the two free variables, current value, and ratio to the next
+    /// value.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
 impl Walk {
-    /// Starts at the power 0. The main variable and the one at index `second` stay free.
+    /// Starts at power 0. The main variable and the variable with index `second` stay free.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
             let other = second.map_or(0, |place| exponents[place] as usize);

@@ -3,7 +3,7 @@
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 
-/// Decomposes a primitive polynomial. If the budget runs out, the rest is returned undecomposed.
+/// Decomposes a primitive polynomial. If the budget runs out, a factor may remain undecomposed.
 pub(super) fn square_free(polynomial: &Polynomial, budget: &mut Budget) -> Vec<(Polynomial, u32)> {
     let Some(main) = polynomial.variables().into_iter().min_by_key(|v| polynomial.degree_in(*v)) else {
         return Vec::new();
@@ -26,7 +26,6 @@ fn content_and_rest(
     Ok((content, rest.primitive_part()))
 }
 
-/// Decomposes a polynomial that is primitive in `main`.
 pub(super) fn yun(
     polynomial: &Polynomial,
     main: Variable,

@@ -48,7 +48,6 @@ fn assert_sound(polynomial: &Polynomial, factors: &Factors) {
     }
 }
 
-/// Returns the factors, which must be complete.
 fn all_factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
     let factors = factors(polynomial, &mut Budget::new(100_000, 50_000_000));
     assert_sound(polynomial, &factors);
@@ -76,7 +75,6 @@ fn known_products_come_back() {
     assert_found(&[("x^2 + 2*x*y + 2*y^2", 1), ("x^2 - 2*x*y + 2*y^2", 1)]);
     assert_found(&[("x + y + z + 1", 1), ("x + y + z - 1", 1)]);
     assert_found(&[("a", 3), ("b", 1), ("a^2 + b", 2), ("a + b^2", 3), ("a*b - 1", 1)]);
-    // Expanded forms of products above.
     assert_eq!(all_factors(&p("x^4 + 4*y^4")).len(), 2);
     assert_eq!(all_factors(&p("x^2 + y^2 + z^2 + 2*x*y + 2*x*z + 2*y*z - 1")).len(), 2);
     // One factor divides an image of another.
@@ -91,7 +89,7 @@ fn irreducible_ones_stay() {
         "x^4 + 1",
         "x^4 - 10*x^2 + 1",
         "x^4 - 10*x^2*y^2 + y^4",
-        // Reducible wherever y is a square.
+        // Reducible at every square y.
         "x^2 - y",
         "x^4 - y",
         "x^2 + y^2",
@@ -166,7 +164,7 @@ fn bad_points_are_no_matter() {
     {
         assert_eq!(all_factors(&(&left * &right)).len(), 2, "{left:?} {right:?}");
     }
-    // The factors agree wherever y is a root.
+    // The factors agree at each root y.
     let (left, right) = (p("x^2 + z"), &p("x^2 + z") + &zeros);
     assert_eq!(all_factors(&(&left * &right)).len(), 2);
 }

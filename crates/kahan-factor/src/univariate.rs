@@ -19,9 +19,9 @@ use super::{modular, square_free};
 /// Coefficients by exponent, the last one positive.
 pub(super) type Integers = Vec<BigInt>;
 
-/// Number of primes to compare; the one with the fewest factors is lifted.
+/// The number of primes to compare; the one with the fewest factors is lifted.
 const PRIMES: usize = 5;
-/// The first prime to try: odd, and large enough that factors rarely agree modulo it.
+/// The first prime to try, large enough that factors rarely agree modulo it.
 const FIRST_PRIME: u64 = 1009;
 
 /// Returns the irreducible factors of a primitive polynomial in `main`, with their exponents.
@@ -101,7 +101,6 @@ impl DegreeSet {
         Self(vec![true; degree + 1])
     }
 
-    /// Returns the degrees of products of factors modulo a prime.
     fn sums(degree: usize, parts: &[modular::EqualDegree]) -> Self {
         let mut possible = vec![false; degree + 1];
         possible[0] = true;
@@ -148,7 +147,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
             for &index in chosen.iter().rev() {
                 factors.remove(index);
             }
-            // Smaller sets were tried before.
+            // Smaller sets were tried before, so begin with sets of this size.
             chosen = (0..chosen.len()).collect();
         } else if !advance(&mut chosen, factors.len()) {
             chosen = (0..=chosen.len()).collect();
@@ -160,7 +159,8 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
     Ok(found)
 }
 
-/// Advances to the next subset of equal size in lexicographic order; returns false after the last.
+/// Advances to the next subset of equal size in lexicographic order; returns `false` after the
+/// last.
 fn advance(chosen: &mut [usize], count: usize) -> bool {
     let size = chosen.len();
     let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else {
@@ -192,7 +192,6 @@ fn candidate<'a>(
     product
 }
 
-/// Returns the quotient of integer polynomials if the division is exact.
 fn exact_quotient(whole: &Integers, divisor: &Integers) -> Option<Integers> {
     let divides = |a: &BigInt, b: &BigInt| if b.is_zero() { a.is_zero() } else { (a % b).is_zero() };
     if !divides(&whole[0], &divisor[0]) {

@@ -4,8 +4,8 @@ use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// Returns for each node mᵢ and each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k ≥ 1; `None` if a node
-/// is 0 or two agree.
+/// Returns for each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k ≥ 1, for nodes mᵢ; `None` if a node is 0
+/// or two are equal.
 ///
 /// With q = ∏_{j≠i} (z − mⱼ), the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {

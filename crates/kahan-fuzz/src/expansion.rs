@@ -1,4 +1,4 @@
-//! Blocks: reads a text, derives its plans and writes them as Rust.
+//! Fuzzes blocks: reads a text, derives its plans and writes them as Rust.
 
 use kahan_runtime::FieldText;
 use proc_macro2::TokenStream;

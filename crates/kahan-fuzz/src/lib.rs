@@ -15,7 +15,7 @@ mod run;
 mod texts;
 mod words;
 
-// The files of `kahan-jit` refer to these names by `crate`.
+// The included files of `kahan-jit` refer to these names by `crate`.
 use kahan_jit::{
     Called, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
     Program, Refusal, Shape, Sweep,
@@ -26,8 +26,8 @@ pub use plan::read_plan;
 pub use reading::{read_csv, read_npy};
 pub use texts::read_text;
 
-/// Runs a program as machine code on slices beside inaccessible memory. The bytes choose the
-/// program and the way to run it.
+/// Runs a program as machine code on slices next to inaccessible memory. The bytes determine the
+/// program and how it is run.
 pub fn run_program(bytes: &[u8]) {
     hostile::Case::of(bytes).has_run();
 }

@@ -28,7 +28,7 @@ const WORDS: &[&str] = &[
     "\n",
 ];
 
-/// Reads an array of NumPy: the bytes themselves, then numbers behind a header made of words.
+/// Reads a NumPy array: first from the bytes themselves, then as numbers behind a generated header.
 pub fn read_npy(bytes: &[u8]) {
     read(bytes, ".npy");
     let (numbers, header) = bytes.split_at(bytes.len().min(32));
@@ -45,7 +45,7 @@ pub fn read_csv(bytes: &[u8]) {
     read(bytes, ".csv");
 }
 
-/// Reads a file of this type. Checks that the numbers of values and names agree with the sizes.
+/// Reads a file of this type; checks that the numbers of values and names agree with its shape.
 fn read(bytes: &[u8], ending: &str) {
     match Numbers::<f64>::of(ending, bytes) {
         Ok(Numbers { names, sizes, values }) => {

@@ -83,7 +83,7 @@ const WORDS: &[&str] = &[
     "=",
 ];
 
-/// Reads a text. Checks that its form in the language of `kahan!` is read as an equal field.
+/// Reads a text; checks that its form in the language of `kahan!` yields an equal field.
 pub fn read_text(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     let given = FieldText::new(text, "field".to_owned());

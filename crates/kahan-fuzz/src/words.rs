@@ -1,8 +1,8 @@
 //! Text from bytes.
 
-/// Returns a text for a parser: the bytes themselves, or one word of its language for each byte.
+/// Returns a text for a parser: the bytes themselves, or for each byte one token from `words`.
 ///
-/// Words lead to texts that are nearly correct; bytes contain characters that no word has.
+/// Tokens make nearly correct texts; raw bytes contain all other characters.
 pub(crate) fn text(bytes: &[u8], words: &[&str]) -> Option<String> {
     let (&first, rest) = bytes.split_first()?;
     if first % 2 == 0 {

@@ -1,7 +1,8 @@
-//! Line breaks in long LaTeX formulas. Takes formulas as this crate writes them: terms between ` +
-//! ` and ` - `, factors between spaces. Sums break before signs, products between factors,
-//! fractions and parentheses inside, in an `aligned` of their own. Widths are estimated in
-//! characters; nothing is typeset.
+//! Line breaks in long LaTeX formulas.
+//!
+//! Formulas must be written as by this crate: terms between ` + ` and ` - `, factors between
+//! spaces. Sums break before signs, products between factors; fractions and parentheses break
+//! inside, in an `aligned` of their own. Widths are estimated in characters; nothing is typeset.
 
 mod pieces;
 #[cfg(test)]
@@ -43,7 +44,8 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Returns the formula as one box of about `width` characters, with several lines if necessary.
+/// Returns the formula as one box of about `width` characters, broken into several lines if
+/// necessary.
 #[must_use]
 pub fn boxed(formula: &str, width: usize) -> String {
     match &lines(formula, width)[..] {
@@ -59,7 +61,7 @@ pub fn equation(left: &str, right: &str, width: usize) -> String {
     format!("{left} &= {}", lines(right, room).join(" \\\\\n&\\quad "))
 }
 
-/// Writes a formula, with or without a relation such as `left = right`, as one display.
+/// Writes a formula or a relation such as `left = right` as one display.
 #[must_use]
 pub fn display(formula: &str, width: usize) -> String {
     if width_of(formula) <= width {
@@ -98,13 +100,13 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
 }
 
-/// The narrowest useful width for a formula.
 const NARROWEST: usize = 16;
 
-/// Distributes a width: narrow columns get what they need, the others equal shares of the rest.
+/// Distributes a width over columns: narrow columns get the width they need, the others equal
+/// shares of the remaining width.
 fn shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
-    // The share decreases, because fewer columns are narrow in each pass; the loop ends.
+    // The share decreases in every pass except the last, so the loop ends.
     loop {
         let wide = widths.iter().filter(|&&one| one > share).count();
         let narrow: usize = widths.iter().filter(|&&one| one <= share).sum();
@@ -121,7 +123,7 @@ fn append(line: &mut String, piece: &str) {
     line.push_str(piece);
 }
 
-/// Breaks a wide term into lines: shrinks its factors, and breaks between them.
+/// Breaks a wide term between its factors, after narrowing the factors.
 fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut taken = 0;

@@ -12,7 +12,7 @@ pub(crate) fn product(factors: &[Factor]) -> (String, Level) {
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
     for factor in factors {
         let mut expr = &factor.expr;
-        // A sign at the front applies to the product: −a·b is (−a)·b.
+        // −a·b is read as (−a)·b; the sign is moved to the front of the product.
         if let ExprKind::Negation(inner) = &expr.kind
             && std::ptr::eq(factor, &factors[0])
         {

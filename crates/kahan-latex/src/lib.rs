@@ -1,7 +1,8 @@
-//! LaTeX for objects of `kahan-algebra`. Takes names, numbers, polynomials and expressions. Returns
-//! one display formula for each, or lines that fit a page. The crate doesn't know where formulas
-//! are shown. Modules in reading order: `notation`, `name`, `expression`; [`breaking`] breaks the
-//! formulas of the others.
+//! LaTeX for objects of `kahan-algebra`.
+//!
+//! Names, numbers, polynomials and expressions come in; a display formula for each, or lines that
+//! fit a page, go out. Modules in reading order: `notation`, `name`, `expression`; [`breaking`]
+//! breaks long formulas. The crate must not know where formulas are shown.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

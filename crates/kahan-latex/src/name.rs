@@ -1,7 +1,7 @@
 //! Names in LaTeX, and as plain text with Greek letters and indices.
 
-/// Writes a name in LaTeX. The stem ends at its digits or first `_`; the rest becomes indices.
-/// Greek names become letters, other names of several letters words, and a final `_` a prime.
+/// Writes a name in LaTeX. The stem ends at its first digit or `_`; what follows becomes indices.
+/// Greek names become letters, other stems of several letters upright words, a final `_` a prime.
 pub(super) fn latex_name(name: &str) -> String {
     if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
         return format!("{}'", latex_name(name));
@@ -72,7 +72,7 @@ fn greek(text: &str) -> Option<&'static str> {
     GREEK.iter().find(|(name, sign)| *name == text || *sign == text).map(|(name, _)| *name)
 }
 
-/// Greek letters with LaTeX commands; the others look like Latin letters.
+/// Greek letters with LaTeX commands; all others look like Latin letters.
 const GREEK: [(&str, &str); 40] = [
     ("alpha", "α"),
     ("beta", "β"),

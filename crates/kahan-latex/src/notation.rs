@@ -75,7 +75,7 @@ impl Notation for Latex {
 
     /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Both parts keep their signs, so a denominator that begins with 1 keeps doing so.
+        // Both keep their signs, so a denominator that begins with 1 still does.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);

@@ -1,6 +1,7 @@
-//! Second proofs of claims in `kahan!` blocks. The macro proves claims modulo primes. This module
-//! repeats that proof and adds an independent one, which expands both sides over ℚ. Where the
-//! expansion would be too large, only the first proof is made.
+//! Independent second proofs of claims in `kahan!` blocks.
+//!
+//! The macro proves claims modulo primes. This module repeats that proof, and adds an expansion of
+//! both sides over ℚ unless it would be too large.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
@@ -35,7 +36,6 @@ pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> 
     }
 }
 
-/// Decides the claim `statement` about the field of a block.
 pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, String) {
     let text = format!("{}\n{statement}", field_of(block));
     let tokens = lex(&text).tokens;
@@ -51,8 +51,8 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
 
 /// Changes one coefficient or sign of a claim at a time until the claim fails. Returns the number
 /// of changes and the failing claim. Conditions after `when` stay unchanged. Claims without a
-/// suitable number or sign, such as `integral M = z`, get a state added. Each change costs a proof,
-/// as in [`establish_block_claim`].
+/// number or sign, such as `integral M = z`, are changed by adding a state. Each change costs a
+/// proof, as in [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
@@ -73,7 +73,8 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let failed = mutations(body).into_iter().chain(raised).find(|mutated| {
         let mutated = format!("{mutated}{condition}");
         let tokens = lex(&format!("{}{mutated}", context.0)).tokens;
-        // Texts that no longer parse, such as too large exponents, don't count as failures.
+        // A text that cannot be parsed, for example because of a large exponent, is not a failing
+        // claim.
         let Ok(changed) = read_unproved(&tokens).system() else { return false };
         tried += 1;
         let claim = changed.claims.last();
@@ -82,7 +83,6 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     (tried, failed.map(|body| body + condition))
 }
 
-/// Returns the block without its claims.
 fn field_of(block: &str) -> &str {
     let lexed = lex(block);
     let begins_claim = |index: usize| {

@@ -34,15 +34,13 @@ pub(super) enum Basis {
         /// The claim's index in the block.
         index: usize,
     },
-    /// Relations between formulas.
     Formula {
-        /// Definitions used by the statement, which other claims establish.
+        /// Definitions used by the statement; other claims establish them.
         given: String,
         /// Intervals of names for numerical tests: (name, low, high).
         domain: Vec<(String, Rational, Rational)>,
-        /// The orbit for measured quantities.
+        /// The orbit on which quantities are measured.
         orbit: Option<&'static Figure>,
-        /// The misprint that the claim corrects.
         misprint: Option<Misprint>,
     },
 }
@@ -50,7 +48,6 @@ pub(super) enum Basis {
 /// A misprinted formula, and an exact point that refutes it.
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
-    /// The printed relation, in the language of formulas.
     pub(super) printed: String,
     /// The point and both sides' values as definitions; empty if a measurement refutes the formula.
     pub(super) counterexample: String,
@@ -102,7 +99,7 @@ impl Outcome {
         }
     }
 
-    /// Counts outcomes by kind.
+    /// Counts outcomes of each kind.
     #[must_use]
     pub fn counts(outcomes: impl IntoIterator<Item = Self>) -> [usize; Outcome::KINDS] {
         let mut counts = [0; Outcome::KINDS];
@@ -156,13 +153,13 @@ impl Claim {
         self
     }
 
-    /// Prefixes the statement with the definitions that it uses, for display, checks and mutations.
+    /// Prefixes the statement with the definitions that it uses; they are shown, checked and
+    /// mutated.
     pub(super) fn spelling(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self
     }
 
-    /// Sets the interval of a name for numerical tests.
     pub(super) fn within(mut self, name: &str, low: Rational, high: Rational) -> Self {
         if let Basis::Formula { domain, .. } = &mut self.basis {
             domain.push((name.to_owned(), low, high));
@@ -181,7 +178,6 @@ impl Claim {
         Claim { erratum: Some(erratum), ..self }
     }
 
-    /// Sets the erratum and the misprinted formula.
     pub(super) fn misprinted(mut self, erratum: Erratum, printed: &str) -> Self {
         if let Basis::Formula { misprint, .. } = &mut self.basis {
             *misprint = Some(Misprint { printed: printed.to_owned(), counterexample: String::new() });
@@ -189,7 +185,6 @@ impl Claim {
         self.explaining(erratum)
     }
 
-    /// Sets the point that refutes the misprint.
     pub(super) fn refuted(mut self, point: &str) -> Self {
         if let Basis::Formula { misprint: Some(misprint), .. } = &mut self.basis {
             point.clone_into(&mut misprint.counterexample);

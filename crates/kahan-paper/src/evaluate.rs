@@ -1,5 +1,5 @@
-//! Evaluation of formulas at a point, in any arithmetic: rational functions, prime fields,
-//! rationals, degree bounds or 256-bit floats.
+//! Evaluates formulas at a point in any arithmetic: rational functions, prime fields, rationals,
+//! degree bounds or 256-bit floats.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use super::model::Model;
 
 /// An arithmetic with some transcendental functions.
 pub(super) trait Calculus: Arithmetic<Constant = Rational> {
-    /// Evaluates a function by name; the default knows none.
+    /// Evaluates a function by name; by default none is known.
     fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, Trouble> {
         Err(Trouble::Unknown(name.to_owned()))
     }
@@ -28,7 +28,6 @@ pub(super) trait Calculus: Arithmetic<Constant = Rational> {
 pub(super) enum Trouble {
     /// A division by zero, or an argument outside a function's domain.
     Undefined,
-    /// An unknown name or call.
     Unknown(String),
 }
 
@@ -61,7 +60,6 @@ pub(super) struct Evaluator<'a, A> {
 }
 
 impl<A: Calculus> Evaluator<'_, A> {
-    /// Evaluates `formula`.
     pub(super) fn value(&self, formula: &Formula, frame: &Frame<A::Value>) -> Result<A::Value, Trouble> {
         let arithmetic = self.arithmetic;
         match formula {
@@ -188,12 +186,10 @@ impl<A: Calculus> Evaluator<'_, A> {
         (index < self.model.dimension()).then_some(index)
     }
 
-    /// Evaluates the entries of a system's object, such as A.
     fn entries(&self, object: &str, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
         self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined)
     }
 
-    /// Returns the values of the system's variables.
     fn here(&self, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
         let value = |name: String| frame.values.get(&name).cloned().ok_or(Trouble::Unknown(name));
         self.model.names().into_iter().map(value).collect()
@@ -216,7 +212,7 @@ impl<A: Calculus> Evaluator<'_, A> {
     }
 }
 
-/// Says whether a call refers to a system's field or map.
+/// Returns whether a call refers to a system's field or map.
 fn is_of_the_map(name: &str) -> bool {
     matches!(name, "next" | "back" | "on" | "f" | "b" | "A" | "J" | "Df" | "detA" | "detJ")
 }

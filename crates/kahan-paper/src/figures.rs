@@ -32,9 +32,7 @@ pub struct Figure {
     pub caption: &'static str,
 }
 
-/// The initial state of most figures.
 const START: &[(i64, i64)] = &[(3, 7), (11, 13), (23, 47)];
-/// The initial state of dE4.
 const START_4: &[(i64, i64)] = &[(7, 3), (11, 13), (23, 47)];
 const HALF: (i64, i64) = (1, 2);
 
@@ -131,7 +129,7 @@ impl Measurement {
         Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
     }
 
-    /// Replaces measured quantities of a formula by their values:
+    /// Replaces measured functions in a formula by their values:
     ///
     /// | call | meaning |
     /// |---|---|
@@ -141,7 +139,7 @@ impl Measurement {
     /// | `mean(v, a, b)` | the mean of log(h/n) |
     /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
     ///
-    /// Fails if a quantity cannot be measured.
+    /// Fails if a value cannot be measured.
     pub(super) fn put_into(&self, formula: &Formula) -> Result<Formula, String> {
         formula.replaced(&|name, arguments| match class(name) {
             Some(class) if arguments.is_empty() => Ok(Some(Rational::from(class))),
@@ -149,7 +147,7 @@ impl Measurement {
         })
     }
 
-    /// Evaluates a measured quantity; `None` for other calls.
+    /// Evaluates a measured function; `None` for other calls.
     fn quantity(&self, name: &str, arguments: &[Formula]) -> Result<Option<Rational>, String> {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
         if !matches!(name, "h" | "digits" | "slope" | "logslope" | "mean" | "growth") {
@@ -198,7 +196,7 @@ impl Measurement {
     }
 }
 
-/// Returns the number that stands for a growth class in comparisons.
+/// Returns the number that represents a growth class in comparisons.
 fn class(name: &str) -> Option<i64> {
     ["undecided", "bounded", "logarithmic", "linear", "quadratic", "exponential"]
         .iter()

@@ -1,4 +1,4 @@
-//! The limits C₁ of h(yₙ)/n for dE7 and dE8, by the prime number theorem.
+//! The limits C₁ of h(yₙ)/n for dE7 and dE8, derived from the prime number theorem.
 
 use kahan_algebra::rational::Rational;
 
@@ -18,11 +18,12 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     })
 }
 
-/// Computes C₁ of dE7. For a = τ + 1 − ξ/2 and b = τ + ξ/2 with a common denominator M, C₁ is the
-/// mean of max(0, ψ(b_r) − ψ(a_r)) over the units r modulo M, where M a_r is M a/r modulo M, and
-/// likewise b_r. The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly if
-/// its numerators meet p before its denominators. Sums of log p over such p give the digamma
-/// functions. `None` if the denominators differ.
+/// Computes C₁ of dE7; `None` if the denominators differ.
+///
+/// For a = τ + 1 − ξ/2 and b = τ + ξ/2 with a common denominator M, C₁ is the mean of max(0, ψ(b_r)
+/// − ψ(a_r)) over the units r modulo M, where M a_r is M a/r modulo M, and likewise b_r. A prime p
+/// of the residue class r cancels from the product ∏ (j + a)/(j + b) exactly if it divides a
+/// numerator before a denominator. Sums of log p over such p give the digamma functions.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);
@@ -49,7 +50,8 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// Computes C₁ of dE8: (M/φ(M)) Σ 1/m over units 0 < m < M for the denominator M of τ + 1/2, or 1.
+/// Computes C₁ of dE8: (M/φ(M)) Σ 1/m over units 0 < m < M, where M is the denominator of τ + 1/2;
+/// 1 for M = 1.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

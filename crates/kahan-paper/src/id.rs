@@ -12,7 +12,7 @@ impl Id {
         Id(parts.join("."))
     }
 
-    /// Says whether the identifier begins with these parts.
+    /// Returns whether the identifier begins with these parts.
     #[must_use]
     pub fn begins_with(&self, parts: &[&str]) -> bool {
         let rest = self.0.strip_prefix(&parts.join("."));

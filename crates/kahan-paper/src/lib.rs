@@ -1,10 +1,10 @@
-//! The paper's formulas as claims. Takes claims as text, and the catalog. For each claim the crate
-//! finds a proof by expansion over ℚ or modulo primes, agreement at exact points or in 256-bit
-//! arithmetic, or a misprint; [`Verdicts`] are plain text. It knows no arguments, terminals or
-//! clocks. [`Paper`] lists and establishes all [`Claim`]s, for the commands `kahan-verify` and
-//! `kahan verify`, the tests and the atlas. Data flow: `sections` (claims) and `figures` (orbits) →
-//! [`formula`] (text to expressions) → `evaluate` (values in any arithmetic) → `identity`
-//! (evidence) → [`Paper`] → `verdict` → `report` (text).
+//! The paper's formulas as claims, established by proof or measurement.
+//!
+//! [`Paper`] lists all [`Claim`]s and establishes each: by expansion over ℚ or modulo primes, at
+//! exact points, in 256-bit arithmetic, or as a misprint. [`Verdicts`] are the results as plain
+//! text. Data flow: `sections` (claims) and `figures` (orbits) → [`formula`] (text to expressions)
+//! → `evaluate` (values in any arithmetic) → `identity` (evidence) → [`Paper`] → `verdict` →
+//! `report` (text). The crate must not know arguments, terminals or clocks.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -1,4 +1,4 @@
-//! Misprints, refuted in their printed form at an exact point.
+//! Misprints, refuted at an exact point.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item and its correction: among items that only one text contains, the
+    /// Returns the misprinted item and its correction: among items that occur in one text only, the
     /// pair with the most common words.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
@@ -24,7 +24,6 @@ impl Claim {
     }
 }
 
-/// Splits a statement into items with normalized spaces.
 fn items(statement: &str) -> Vec<String> {
     statement.split(';').map(|item| item.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 }
@@ -62,7 +61,7 @@ impl Paper {
                     Some(value) => {
                         point.insert(definition.name, value);
                     }
-                    // Definitions such as log 3 are substituted as formulas.
+                    // Values such as log 3 are substituted as formulas.
                     None => others.push(definition),
                 },
                 witness @ Item::Relation { .. } => witnesses.push(witness),
@@ -95,7 +94,7 @@ impl Paper {
         Ok(if point.is_empty() { shown.join(", ") } else { format!("at {}", shown.join(", ")) })
     }
 
-    /// Evaluates both sides of a relation at a point, and says whether the relation holds.
+    /// Evaluates both sides of a relation at a point; returns whether the relation holds.
     fn at_point(
         &self,
         claim: &Claim,
@@ -109,7 +108,7 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // Equality everywhere, and not at one point, refutes that two functions differ.
+            // An inequation is refuted only by equality everywhere, not at one point.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

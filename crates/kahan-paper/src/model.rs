@@ -1,4 +1,4 @@
-//! Catalog systems prepared for evaluation, with field and matrices as plans.
+//! Catalog systems prepared for evaluation.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::lexer::lex;
@@ -20,12 +20,11 @@ pub(super) struct Model {
 pub(super) type Values<'a, V> = &'a [V];
 
 impl Model {
-    /// Makes the model of a catalog entry.
     pub(super) fn of_catalog(entry: &'static Entry) -> Self {
         Model::new(entry.command, entry.text())
     }
 
-    /// Makes the model of a valid block. Panics if the text holds a mistake.
+    /// Makes the model of a valid block. Panics if the text has a mistake.
     pub(super) fn new(name: &'static str, text: &str) -> Self {
         let system = read_unproved(&lex(text).tokens).system();
         let system = system.unwrap_or_else(|mistakes| panic!("the block of {name}: {mistakes:?}"));
@@ -40,12 +39,11 @@ impl Model {
         self.system().field.dimension()
     }
 
-    /// Says whether the map has a closed formula of moderate size.
+    /// Returns whether the map has a closed formula of moderate size.
     pub(super) fn is_expanded(&self) -> bool {
         self.derived.map.is_some()
     }
 
-    /// Returns the names of all variables, in the order of [`Values`].
     pub(super) fn names(&self) -> Vec<String> {
         let symbols = &self.system().field.symbols;
         let all = symbols.states.iter().chain(&symbols.parameters).cloned();
@@ -69,8 +67,8 @@ impl Model {
             .collect()
     }
 
-    /// Evaluates the entries of an object by rows: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b` b(x,ε),
-    /// `J` ∂x̃/∂x.
+    /// Evaluates the entries of an object row by row: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b`
+    /// b(x,ε), `J` ∂x̃/∂x.
     pub(super) fn entries<A: Arithmetic<Constant = Rational>>(
         &self,
         object: &str,
@@ -87,12 +85,11 @@ impl Model {
         run(arithmetic, plan, here)
     }
 
-    /// Splits entries into the rows of a square matrix.
     pub(super) fn rows<V: Clone>(&self, entries: &[V]) -> Vec<Vec<V>> {
         entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
     }
 
-    /// Computes x̃ by the reduced map, or by elimination where the map isn't expanded.
+    /// Computes x̃ by the reduced map, or by elimination if the map is not expanded.
     pub(super) fn next<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

@@ -1,4 +1,4 @@
-//! The list of all claims, and how each is established.
+//! All claims of the paper, and the method that establishes each.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -85,7 +85,7 @@ impl Paper {
         threads: Option<usize>,
         work: impl Fn(&Claim) -> R + Sync,
     ) -> Vec<R> {
-        // Claims about long orbits come first, so that no thread finishes late with one of them.
+        // Begin with claims about long orbits, so that none of them delays the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
         let mut results = threads::map(order.len(), threads, |turn| (order[turn], work(claims[order[turn]])));
@@ -113,7 +113,8 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// Returns the definitions for a claim: the field's, the general, the given, and its own.
+    /// Returns the definitions for a claim: of the field, the general ones, the given ones, its
+    /// own.
     pub(super) fn definitions(
         &self,
         claim: &Claim,
@@ -136,7 +137,6 @@ impl Paper {
         Ok((definitions, relations))
     }
 
-    /// Establishes all relations of a statement, and returns the weakest evidence.
     fn relations(&self, claim: &Claim, statement: &str) -> Result<Evidence, String> {
         let Basis::Formula { domain, .. } = &claim.basis else {
             return Err("a claim of a block".to_owned());
@@ -157,7 +157,6 @@ impl Paper {
         weakest.ok_or_else(|| "it says nothing".to_owned())
     }
 
-    /// Makes the identity for a relation, tested at generic points.
     pub(super) fn identity<'a>(
         &'a self,
         claim: &Claim,
@@ -215,7 +214,7 @@ pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
     }
 }
 
-/// Converts evidence of a measurement, which holds at the orbit's points only.
+/// Converts the evidence of a measurement, which holds at the orbit's points only.
 fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
     let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {
@@ -225,7 +224,6 @@ fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
 }
 
 impl Evidence {
-    /// Returns the weaker evidence.
     fn weaker(self, other: Evidence) -> Evidence {
         match (&self, &other) {
             (Evidence::Numerical(a), Evidence::Numerical(b)) => Evidence::Numerical(*a.min(b)),

@@ -1,6 +1,7 @@
-//! Proves every formula of the paper and prints the verdicts of `kahan-paper`. Takes no argument,
-//! or `--all`. The exit status is 1 if a claim fails, 2 for other arguments, which `kahan` may
-//! know. The program depends on little besides `kahan-paper`, as new users build it first.
+//! Proves every formula of the paper and prints the verdicts of `kahan-paper`.
+//!
+//! Accepts no argument or `--all`. The exit status is 1 if a claim fails, 2 for other arguments,
+//! which `kahan` may accept. New users build this program first, so it depends on little else.
 
 use std::env::args_os;
 use std::io::{IsTerminal, Write, stderr, stdout};
@@ -26,7 +27,6 @@ Examples:
   cargo run --release -- --all
 ";
 
-/// The width assumed for a terminal of unknown width.
 const USUAL_WIDTH: usize = 100;
 
 fn main() -> ExitCode {
@@ -45,7 +45,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// Proves the paper on all cores and prints the verdicts.
 fn proved(text: impl Fn(&Verdicts, usize) -> String) -> ExitCode {
     let begun = Instant::now();
     let paper = Paper::new();
@@ -62,7 +61,7 @@ fn proved(text: impl Fn(&Verdicts, usize) -> String) -> ExitCode {
         Verdict { seconds: Some(begun.elapsed().as_secs_f64()), ..verdict }
     });
     if is_watched {
-        // Erases the line.
+        // Erases the progress line.
         eprint!("\r\x1b[K");
     }
     let verdicts = Verdicts::of(verdicts, OPEN, Some(begun.elapsed().as_secs_f64()));

@@ -1,11 +1,11 @@
 //! Clebsch's case (1871) of a rigid body in an ideal fluid, with angular momentum m and linear
-//! momentum p; not in the paper. The block states Kirchhoff's equations with the energy
-//! `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals, the map four
-//! integrals of higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345); only H is short.
-//! `kahan discover` finds H (up to w3 p.p), the density, a long second integral, and bases for the
-//! others: along every orbit 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3 satisfy one linear relation, as do
-//! 1, p2^2, p3^2, m1^2, m3^2, m2 p2, m3 p3, and the quotients of its coefficients are integrals.
-//! Degrees of iterates grow quadratically.
+//! momentum p; not in the paper. The block states Kirchhoff's equations with the energy `(m.m + w1
+//! p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals, the map four integrals of
+//! higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345); only H is short. `kahan discover`
+//! finds H (up to w3 p.p), the density, a long second integral, and bases for the others. One basis
+//! is 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3, another 1, p2^2, p3^2, m1^2, m3^2, m2 p2, m3 p3: each
+//! satisfies one linear relation along every orbit, and the quotients of its coefficients are
+//! integrals. Degrees of iterates grow quadratically.
 
 use kahan_core::prelude::*;
 

@@ -1,9 +1,9 @@
-//! E1 (Section 3; Table 1, i = 1), with the Lie-Poisson pair A(3,3), sl(2,R). At eps = 0:
-//! `H = y/x`, `K = x z + y^2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of
-//! Table 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson
-//! pair of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions are functions
-//! of time (Table 5, Theorem 3), so they are no claims. The map's numerators and det A share the
-//! factor `1 + eps x`, whose zeros are removable poles.
+//! E1 (Section 3; Table 1, i = 1), with the Lie-Poisson pair A(3,3), sl(2,R). At eps = 0: `H =
+//! y/x`, `K = x z + y^2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table
+//! 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair
+//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. Solutions depend on time and are
+//! therefore not claimed (Table 5, Theorem 3). The map's numerators and det A share the factor `1 +
+//! eps x`, whose zeros are removable poles.
 
 mod solution;
 

@@ -1,8 +1,8 @@
-//! E2 (Section 3; Table 1, i = 2), with the Lie-Poisson pair e(1,1), sl(2,R). At eps = 0:
-//! `H = x y`, `K = x z + y^2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table
-//! 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair
-//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions are functions of
-//! time (Table 5, Theorem 3), so they are no claims.
+//! E2 (Section 3; Table 1, i = 2), with the Lie-Poisson pair e(1,1), sl(2,R). At eps = 0: `H = x
+//! y`, `K = x z + y^2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table 2, the
+//! density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair of
+//! Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. Solutions depend on time and are
+//! therefore not claimed (Table 5, Theorem 3).
 
 mod solution;
 

@@ -1,9 +1,9 @@
 //! E4 (Section 3; Table 1, i = 4), with the Lie-Poisson pair e(1,1), so(3). At eps = 0: `H = x y`,
 //! `K = (x^2 + y^2 + z^2)/2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table
 //! 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair
-//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions are elliptic
-//! functions (Table 5, Theorem 3), so they are no claims. In the coordinates x - y, x + y, z the
-//! system is the Euler top with a = (-1, -1, 1).
+//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions, elliptic functions
+//! of time, are not claimed (Table 5, Theorem 3). In the coordinates x - y, x + y, z the system is
+//! the Euler top with a = (-1, -1, 1).
 
 mod flow;
 mod normal_form;

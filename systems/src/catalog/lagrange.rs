@@ -61,5 +61,5 @@ pub const ENTRY: Entry = Entry::new(
     ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
 ]);
 
-/// The source of formulas that `kahan discover` prints in combination with other integrals.
+/// The source of a formula that `kahan discover` prints in combination with other integrals.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

@@ -1,7 +1,7 @@
 //! The periodic Volterra lattice with four sites; not in the paper. The flow has the integrals x +
 //! y + z + w, x z and y w. The map preserves the sum, and the products with denominators that
-//! depend on eps. Of the integrals, compositions of higher order therefore preserve only the sum.
-//! The volume is that of the logarithms.
+//! depend on eps. Compositions of higher order therefore preserve only the sum. The map also
+//! preserves the volume dx dy dz dw/(x y z w).
 
 use kahan_core::prelude::*;
 

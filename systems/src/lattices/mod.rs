@@ -1,7 +1,7 @@
 //! Families: systems with any number of sites. Each file holds a `kahan!` block with the sums that
-//! it preserves; the number of sites is chosen at run time. Exports the macro's types, and in
-//! [`ALL`] the blocks as text. `kahan discover --sites N` finds further integrals at a given number
-//! of sites.
+//! its map preserves; the number of sites is chosen at run time. The module exports the macro's
+//! types, and the blocks as text in [`ALL`]. `kahan discover --sites N` finds further integrals for
+//! N sites.
 
 mod kdv;
 mod species;
@@ -22,7 +22,7 @@ pub struct Entry {
     pub command: &'static str,
     /// A description in one line.
     pub title: &'static str,
-    /// The contents of the source file, which holds a single block.
+    /// The contents of the source file, which contains a single block.
     pub text: &'static str,
 }
 

@@ -1,6 +1,6 @@
 //! Solutions of systems with ẋ = −x², which Kahan's method solves exactly. Trajectories have x =
 //! 1/T with T = t + α, orbits x = 1/(2εN) with N = n + τ. The flow preserves K = xz + y², the map
-//! K/(1 − ε²x²). Each system supplies y and z by a trait.
+//! K/(1 − ε²x²). Each system defines y and z by a trait.
 
 use core::marker::PhantomData;
 
@@ -9,7 +9,7 @@ use kahan_core::nalgebra::SVector;
 
 use super::{OutOfDomain, integer, require, shift_and_divisor};
 
-/// A system with ẋ = −x²: the parts of its trajectories that differ from other systems.
+/// A system with ẋ = −x², with the formulas for y and z of its trajectories.
 pub trait ReciprocalFlow<T>: Sized {
     /// Returns β, which is constant along trajectories.
     fn beta(x: T, y: T) -> T;
@@ -44,14 +44,14 @@ impl<S: ReciprocalFlow<T>, T: Scalar> ReciprocalTrajectory<S, T> {
     }
 
     /// Returns the point at time t. At the pole t = −α exact scalars panic and floats become
-    /// infinite or NaN. Beyond the pole, rational formulas continue analytically, and logarithms
-    /// have no value.
+    /// infinite or NaN. Beyond the pole, rational formulas continue analytically; logarithms are
+    /// undefined.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         S::point(self, t.clone() + self.alpha.clone())
     }
 }
 
-/// A system with ẋ = −x² and rational orbits: the parts that differ from other systems.
+/// A system with ẋ = −x² and rational orbits, with the formulas for y and z.
 pub trait ReciprocalMap<T>: Sized {
     /// Returns β, the value of the integral Ĥ, from x, y and 1 − ε²x².
     fn integral(x: T, y: T, divisor: T) -> T;

@@ -4,7 +4,7 @@ use super::Real;
 use super::gamma::not_a_number;
 
 /// A modulus k with 0 ≤ k ≤ 1 and its complement k′ = √(1 − k²), both with full relative precision.
-/// A modulus near 1 determines k′ badly, so formulas that know both should supply both.
+/// Computing k′ from k near 1 loses digits, so formulas that determine both should supply both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modulus<T> {
     /// The modulus k in sn(u, k); not its square.
@@ -46,8 +46,8 @@ impl<T: Real> Modulus<T> {
         T::pi() * T::half() / arithmetic_geometric_mean(T::one(), self.complement)
     }
 
-    /// Returns the nome q = exp(−π K(k′)/K(k)), 0 ≤ k < 1; relative error O(ln(1/q)) units near k =
-    /// 0.
+    /// Returns the nome q = exp(−π K(k′)/K(k)), 0 ≤ k < 1. Near k = 0 the relative error grows like
+    /// ln(1/q).
     pub fn nome(&self) -> T {
         if self.k.is_zero() {
             return T::zero();
@@ -57,13 +57,13 @@ impl<T: Real> Modulus<T> {
     }
 
     /// Returns the incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ), for any real φ (|φ| < π/2
-    /// at k = 1). Computed as R_F(cos²φ, 1 − k² sin²φ, 1) sin φ (Carlson) after subtracting half
-    /// turns. In `f64` the error is at most 6 ulp for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50, even near k
-    /// = 1.
+    /// at k = 1). Computed as R_F(cos²φ, 1 − k² sin²φ, 1) sin φ (Carlson) after subtracting
+    /// multiples of π. In `f64` the error is at most 6 ulp for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50,
+    /// even near k = 1.
     fn incomplete(&self, phi: &T) -> T {
         let half_turns = (*phi / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
-        // The sine and cosine of φ minus the half turns, with cosine ≥ 0.
+        // The sine and cosine after subtracting multiples of π, with cosine ≥ 0.
         let (sine, cosine) = if cosine.is_negative() { (-sine, -cosine) } else { (sine, cosine) };
         let whole = if half_turns.is_zero() {
             T::zero()
@@ -73,8 +73,8 @@ impl<T: Real> Modulus<T> {
         whole + self.incomplete_of_point(&sine, &cosine)
     }
 
-    /// Returns the u in (−2K, 2K] with the given sn u and cn u. Both values together keep the
-    /// precision that an angle near ±π/2 would lose.
+    /// Returns the u in (−2K, 2K] with these sn u and cn u. Both are required, because sn u does
+    /// not determine u precisely near ±K.
     pub fn inverse(&self, sn: &T, cn: &T) -> T {
         if cn.is_negative() {
             let rest = self.incomplete_of_point(&sn.abs(), &-*cn);
@@ -84,7 +84,7 @@ impl<T: Real> Modulus<T> {
         self.incomplete_of_point(sn, cn)
     }
 
-    /// Returns F for a nonnegative cosine.
+    /// Returns F(φ, k) from the sine and the nonnegative cosine of φ.
     fn incomplete_of_point(&self, sine: &T, cosine: &T) -> T {
         // 1 − k² sin²φ = cos²φ + k′² sin²φ, a sum of nonnegative numbers.
         let delta = cosine.square() + (self.complement * *sine).square();
@@ -110,7 +110,7 @@ pub fn elliptic_k<T: Real>(k: &T) -> T {
 
 /// Returns the arithmetic-geometric mean of positive a and b.
 fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
-    // Each pass squares the relative difference; below √ε the next mean is exact up to rounding.
+    // Each pass squares the relative difference, so below √ε the next mean is exact up to rounding.
     for _ in 0..64 {
         let done = ((a - b) / a).square() < T::epsilon();
         let mean = (a + b) * T::half();
@@ -124,8 +124,8 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
 }
 
 /// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)) for nonnegative arguments,
-/// at most one of which is zero. The duplication theorem brings the arguments together until a
-/// series of degree 7 suffices.
+/// at most one of which is zero. The duplication theorem is applied until the arguments are so
+/// close that a series of degree 7 suffices.
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);

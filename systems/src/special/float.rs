@@ -1,4 +1,4 @@
-//! `f64` as a real type, with the machine's elementary functions and libraries for Γ and ψ.
+//! `f64` as a [`Real`]: elementary functions of the standard library, Γ and ψ of other crates.
 
 use std::sync::OnceLock;
 

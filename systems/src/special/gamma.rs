@@ -1,5 +1,5 @@
-//! Γ and ψ by their asymptotic series at a large argument, and recurrences back from it. The series
-//! serve [`Precise`](super::Precise); floats use libraries (see [`Real::gamma`]).
+//! Γ and ψ by asymptotic series at a large argument, and recurrences back from there. The series
+//! serve [`Precise`](super::Precise); floats use other crates (see [`Real::gamma`]).
 
 use super::Real;
 
@@ -38,7 +38,8 @@ pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// Returns the least argument for full precision (smallest term of Stirling's series: e^(−2πx)).
+/// Returns the least argument where Stirling's series reaches full precision (its smallest term is
+/// e^(−2πx)).
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }
@@ -51,7 +52,7 @@ pub(super) fn steps_up<T: Real>(x: &T, from: i64) -> i64 {
 /// Returns sin(πx), with exact argument reduction before the multiplication by π.
 pub(super) fn sin_pi<T: Real>(x: &T) -> T {
     let turns = T::from_int(2) * (*x * T::half() + T::half() * T::half()).floor();
-    // In [−1/2, 3/2).
+    // Lies in [−1/2, 3/2).
     let rest = *x - turns;
     (T::pi() * rest).sin()
 }
@@ -60,7 +61,7 @@ pub(super) fn sin_pi<T: Real>(x: &T) -> T {
 pub(super) fn cos_pi<T: Real>(x: &T) -> T {
     let two = T::from_int(2);
     let rest = *x - two * (*x * T::half() + T::half()).floor();
-    // In [−1, 1); 1/2 − |rest| is exact where the cosine is small.
+    // Lies in [−1, 1); 1/2 − |rest| is exact where the cosine is small.
     (T::pi() * (T::half() - rest.abs())).sin()
 }
 

@@ -8,7 +8,8 @@ use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up, sum_in_inverse_squ
 
 /// Returns Γ(x + a)/Γ(x + b) for real x, a, b, with full relative precision for all sizes of x.
 /// Zero if only the denominator has a pole, NaN if only the numerator has one, the limit if both
-/// have. (a + b − 1)/2 and (a − b)/2 are rounded; [`centered_gamma_ratio`] takes them directly.
+/// have. The quotient is computed from (a + b − 1)/2 and (a − b)/2, which are rounded;
+/// [`centered_gamma_ratio`] takes them directly.
 ///
 /// ```
 /// use kahan_systems::special::gamma_ratio;
@@ -48,7 +49,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 }
 
 /// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the derivative of ln [`centered_gamma_ratio`] in w, for
-/// real w and σ off the poles. The relative precision is full even where both terms nearly agree.
+/// real w and σ off the poles. The relative precision is full even where both terms are nearly
+/// equal.
 ///
 /// ```
 /// use kahan_systems::special::centered_digamma_difference;
@@ -59,8 +61,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = T::from_int(2);
     if is_reflected(w, sigma) {
-        // The reflection's logarithmic derivative, π tan π(σ−f) + π tan π(σ+f) = π sin 2πσ/(cos
-        // cos).
+        // The logarithmic derivative of the reflection is π tan π(σ−f) + π tan π(σ+f), which equals
+        // π sin 2πσ/(cos π(σ−f) cos π(σ+f)).
         let fold = fold(w);
         let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
         let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;
@@ -77,13 +79,12 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     two * (*sigma / large + series + *sigma * descent)
 }
 
-/// Says whether w is negative enough for reflection. For −|σ| − 1/2 ≤ w < 0 a reflection could
-/// multiply a pole by a zero, so the recurrence is used there.
+/// Returns whether w is negative enough for reflection. For −|σ| − 1/2 ≤ w < 0 the recurrence is
+/// used instead, because reflection might multiply a pole by a zero.
 fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
     *w < -(sigma.abs() + T::half())
 }
 
-/// Returns w minus the nearest integer, exactly, in [−1/2, 1/2).
 fn fold<T: Real>(w: &T) -> T {
     *w - (*w + T::half()).floor()
 }
@@ -95,7 +96,6 @@ fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     cos_pi(&(*sigma - fold)) / cos_pi(&(*sigma + fold))
 }
 
-/// Returns x as an integer, if it is one and at most 64 in size.
 fn small_integer<T: Real>(x: &T) -> Option<i64> {
     let n = x.to_f64();
     (n.abs() <= 64.0 && x.floor() == *x).then_some(n as i64)

@@ -1,8 +1,9 @@
-//! Transcendental functions in two precisions: `f64`, and 256 bits as [`Precise`]. [`Real`] is the
-//! trait that closed solutions require of numbers. The module adds Γ, ψ, ratios of Γ, elliptic
-//! integrals, Jacobi's elliptic functions and theta functions, each generic over both. For `f64` it
-//! uses established libraries where they are accurate; documented error bounds were measured
-//! against [`Precise`], and are tested. No function panics: without a real value it returns NaN.
+//! Transcendental functions in two precisions: `f64`, and 256 bits as [`Precise`].
+//!
+//! [`Real`] is the trait of numbers in closed solutions. Generic over both types are Γ, ψ, ratios
+//! of Γ, elliptic integrals, Jacobi's elliptic functions and theta functions. For `f64` established
+//! crates are used where they are accurate; the documented error bounds were measured against
+//! [`Precise`] and are tested. No function panics: without a real value it returns NaN.
 
 mod bernoulli;
 mod elliptic;

@@ -2,13 +2,13 @@
 
 use super::Real;
 
-/// A numerical integral.
+/// The result of a numerical integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integral<T> {
     /// The value.
     pub value: T,
-    /// The difference of the last two sums. As convergence is quadratic, the value is usually much
-    /// more accurate. The difference stays large if f is not smooth enough.
+    /// The difference of the last two sums. Convergence is quadratic, so the value is usually much
+    /// more accurate. If f is not smooth enough, the difference stays large.
     pub change: T,
 }
 
@@ -28,12 +28,12 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     if half_width.is_zero() {
         return Integral { value: T::zero(), change: T::zero() };
     }
-    // The weight falls below rounding at this u: cosh u e^(−π sinh u) < ε².
+    // At this u the weight is negligible: cosh u e^(−π sinh u) < ε².
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = (reach + (reach * reach + 1.0).sqrt()).ln() + 0.2;
     let quarter_turn = T::pi() * T::half();
-    // f at the nodes ±u, times the weight; nodes by their distance to the ends, 1 − tanh s =
-    // 2/(e^{2s} + 1).
+    // Returns the sum of weight·f at the nodes ±u. Nodes are computed by their distance to the
+    // ends, 1 − tanh s = 2/(e^{2s} + 1).
     let pair = |u: &T| {
         let rise = u.exp_m1();
         let fall = rise / (rise + T::one());
@@ -45,7 +45,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
         // cosh u/cosh² s
         let weight = twice_cosine * T::from_int(2) * power / sum.square();
         let (left, right) = (*from + distance, *to - distance);
-        // A node rounded to an end has negligible weight.
+        // A node rounded to an end of the interval has negligible weight.
         let value = |x: &T, end: &T| if x == end { T::zero() } else { f(x) };
         weight * (value(&left, from) + value(&right, to))
     };

@@ -1,8 +1,9 @@
-//! The tails of the series of K̂₇ and K̂₈, by asymptotic expansions. The terms at w = N + j + 1/2,
-//! j ≥ 0, expand as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The midpoint form of the
-//! Euler–Maclaurin formula sums each power:
+//! The tails of the series of K̂₇ and K̂₈, by asymptotic expansions.
+//!
+//! The terms at w = N + j + 1/2, j ≥ 0, expand as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The
+//! midpoint form of the Euler–Maclaurin formula sums each power:
 //!   Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
-//! Derivatives in s give the logarithms; they are computed by jets in s + η.
+//! Derivatives in s yield the logarithms; they are computed by jets in s + η.
 
 use super::Real;
 use super::gamma::asymptotic_from;
@@ -11,7 +12,8 @@ use super::gamma_ratio::{binomial_sum, middle_values};
 /// A jet z₀ + z₁η + z₂η² with η³ = 0.
 type Jet<T> = [T; 3];
 
-/// Returns the least N for full precision, for parameters of at most this size.
+/// Returns the least N for which the expansions have full precision, for parameters of at most this
+/// size.
 pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
@@ -21,7 +23,7 @@ fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }
 
-/// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) without its factor h², where Y_j =
+/// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) without the factor h², where Y_j =
 /// h/R(N + j, σ) with the centred ratio R of Γ and ξ = 2σ + 1. Requires ξ > 0 and N ≥
 /// [`asymptotic_start`]. For w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
 /// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)), where p_n(σ) is the Bernoulli polynomial without its term of
@@ -73,7 +75,7 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
         let exponent = *s + T::from_int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
         let [z0, z1, z2] = multiply(power, series);
-        // −d/ds multiplies by a logarithm.
+        // −d/ds of w^(−s) multiplies it by ln w.
         sum += scale * (*a * z0 - *b * z1 + T::from_int(2) * *c * z2);
         scale *= inverse_square;
     }
@@ -100,7 +102,7 @@ fn multiply<T: Real>([a0, a1, a2]: Jet<T>, [b0, b1, b2]: Jet<T>) -> Jet<T> {
     [a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0]
 }
 
-/// Multiplies power series, to the length of the first.
+/// Multiplies power series, truncated to the length of the first.
 fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
     (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }

@@ -39,7 +39,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // Rotates the angle; Chebyshev's recurrence for sin jz loses digits near z = 0.
+    // Rotates the angle step by step; Chebyshev's recurrence for sin jz would lose digits near z =
+    // 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
     // q^(j²/4) for j = 0, 1, 2, …; the ratio of neighbours is q^((2j+1)/4).
@@ -58,7 +59,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
             sum.three += term * c;
             sum.four += alternating(term * c);
         }
-        // Relative to the first term of ϑ₁ and ϑ₂, so that they stay precise for small nomes.
+        // The bound is relative to the first term of ϑ₁ and ϑ₂, so that they stay precise for small
+        // q.
         if term < T::epsilon() * T::half() * quarter {
             break;
         }

@@ -1,7 +1,8 @@
 //! Operation counts of steps, for the catalog and other well-known fields.
+//!
 //! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` rewrites the table, so
-//! that changes of the planner appear in the diff. Counts may not exceed those of careful code by
-//! hand.
+//! that changes of the planner are visible in the diff. Counts must not exceed those of careful
+//! manual code.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -14,7 +15,7 @@ use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_systems::registry::{SYSTEMS, find};
 
-/// Catalog systems beyond the paper, and fields outside the catalog.
+/// Catalog systems that are not in the paper, and fields outside the catalog.
 const FURTHER: [&str; 2] = ["lorenz", "clebsch"];
 const OTHERS: [(&str, &str); 4] = [
     (
@@ -94,10 +95,10 @@ fn the_table_of_operation_counts_is_the_committed_one() {
     );
 }
 
-/// The operations of careful code by hand, written for the shortest critical path with one
-/// reciprocal (E5: two). Products of ε and parameters are prepared; common subexpressions occur
-/// once. e = ε, d = 2ε, X = e·x and so on, i = 1/D; increments are numerators times i. The comments
-/// give the code, and the numbers of additions, multiplications and divisions.
+/// The operations of careful manual code with the shortest critical path and one reciprocal (E5:
+/// two). Products of ε and parameters are prepared; common subexpressions are computed once. e = ε,
+/// d = 2ε, X = e·x and so on, i = 1/D; increments are numerators times i. Each comment lists the
+/// code and the numbers of additions, multiplications and divisions.
 const BY_HAND: [(&str, usize); 8] = [
     // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13, 9, 1
     ("lv", 23),

@@ -32,7 +32,6 @@ fn rings_of_three_and_four_sites_are_those_of_the_catalog() {
     assert_eq!(four, plain.as_slice());
 }
 
-/// Asserts that steps in both directions are exact for small numbers of sites.
 fn is_exact<M: LatticeMap<BigRational>>(map: impl Fn(usize) -> M, sites: Range<usize>) {
     for sites in sites {
         let mut at = map(sites).at(rational(1, 9), sites).unwrap();
@@ -87,7 +86,6 @@ fn every_name_stands_for_the_family_of_its_file() {
     assert_eq!(types, ["VolterraRing", "VolterraChain", "Toda", "Species", "Kdv"]);
 }
 
-/// Toda's Poisson tensors depend on the state.
 #[test]
 fn no_constant_stencil_makes_the_energy_of_toda_its_hamiltonian() {
     let toda = "for i in periodic { a[i]dot = a[i]*(b[i+1] - b[i]); b[i]dot = 2*(a[i]^2 - a[i-1]^2); }";

@@ -24,13 +24,12 @@ fn integrals_of_known_value() {
     assert!((integrate(&0.0, &1.0, |x: &f64| x.cos()).value - 1.0_f64.sin()).abs() < 4.0 * f64::EPSILON);
 }
 
-/// At the x that a closed solution reaches at time t, the quadrature returns t.
 #[test]
 fn the_quadrature_is_the_time_of_the_closed_cases() {
     for xi in ["2", "1/2", "1", "-1"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let trajectory = e9::FlowSolution::through(&xi, &start()).unwrap();
-        // x decreases while z > 0, as at all these times.
+        // At all these times z > 0, so x decreases.
         let times = ["0", "1/20", "1/6"].map(number);
         let points = times.each_ref().map(|t| trajectory.at(t));
         let clock = points.each_ref().map(|point| quadrature.time_from_largest(&point[0]));
@@ -51,7 +50,7 @@ fn the_quadrature_is_the_time_of_the_closed_cases() {
 
 #[test]
 fn the_period_of_e4_is_four_quarter_periods() {
-    // E9 with ξ = −1 is E4: x = (λ/2)(dn + k cn) has the period 4K/λ.
+    // For ξ = −1 E9 is E4, and x = (λ/2)(dn + k cn) has the period 4K/λ.
     let quadrature = e9::Quadrature::through(&Precise::from_int(-1), &start()).unwrap();
     let e9::FlowSolution::MinusOne(closed) =
         e9::FlowSolution::through(&Precise::from_int(-1), &start()).unwrap()
@@ -79,7 +78,8 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
         let h = ten_to_minus(16);
         let coarse = slope(&(Precise::from_int(2) * h));
         let fine = slope(&h);
-        // Richardson extrapolation has order 4: an error of 10^(−64), below 10^(−60) of rounding.
+        // Richardson's extrapolation has order 4: its error 10^(−64) is below the rounding error
+        // 10^(−60).
         let extrapolated = fine + (fine - coarse) / Precise::from_int(3);
         assert_close(&(extrapolated * field[0]), &Precise::from_int(1), 50, "dt/dx");
     }

@@ -1,4 +1,4 @@
-//! Exact orbits for comparison: rational points stepped by the generated maps.
+//! Exact orbits: rational points mapped by the generated maps.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};
@@ -12,14 +12,13 @@ pub(crate) fn rational(text: &str) -> Rational {
     text.parse().unwrap_or_else(|_| panic!("{text} is not a rational"))
 }
 
-/// A case of the oracle's tables: parameters, ε and initial point.
+/// A case of the reference tables: parameters, ε and initial point.
 pub(crate) struct Case {
     pub(crate) parameters: Vec<Rational>,
     pub(crate) eps: Rational,
     pub(crate) start: Point<Rational>,
 }
 
-/// Reads the cases of a system from `tests/data`.
 pub(crate) fn cases(system: &str) -> Vec<Case> {
     let path = format!("{}/../tests/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
@@ -34,7 +33,8 @@ pub(crate) fn cases(system: &str) -> Vec<Case> {
     data["cases"].as_array().expect("cases").iter().map(read).collect()
 }
 
-/// Returns the points n = −back, …, forward with their n, up to the first pole on either side.
+/// Returns the points with −back ≤ n ≤ forward, up to the first pole in each direction, with their
+/// n.
 pub(crate) fn orbit<M, T>(
     map: M,
     start: &Point<T>,
@@ -60,13 +60,12 @@ pub(crate) fn precise(point: &Point<Rational>) -> Point<Precise> {
     point.map(|value| Precise::from_rational(&value))
 }
 
-/// Returns the largest component in size.
 pub(crate) fn norm(point: &Point<Precise>) -> Precise {
     point.iter().fold(Precise::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
 }
 
-/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm, and
-/// returns the number of points compared.
+/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm;
+/// returns the number of points.
 pub(crate) fn assert_on_orbit(
     exact: &[(i64, Point<Rational>)],
     at: impl Fn(i64) -> Point<Precise>,
@@ -77,7 +76,7 @@ pub(crate) fn assert_on_orbit(
         let (value, expected) = (at(*n), precise(point));
         let size = norm(&expected);
         for i in 0..3 {
-            // The floor lets the fixed point 0 pass.
+            // The floor admits the fixed point 0.
             let floor = if size > ten_to_minus(200) { size } else { ten_to_minus(200) };
             assert_close_above(&value[i], &expected[i], digits, &floor, &format!("{what}, n = {n}"));
         }
@@ -85,7 +84,6 @@ pub(crate) fn assert_on_orbit(
     exact.len()
 }
 
-/// A case rounded to `f64`.
 pub(crate) struct Rounded {
     pub(crate) parameters: Vec<f64>,
     pub(crate) eps: f64,
@@ -101,11 +99,12 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// Returns the largest error of an `f64` solution in units of 2⁻⁵² of the point's norm times its
-/// condition. Compares 8 steps back and 12 forward with the map in 256 bits at an equal initial
-/// point. The condition is (1 + |argument|) max(1, |ε| rate norm): solutions have a rounded
-/// argument (T, v or N), and large points lie near its poles. The rate is 1 for systems without
-/// coefficients.
+/// Returns the largest error of an `f64` solution in units of 2⁻⁵² of the point's norm times the
+/// condition. Compares 8 backward and 12 forward steps with the map in 256 bits from the same
+/// point.
+///
+/// The condition is (1 + |argument|) max(1, |ε| rate norm): the argument (T, v or N) of a solution
+/// is rounded, and large points are near poles. The rate is 1 for systems without coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,
@@ -127,7 +126,6 @@ where
         let condition = (1.0 + argument(n).abs()) * (case.eps.abs() * rate * size.to_f64()).max(1.0);
         let error = norm(&(at(n).map(Precise::from) - expected));
         let units = (error / (size * Precise::from(f64::EPSILON * condition))).to_f64();
-        // NaN counts as an infinite error.
         worst = if units <= worst {
             worst
         } else if units.is_nan() {

@@ -1,6 +1,6 @@
 //! Tests that the solutions of Table 5 and related ones satisfy the differential equations to 40
-//! digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6); its error
-//! is about h¹², that of rounding 10^(−71).
+//! digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6). Its error
+//! is about h¹², and its rounding error 10^(−71).
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -44,7 +44,7 @@ fn assert_solves(
     }
 }
 
-/// Points in all octants and of several sizes, with poles away from the times above.
+/// Points in all octants and of several sizes, with poles away from the tested times.
 fn points() -> Vec<Point<Precise>> {
     let coordinates = [["3/7", "11/13", "23/47"], ["7/3", "11/13", "8/5"], ["5/3", "1/9", "17/6"]];
     (0..8)

@@ -11,7 +11,7 @@ fn paper() -> (Point<Precise>, Precise) {
     (Point::from(["3/7", "11/13", "23/47"].map(number)), number("1/2"))
 }
 
-/// Points whose orbits stay at x > 0, and one that passes from x < 0 to x > 0.
+/// Points whose orbits stay at x > 0, and one whose orbit passes from x < 0 to x > 0.
 fn starts() -> Vec<(Point<BigRational>, BigRational)> {
     [("1/2", ["3/7", "11/13", "23/47"]), ("1/5", ["2/3", "-5/4", "7/9"]), ("1/3", ["-5/13", "2/5", "1"])]
         .map(|(eps, point)| (Point::from(point.map(rational)), rational(eps)))
@@ -20,8 +20,8 @@ fn starts() -> Vec<(Point<BigRational>, BigRational)> {
 
 #[test]
 fn values_at_the_point_of_the_paper() {
-    // From mpmath 1.3 at 80 digits: `gamma`, `digamma`; K7 by `hyper` (the 4F3 at 1); K8 by 200
-    // terms of the series, and the Abel-Plana formula for the rest (`quad`).
+    // Values of mpmath 1.3 at 80 digits: `gamma`, `digamma`; K7 by `hyper` (the 4F3 at 1); K8 by
+    // 200 terms of the series and the Abel-Plana formula for the others (`quad`).
     let (start, eps) = paper();
     let xi = number("19/17");
     let h = e7::integral_h(&xi, &start, &eps);
@@ -152,7 +152,7 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
 
 #[test]
 fn floats_reach_their_precision() {
-    // Relative errors in units of 2⁻⁵², against 256 bits at equal floats.
+    // Relative errors in units of 2⁻⁵², compared with 256 bits at the same floats.
     let (mut worst_h, mut worst_k) = (0.0_f64, 0.0_f64);
     for (start, eps) in starts() {
         let float = start.map(|value| <f64 as Real>::from_rational(&value));

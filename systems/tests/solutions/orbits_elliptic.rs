@@ -10,7 +10,7 @@ use crate::solutions::exact_orbits::{
 };
 use crate::solutions::measure::assert_close;
 
-/// Returns cases with all signs on both branches, also on xy = 0 and near |εz| = 1.
+/// Returns cases with all signs on both branches, some with xy = 0 or near |εz| = 1.
 fn more() -> Vec<Case> {
     let mut all = Vec::new();
     let coordinates =

@@ -7,7 +7,6 @@ use kahan_systems::{E1, E2, E7, E8, e7, e8};
 
 use crate::solutions::exact_orbits::{Case, Point, Rational, cases, orbit, rational};
 
-/// Asserts equality on the whole orbit, and returns the number of points.
 fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rational>) -> usize {
     for (n, point) in exact {
         assert_eq!(&at(*n), point, "n = {n}");
@@ -15,13 +14,11 @@ fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rati
     exact.len()
 }
 
-/// Returns whether εx differs from 0, 1 and −1, as the solutions require.
 fn regular(case: &Case) -> bool {
     let scaled = &case.eps * &case.start[0];
     !scaled.is_zero() && &scaled * &scaled != rational("1")
 }
 
-/// Compares a system's solutions with its orbits, and returns the number of points.
 fn rational_solutions<S>(name: &str, system: S) -> usize
 where
     S: KahanMap<Rational, 3> + Integrals<Rational, 3, 2> + ReciprocalMap<Rational> + Copy,

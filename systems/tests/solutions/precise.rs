@@ -19,7 +19,7 @@ fn rationals_are_rounded_once_to_nearest_with_ties_to_even() {
     assert_eq!(of("1"), of("0"));
     assert_eq!(of("3"), of("4"));
     assert_ne!(of("2"), of("0"));
-    // The least bit beyond a tie decides.
+    // The smallest excess over a tie decides.
     assert_eq!(of("1000000000000000001/1000000000000000000"), of("2"));
     assert_eq!(of("999999999999999999/1000000000000000000"), of("0"));
     assert_eq!(of("-1/2").to_digits(20), of("0").to_digits(20));

@@ -9,7 +9,6 @@ use kahan_systems::{E4, E6};
 
 use crate::solutions::exact_orbits::{Point, Rational, cases, rational};
 
-/// a + b√3.
 #[derive(Clone, Debug, PartialEq)]
 struct RootThree {
     a: Rational,

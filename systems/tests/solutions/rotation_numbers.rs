@@ -10,7 +10,7 @@ use kahan_systems::{E4, EulerTop, e4, euler};
 const STEPS: u64 = 100_000;
 const EPS: f64 = 0.0625;
 
-/// Returns each variable's extremes, its turns per step, and their estimated error.
+/// Returns each variable's extremes, its rotations per step, and their estimated error.
 fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<f64>, f64, f64); 3] {
     let orbit = || map.orbit(start, EPS).compensated();
     let velocity = |x: &[f64]| map.field(&vector![x[0], x[1], x[2]]);
@@ -23,7 +23,7 @@ fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<
     std::array::from_fn(|i| (extremes[i][0], turns[i].value, turns[i].error))
 }
 
-/// Returns δ/2K, given at least a hundred turns and a modulus of at most 0.99.
+/// Returns δ/2K, if the orbit has at least a hundred rotations and a modulus of at most 0.99.
 fn half_turn(solution: &e4::Solution<Precise>) -> Option<f64> {
     let quarter = solution.modulus.quarter_period();
     let turns = (solution.delta / (quarter + quarter)).to_f64().abs();
@@ -35,13 +35,12 @@ fn precise(x: SVector<f64, 3>) -> SVector<Precise, 3> {
     x.map(Precise::from)
 }
 
-/// Returns the distance modulo 1 and sign.
+/// Returns the distance of two rotation numbers modulo 1 and up to sign.
 fn distance(a: f64, b: f64) -> f64 {
     let apart = |d: f64| (d - d.round()).abs();
     apart(a - b).min(apart(a + b))
 }
 
-/// Returns initial points all over the sphere, in the order of a lattice.
 fn starts(count: usize) -> impl Iterator<Item = SVector<f64, 3>> {
     (0..count).map(move |i| {
         let (height, angle) = (1.8 * (i as f64 + 0.5) / count as f64 - 0.9, 2.4 * i as f64);
@@ -75,7 +74,8 @@ fn variables_of_e4_turn_as_their_elliptic_functions() {
     for start in starts(10) {
         let solution = e4::Solution::through(&precise(start), &Precise::from(EPS)).expect("no fixed point");
         let Some(turns) = half_turn(&solution) else { continue };
-        // x and y are half the sum and half the difference of two elliptic functions, z is one.
+        // x and y are half the sum and difference of two elliptic functions, z is one elliptic
+        // function.
         for (_, found, error) in observed(&E4, start) {
             assert!(distance(found, turns) < 1e-12, "{start} {found} {turns} {error}");
             compared += 1;

@@ -1,4 +1,4 @@
-//! Identities for all arguments, between values computed in different ways.
+//! Identities between values computed in different ways.
 
 use kahan_core::num_traits::One;
 use kahan_systems::special::{
@@ -59,7 +59,7 @@ fn the_ratio_is_the_quotient_of_gammas() {
 
 #[test]
 fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours() {
-    // For integer 2σ the polynomial is used, next to it the series; both must agree.
+    // For integer 2σ the polynomial is used, otherwise the series; both must agree at nearby σ.
     let small = number("1e-40");
     for w in ARGUMENTS.map(number) {
         for two_sigma in [-3, -2, -1, 1, 2, 3, 4] {

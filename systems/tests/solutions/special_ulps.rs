@@ -1,4 +1,4 @@
-//! The documented error bounds in `f64`, measured against 256 bits at seeded random arguments.
+//! The documented `f64` error bounds, measured against 256 bits at seeded random arguments.
 
 use kahan_systems::special::{
     Jacobi, Modulus, Precise, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
@@ -9,7 +9,6 @@ use crate::solutions::measure::ulps_above;
 
 const SAMPLES: usize = 400;
 
-/// Uniform numbers from a generator with a fixed seed (xorshift).
 struct Random(u64);
 
 impl Random {
@@ -75,7 +74,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
             |(w, s)| centered_gamma_ratio(&p(w), &p(s)),
         );
     }
-    // The difference has zeros and poles for |w| ≤ |σ|, so only larger w are drawn.
+    // The difference has zeros and poles for |w| ≤ |σ|, so larger w are drawn.
     assert_bounded(
         "the difference of digammas",
         16.0,
@@ -86,7 +85,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
     );
 }
 
-/// Draws a modulus from [0, 1), uniformly or crowded towards 1.
+/// Draws a modulus from [0, 1), uniformly or close to 1.
 fn modulus(random: &mut Random, near_one: bool) -> f64 {
     if near_one { 1.0 - 10.0_f64.powf(random.between(-15.0, -1.0)) } else { random.between(0.0, 0.999) }
 }

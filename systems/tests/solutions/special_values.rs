@@ -145,7 +145,7 @@ fn theta_functions() {
 fn check_theta(z: &str, q: &str, expected: [&str; 4]) {
     let value = theta(&number(z), &number(q));
     for (value, expected) in [value.one, value.two, value.three, value.four].iter().zip(expected) {
-        // Near a zero of theta the digits are relative to the series' terms, of size 1.
+        // Near a zero of a theta function, digits are relative to the series' terms, of size 1.
         let error = (*value - number(expected)).abs();
         assert!(error < Precise::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
     }

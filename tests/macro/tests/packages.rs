@@ -2,9 +2,9 @@
 //!
 //! 1. Pack every published crate and unpack it into a temporary folder.
 //! 2. Check its licences and its README.
-//! 3. A crate that depends on `kahan-core` of the registry gets these folders instead, and runs the
+//! 3. A crate that depends on `kahan-core` of the registry gets these folders instead. It runs the
 //!    example of the packed README.
-//! 4. No file of the repository is read.
+//! 4. Check that cargo read no file of the repository.
 //!
 //! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this; usual test runs skip
 //! it, because it compiles everything again. `cargo package --workspace` checks that every crate
@@ -14,7 +14,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, process};
 
-/// The unpublished members.
 const UNPUBLISHED: [&str; 6] = [
     "kahan-core-tests",
     "kahan-macro-tests",
@@ -52,7 +51,6 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     entries.map(|entry| entry.expect("a readable folder").path()).collect()
 }
 
-/// Packs every published crate of the workspace and unpacks it into `folder`.
 fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     let target = folder.join("packing");
     run(Command::new(env!("CARGO"))
@@ -70,7 +68,6 @@ fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     entries(&crates)
 }
 
-/// Returns the first Rust block of a README.
 fn example(readme: &str) -> &str {
     let (_, block) = readme.split_once("```rust\n").expect("an example");
     block.split_once("```").expect("its end").0
@@ -99,7 +96,7 @@ fn a_program_needs_nothing_but_the_packages() {
         if name == "kahan-core" {
             program = Some(read(&path.join("README.md")));
         }
-        // Cargo warns about unused patches.
+        // Patch only used packages, since cargo warns about others.
         if OF_THE_CORE.contains(&name) {
             manifest += &format!("{name} = {{ path = {path:?} }}\n");
         }
@@ -118,7 +115,7 @@ fn a_program_needs_nothing_but_the_packages() {
         .env("CARGO_TARGET_DIR", user.join("target"))
         .env_remove("RUSTFLAGS"));
 
-    // Cargo lists every file read for the program.
+    // The list of all files that cargo read for the program.
     let files = read(&user.join("target/debug/user.d"));
     let ours = workspace.to_str().expect("a path in UTF-8");
     assert!(files.contains("kahan-core"), "{files}");

@@ -1,7 +1,8 @@
-//! User crates with kahan-core as their only dependency, built by cargo:
-//! `cargo test -p kahan-macro-tests -- --ignored`, which packs the crates, too. They share the
-//! target folder of the compile-error cases, so dependencies are compiled once. Clippy runs on them
-//! in `.ci/run`, because it checks every dependency again.
+//! User crates with kahan-core as their only dependency, built by cargo.
+//!
+//! `cargo test -p kahan-macro-tests -- --ignored` runs this, and packs the crates, too. The user
+//! crates share the target folder of the compile-error cases, so dependencies are compiled once.
+//! Clippy checks them in `.ci/run`, because it checks every dependency again.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -15,11 +16,10 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/user_crates")
 }
 
-/// Runs cargo on the user crates and returns its standard output.
 fn cargo(arguments: &[&str]) -> String {
     // The tests' temporary folder is `tmp` in the target folder.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("tests").join("trybuild");
-    // Copied once, so that no cargo reads an incomplete file.
+    // Copy the lock file once, so that no cargo process reads an incomplete file.
     static LOCK_FILE: Once = Once::new();
     LOCK_FILE.call_once(|| {
         let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.lock");
@@ -28,8 +28,8 @@ fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .args(["--offline", "--config", FLAGS])
         .args(arguments)
-        // Names the target as trybuild does. Otherwise cargo compiles all dependencies again,
-        // because those of the macro then get equal flags.
+        // Name the target as trybuild does. Otherwise cargo compiles all dependencies again,
+        // because those of the macro then get the same flags.
         .args(["--target", "host-tuple"])
         .current_dir(folder())
         .env("CARGO_TARGET_DIR", target)
@@ -42,7 +42,6 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-// One test, because cargo would serialise several anyway.
 #[test]
 #[ignore = "compiles kahan-core once more; .ci/run runs it"]
 fn crates_of_users_run() {

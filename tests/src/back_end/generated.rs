@@ -1,5 +1,5 @@
-//! The macro's code over exact numbers. Asserts that all ways to take a step agree: `step`,
-//! `try_step` and `at(ε)`, with a panic of `step` exactly at poles.
+//! The macro's code over exact numbers. All ways to take a step are asserted to agree: `step`,
+//! `try_step` and `at(ε)`; `step` must panic exactly at poles.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -18,7 +18,6 @@ pub struct Generated {
     claims: Option<Box<dyn Claims>>,
 }
 
-/// The claims of a generated type, by its accessors.
 trait Claims {
     fn integrals(&self, x: &[Q], eps: Q) -> Vector;
     fn density(&self, x: &[Q], eps: Q) -> Option<Q>;
@@ -52,7 +51,7 @@ impl<M, const N: usize> Claims for Accessors<M, N> {
     }
 }
 
-/// Default accessors; inherent methods take precedence over these trait methods.
+/// Default accessors; a type's inherent methods take precedence over these trait methods.
 #[allow(non_snake_case)]
 trait Unclaimed<const N: usize> {
     fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {
@@ -109,7 +108,7 @@ macro_rules! generated_catalog {
 
 with_catalog!(generated_catalog);
 
-/// Returns a call's value, or `None` if it panics, as exact scalars do without a value.
+/// Returns a call's value; `None` if it panics, as exact scalars do if a value is undefined.
 fn value_of<R>(call: impl FnOnce() -> R) -> Option<R> {
     catch_unwind(AssertUnwindSafe(call)).ok()
 }
@@ -121,7 +120,6 @@ impl Generated {
         Self { name, map, claims: None }
     }
 
-    /// Evaluates a claim; `None` without a claim or a value.
     fn claimed<R>(&self, value: impl FnOnce(&dyn Claims) -> Option<R>) -> Option<R> {
         let claims = self.claims.as_deref()?;
         value_of(|| value(claims)).flatten()

@@ -17,7 +17,7 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, product, q};
 use crate::expression::evaluate;
 
-/// A system as read by the front end, with lazily derived objects.
+/// A system as read by the front end, with derived objects computed on demand.
 #[derive(Debug)]
 pub struct Read {
     /// The system.
@@ -25,13 +25,10 @@ pub struct Read {
     derived: OnceLock<Derived>,
 }
 
-/// The derived objects of a system.
 #[derive(Debug)]
 struct Derived {
     interpreter: Interpreter,
-    /// All plans, computed on demand.
     plans: OnceLock<kahan_algebra::Derived>,
-    /// N and D as polynomials, if within the budget.
     map: Option<RationalMap>,
 }
 
@@ -51,8 +48,8 @@ impl Read {
     }
 }
 
-/// The interpreter at parameter values. Results are cached, because the interpreter evaluates all
-/// objects at once. Objects free of ε are evaluated at ε = 0, where the others are cheap.
+/// The interpreter at parameter values. It evaluates all objects at once, so results are cached.
+/// Objects free of ε are evaluated at ε = 0, where all other objects are cheap.
 #[derive(Debug)]
 pub struct Interpreted {
     system: &'static System,
@@ -95,7 +92,6 @@ impl Interpreted {
         Point { state: inward(x), parameters: self.parameters.clone(), eps: eps.clone().into() }
     }
 
-    /// Returns the values of all variables: states, parameters, ε.
     fn values(&self, x: &[Q], eps: &Q) -> Vector {
         x.iter().cloned().chain(outward(&self.parameters)).chain([eps.clone()]).collect()
     }
@@ -166,7 +162,7 @@ impl BackEnd for Interpreted {
         self.at(x, eps).jacobian.as_deref().map(outward_rows)
     }
 
-    /// Uses the plan of generated code, or else the Jacobian.
+    /// Uses the tangent plan of generated code if there is one, otherwise the Jacobian.
     fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
         let plans = self.derived.plans.get_or_init(|| derive(self.system));
         let Some((_, plan)) = plans.carry() else {
@@ -190,7 +186,8 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// Evaluates the expanded polynomials N̂, D̂ and ∏q, or beyond the budget the definition.
+    /// Evaluates the expanded polynomials N̂, D̂ and ∏q; beyond the budget of terms, the
+    /// definition.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
         let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);

@@ -1,10 +1,11 @@
-//! Running bounds on the rounding errors of a plan. Takes a plan, inputs exact in the float type,
-//! and the unit roundoff u; returns the exact value and an error bound for each result. An
-//! operation returns fl(z) = z(1 + δ) with |δ| ≤ u. For operands â = a + α, b̂ = b + β with |α| ≤
-//! e_a, |β| ≤ e_b its error is at most e + u(|result| + e), where e is the operands' contribution
-//! (Higham, Accuracy and Stability of Numerical Algorithms, §3.3, with exact instead of computed
-//! values). The plan may be any, and sums may cancel. A multiply-add counts as two roundings, so
-//! the bound holds with and without fusing.
+//! Running bounds on the rounding errors of a plan.
+//!
+//! A plan, inputs exact in the float type, and the unit roundoff u come in; the exact value and an
+//! error bound for each result go out. An operation returns fl(z) = z(1 + δ) with |δ| ≤ u. For
+//! operands â = a + α, b̂ = b + β with |α| ≤ e_a, |β| ≤ e_b its error is at most e + u(|result| +
+//! e), where e is the error propagated from the operands (Higham, Accuracy and Stability of
+//! Numerical Algorithms, §3.3, with exact instead of computed values). Sums may cancel. A
+//! multiply-add counts as two roundings, so the bound holds with and without fusing.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
@@ -13,22 +14,17 @@ use kahan_algebra::rational::Rational;
 /// Integers up to this size are exact in `f32` and in `f64`.
 const EXACT: i64 = 1 << 24;
 
-/// A number and its approximation by a float.
 #[derive(Clone, Debug)]
 pub(super) struct Rounded {
-    /// The exact value.
     pub(super) exact: Rational,
-    /// A bound on the error of the float.
     pub(super) error: f64,
 }
 
 impl Rounded {
-    /// |exact|
     pub(super) fn size(&self) -> f64 {
         self.exact.to_f64().abs()
     }
 
-    /// Adds one rounding.
     pub(super) fn rounded(self, unit: f64) -> Self {
         let error = self.error + unit * (self.size() + self.error);
         Self { error, ..self }

@@ -1,4 +1,4 @@
-//! Blocks printed by `discover` compile unchanged. Each file in `discovered/` holds equations with
+//! Blocks printed by `discover` compile unchanged. Each file in `discovered/` holds equations and
 //! the claims found for them, which the macro proves. The library must find exactly these claims
 //! from the equations.
 
@@ -20,7 +20,6 @@ mod toda;
 mod triangular;
 mod volterra;
 
-/// Splits a file into its claims and its block without them.
 fn parts(file: &str) -> (Vec<&str>, String) {
     let block = &file[block_range(file).expect("a block begins a line")];
     let is_claim =
@@ -32,12 +31,12 @@ fn parts(file: &str) -> (Vec<&str>, String) {
     )
 }
 
-/// Compares the claims found for a file with its text. `map` is the compiled file.
+/// Compares the claims found for a file with its text; `map` is the type compiled from the file.
 fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
     let system = read(&lexer::lex(&equations).tokens).system().expect("a system");
     assert_eq!(system.field.symbols.states, map.variables());
-    // A fixed degree and no clock, so that slow machines find the same claims.
+    // Fixes the degree and uses no clock, so that slow machines find the same claims.
     let degree = Some(default_degree(map.variables().len()));
     let options = Options { eps, degree, iterates: 6, iterate_degree: 50, ..Options::default() };
     let report = discover(&system, &options, &Unwatched).expect("there is a map");

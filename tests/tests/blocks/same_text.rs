@@ -1,6 +1,6 @@
-//! Mistakes have equal texts and places in rustc's output and in the command's. The blocks of the
-//! compile-error cases go through the front end as text, as `kahan show --field` reads them; rustc
-//! must print exactly the mistakes found.
+//! Checks that rustc and the command report mistakes with equal texts at equal places. The blocks
+//! of the compile-error cases are read as text, as by `kahan show --field`; rustc's output must
+//! contain exactly the same mistakes.
 
 mod cases;
 
@@ -12,8 +12,8 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// Returns the tokens that rustc passes to the macro. Texts read `**` as a power and `.5` as a
-/// number; rustc passes two stars, and a point with a number.
+/// Returns the tokens that rustc passes to the macro. They differ from those of a text, in which
+/// `**` is a power and `.5` a number: rustc passes two stars, and a point with a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
     let split = |(token, range): (Token, Range<usize>)| {
@@ -29,7 +29,7 @@ fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     tokens.into_iter().zip(ranges).flat_map(split).collect()
 }
 
-/// Returns `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
+/// Returns for each mistake `<line>:<column>` as rustc prints it, and the lines of the message.
 fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     let mut mistakes = Vec::new();
     for block in &case.blocks {
@@ -51,7 +51,7 @@ fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     mistakes
 }
 
-/// Returns all cases except lifted blocks, which are read differently.
+/// Returns all cases except lifted blocks, which are parsed differently.
 fn ordinary_cases() -> impl Iterator<Item = CompileCase> {
     compile_cases().into_iter().filter(|case| !case.name.starts_with("lifts/"))
 }

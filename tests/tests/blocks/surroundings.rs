@@ -1,6 +1,6 @@
-//! Blocks in hostile surroundings: a valid block compiles without warnings and keeps its meaning,
-//! whatever names are in scope. Over ℚ the step must satisfy the defining equation of Kahan's map,
-//! and integrals keep their values. `user_crate.rs` covers other editions, `no_std` and renamed
+//! Blocks in hostile surroundings: a valid block compiles without warnings and keeps its meaning
+//! with any names in scope. Over ℚ the step must satisfy the defining equation of Kahan's map, and
+//! integrals keep their values. `user_crate.rs` covers other editions, `no_std` and renamed
 //! dependencies.
 
 #![deny(warnings, missing_docs, unused, clippy::pedantic)]
@@ -21,7 +21,7 @@ fn ratio(p: i64, q: i64) -> BigRational {
     BigRational::new(p.into(), q.into())
 }
 
-/// Asserts that a step satisfies (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, and returns x and x̃.
+/// Asserts that a step satisfies (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c; returns x and x̃.
 fn assert_kahan<M, const N: usize>(map: &M) -> (SVector<BigRational, N>, SVector<BigRational, N>)
 where
     M: KahanMap<BigRational, N>,
@@ -38,13 +38,11 @@ where
     (x, next)
 }
 
-/// A determinant independent of the crate under test.
 trait DeterminantByRows {
     fn determinant_by_rows(&self) -> BigRational;
 }
 
 impl<const N: usize> DeterminantByRows for SMatrix<BigRational, N, N> {
-    /// Laplace's expansion along the rows.
     fn determinant_by_rows(&self) -> BigRational {
         fn minor<const N: usize>(
             matrix: &SMatrix<BigRational, N, N>,

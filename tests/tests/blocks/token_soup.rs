@@ -23,7 +23,6 @@ fn config(cases: u32) -> Config {
     }
 }
 
-/// Reads `text` as a block, a formula and a list of formulas, and renders all mistakes.
 fn read_text(text: &str) -> Checked {
     let lexed = lex(text);
     let reading = read(&lexed.tokens);
@@ -35,7 +34,7 @@ fn read_text(text: &str) -> Checked {
     reading
 }
 
-/// Words of the language, and similar ones.
+/// Tokens of the language, and similar ones.
 const WORDS: [&str; 68] = [
     "xdot",
     "ydot",
@@ -165,7 +164,6 @@ proptest! {
     }
 }
 
-/// Returns `count` texts, joined.
 fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }
@@ -191,7 +189,6 @@ fn large() -> impl Strategy<Value = String> {
         })
 }
 
-/// Generates families of every reach, with claims.
 fn far() -> impl Strategy<Value = String> {
     let reach = proptest::sample::select(&[1_usize, 2, 16, 63, 64, 65][..]);
     let boundary = proptest::sample::select(&["open", "periodic"][..]);
@@ -234,7 +231,6 @@ fn the_blocks_that_are_mutated_are_valid() {
     }
 }
 
-/// Returns the only mistake of `text`.
 fn only_mistake(text: &str) -> Kind {
     let reading = read_text(text);
     let diagnostics = reading.diagnostics();
@@ -266,7 +262,6 @@ fn deep_nesting_is_refused_before_it_overflows_the_stack() {
     assert!(read_text(&allowed).diagnostics().is_empty());
 }
 
-/// Returns 20 000 distinct products of states and powers of a parameter.
 fn long_sum() -> String {
     let states: Vec<String> = (0..40).map(|i| format!("x{i}")).collect();
     let terms = (0..20_000).map(|k| {
@@ -281,8 +276,7 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     let others: String = (1..40).map(|i| format!("x{i}dot = 0;")).collect();
     let reading = read_text(&format!("x0dot = {}; {others}", long_sum()));
     assert!(reading.diagnostics().is_empty());
-    // xᵢxⱼ and xⱼxᵢ are one product, so each round of 1600 terms has 820 of them for a power of
-    // `a`.
+    // xᵢxⱼ and xⱼxᵢ are one product, so for each power of `a` the 1600 terms are 820 products.
     let terms = reading.system().expect("a system").field.components[0].numerator().len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
 }

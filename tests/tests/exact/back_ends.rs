@@ -1,5 +1,5 @@
-//! Interpreter against generated code, for the catalog and random fields of dimensions 1 to 6: all
-//! objects are equal over ℚ. The tree from which a random field was written is an independent
+//! Compares the interpreter with generated code, for the catalog and random fields of dimensions 1
+//! to 6: all objects are equal over ℚ. The expression tree of each random field is an independent
 //! reference.
 
 use kahan_tests::back_end::BackEnd;

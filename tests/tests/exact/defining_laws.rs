@@ -1,6 +1,6 @@
 //! The laws of Kahan's map over ℚ, for the catalog and random fields, in both back ends, at seeded
-//! points. References use only f, whose differences are exact for quadratic f, so a wrong bilinear
-//! form is compared with an independent one.
+//! points. References use only values of f, whose differences are exact for quadratic f. A wrong
+//! bilinear form is therefore compared with an independent one.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{

@@ -6,7 +6,6 @@ use kahan_core::prelude::BigRational;
 use kahan_tests::exact::q;
 use kahan_tests::subject::on_every_subject;
 
-/// Returns all vectors with entries 0 and 1.
 fn grid(dimension: usize) -> Vec<Vec<BigRational>> {
     let entries = [q(0, 1), q(1, 1)];
     (0..dimension).fold(vec![Vec::new()], |points, _| {

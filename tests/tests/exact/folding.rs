@@ -1,4 +1,4 @@
-//! A `const` parameter is substituted before reduction, which gives the special system's plan.
+//! A `const` parameter is substituted before reduction, so the plan is that of the special system.
 
 use kahan_algebra::plan::{Operation, Plan, StepPlan};
 use kahan_tests::expression::read_unproved;

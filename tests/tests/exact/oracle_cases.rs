@@ -1,6 +1,6 @@
-//! The oracle's cases over ℚ, in both back ends. Values that the oracle omits (`null`) must be
-//! missing here, too: the accessor of an exact scalar panics, the interpreter returns `None`. The
-//! catalog's bracket Q is Q(ε)/c, so c times it equals the oracle's Q.
+//! The reference cases over ℚ, in both back ends. If the file omits a value (`null`), the value
+//! must be undefined here, too: the accessor of an exact scalar panics, the interpreter returns
+//! `None`. The catalog's bracket Q is Q(ε)/c, so c times it equals Q of the file.
 
 use std::cell::Cell;
 
@@ -9,7 +9,7 @@ use kahan_tests::exact::{Matrix, Q, Vector, q, scaled, shown};
 use kahan_tests::oracle::{Entry, SYSTEMS, file};
 use kahan_tests::subject::{Subject, catalog};
 
-/// Calls a check on every case in both back ends, and returns the number of calls.
+/// Checks every case in both back ends; returns the number of checks.
 fn on_every_case(check: impl Fn(&str, Entry<'_>, &dyn BackEnd, &[Q], &Q)) -> usize {
     on_every_entry("cases", |name, case, subject| {
         let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
@@ -79,7 +79,7 @@ fn the_integrals_are_the_oracle_s() {
     let mut compared = 0;
     for name in ["euler", "e1", "e2", "e3", "e4", "e5", "e6"] {
         for case in file(name).entries("cases") {
-            // The paper states no integrals for the top's map.
+            // The paper states no integrals for the map of the Euler top.
             let expected: Option<Vector> = if case.mentions("extra_integrals") {
                 case.vector("extra_integrals")
             } else {
@@ -152,12 +152,11 @@ fn the_brackets_are_the_oracle_s() {
     assert_eq!(compared, [84, 70], "cases with values");
 }
 
-/// Returns the entries above the diagonal by rows, as a claim's plan does.
 fn upper(matrix: &Matrix) -> Vector {
     (0..matrix.len()).flat_map(|i| matrix[i][i + 1..].to_vec()).collect()
 }
 
-/// Compares `factor` times a conditional claim with the oracle's entry.
+/// Compares `factor` times a conditional claim with the entry of the file.
 fn compare_claim(subject: &Subject, claim: &str, factor: &Q, case: Entry<'_>, key: &str) -> usize {
     let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
     let Some(expected) = case.scalar(key).map(|value| vec![value]) else { return 0 };
@@ -189,8 +188,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// A claim of the catalog is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), u = 1/(2εx), times a power of 2ε: each
-/// unit of ξ − 1 gives a factor u, which leaves (2ε)^(1−ξ).
+/// A claim of the catalog is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), u = 1/(2εx), times a power of 2ε. Each
+/// unit of ξ − 1 gives a factor u, so the power is (2ε)^(1−ξ).
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;
@@ -261,7 +260,7 @@ fn where_the_oracle_s_determinant_is_zero_every_way_to_step_says_pole() {
             assert_eq!(Some(back_end.matrix(&x, &eps)), point.matrix("A"));
             assert_eq!(Some(back_end.rhs(&x, &eps)), point.vector("b"));
             assert_eq!(back_end.det_matrix(&x, &eps), q(0, 1));
-            // No point is a removable pole. Generated code also checks that `step` panics.
+            // The point is no removable pole. Generated code also checks that `step` panics.
             assert_eq!(back_end.step(&x, &eps), None);
             assert_eq!(back_end.jacobian(&x, &eps), None);
             assert_eq!(back_end.det_jacobian(&x, &eps), None);

@@ -1,7 +1,7 @@
-//! Formulas of Sections 1 to 5: matrices, determinants, difference equations, poles and reductions,
-//! as stated by the paper's claims. Matrices and determinants are compared as polynomials with
-//! those derived from the field, and as numbers with both back ends; the others over ℚ in both back
-//! ends.
+//! Formulas of Sections 1 to 5 as the paper states them: matrices, determinants, difference
+//! equations, poles and reductions. Matrices and determinants are compared as polynomials with
+//! those derived from the field, and as numbers with both back ends; all other formulas over ℚ in
+//! both back ends.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -12,7 +12,6 @@ use kahan_tests::exact::{Q, Rationals, numbers, q, shown};
 use kahan_tests::expression::{Expression, evaluate};
 use kahan_tests::subject::{Subject, catalog, paper};
 
-/// The statements of the paper's claims by identifier.
 static STATEMENTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
     let paper = Paper::new();
     paper.claims().iter().map(|claim| (claim.id.to_string(), claim.statement.clone())).collect()
@@ -40,7 +39,6 @@ fn type_name(command: &str) -> &'static str {
     kahan_systems::registry::find(command).expect("a system").type_name
 }
 
-/// Reads a formula in the system's states and parameters.
 fn formula(subject: &Subject, text: &str) -> Expression {
     let symbols = &subject.system.field.symbols;
     let names: Vec<&str> = symbols.states.iter().chain(&symbols.parameters).map(String::as_str).collect();
@@ -100,7 +98,7 @@ fn the_difference_equations_hold_along_the_step() {
         let subject = named(name);
         let symbols = &subject.system.field.symbols;
         let n = subject.dimension();
-        // Capitals are the next state.
+        // Capital letters stand for the next state.
         let capitals: Vec<String> = symbols.states.iter().map(|state| state.to_uppercase()).collect();
         let names = symbols.states.iter().chain(&capitals).chain(&symbols.parameters);
         let names: Vec<&str> = names.map(String::as_str).collect();
@@ -175,8 +173,8 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
                 let (right, left) = (right.expect("beside the pole"), left.expect("beside the pole"));
                 for i in 0..3 {
                     let slope = (&right[i] - &left[i]) / (q(2, 1) * &small);
-                    // The central difference errs by small²/6 times a third derivative, up to 6·10⁶
-                    // here.
+                    // The central difference has an error of small²/6 times a third derivative,
+                    // which is at most 6·10⁶.
                     let error = slope - &jacobian[i][j];
                     assert!(error < small && -error < small, "{}: entry ({i},{j})", back_end.label());
                 }
@@ -187,7 +185,7 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
 
 #[test]
 fn e3_steps_where_e9_at_one_has_a_pole() {
-    // Maps are reduced before parameters get values, so E9 keeps the factor 1 + εz that E3 cancels.
+    // Maps are reduced for generic parameters, so E9 keeps the factor 1 + εz that E3 cancels.
     let (x, eps) = (numbers("3/2, 1, -2"), q(1, 2));
     for back_end in catalog("e9", &[q(1, 1)]).back_ends() {
         assert_eq!(back_end.step(&x, &eps), None, "{}", back_end.label());
@@ -250,7 +248,7 @@ fn lotka_volterra_at_eps_one_is_the_recurrence_of_section_1() {
     for _ in 0..5 {
         let x = rationals.point(2);
         for back_end in subject.back_ends() {
-            // ỹ = x, so (x_{n+1}, x_n) follows (x_n, x_{n−1}), with x_{n+1} x_{n−1} = x_n (2 −
+            // ỹ = x, so (x_n, x_{n−1}) becomes (x_{n+1}, x_n), with x_{n+1} x_{n−1} = x_n (2 −
             // x_n).
             let Some(next) = back_end.step(&x, &q(1, 1)) else { continue };
             assert_eq!(next[1], x[0], "{}", back_end.label());

@@ -1,4 +1,5 @@
-//! n steps forward and back return to the start: exactly over ℚ, in floats within `Orbit`'s bound.
+//! n steps forward and back return to the start: exactly over ℚ, in floats within the bound of
+//! `Orbit`.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E3, E6, EulerTop, LotkaVolterra};
@@ -23,7 +24,6 @@ fn there_and_back_is_the_start_over_the_rationals() {
     comes_home_exactly(&top, vector![q(3, 7), q(-2, 5), q(1, 3)], eps);
 }
 
-/// Returns ‖A‖ in the maximum norm, the largest row sum of absolute values.
 fn norm<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
     (0..N).map(|i| (0..N).map(|j| matrix[(i, j)].abs()).sum()).fold(0.0, f64::max)
 }
@@ -60,9 +60,9 @@ fn comes_home<M: KahanMap<f64, N>, const N: usize>(name: &str, map: &M, start: [
     measured[2]
 }
 
-/// The bound is useful on periodic orbits, too. A step's rounding is about 20 times less than 16u,
-/// and 4000 roundings of random sign grow like the square root of their number. So about a
-/// thousandth of the bound is reached.
+/// The bound is useful on periodic orbits, too. A step's rounding error is about 20 times smaller
+/// than 16u, and 4000 errors of random sign grow like the square root of their number. So the
+/// distance is about a thousandth of the bound.
 #[test]
 fn there_and_back_is_within_the_bound_in_floats() {
     comes_home("E1", &E1, [0.5, 1.0, 0.25]);

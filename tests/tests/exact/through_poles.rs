@@ -1,9 +1,9 @@
 //! Projective orbits agree with `kahan poles` and with limits of nearby orbits.
 //!
-//! 1. Take a rational point on each curve that a map sends to infinity or blows down.
+//! 1. Take a rational point on each curve that a map sends to infinity or contracts.
 //! 2. The projective orbit is at infinity exactly where the curve's image is.
 //! 3. Move the point by a tiny rational δ and compute the ordinary exact orbit. The simplest
-//!    rationals near its coordinates, or their quotients, are those of the projective orbit.
+//!    rationals near its coordinates, or near their quotients, are those of the projective orbit.
 //! 4. Over `f64`, the orbit from the rounded point agrees with the exact orbit from there.
 
 use kahan_algebra::prime_field::SplitMix64;
@@ -20,12 +20,12 @@ use kahan_tests::surface::moved_onto;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-/// The dimension; systems with fewer variables get constant ones.
+/// The dimension; systems with fewer variables get additional constant variables.
 const N: usize = 4;
 
 type Map = Interpreted<Q, N>;
 
-/// The steps computed for a curve that never recovers.
+/// The steps computed for a curve whose singularity is never confined.
 const STEPS: usize = 4;
 
 /// Returns the first convergent of a number's continued fraction within `distance` of it.
@@ -44,13 +44,12 @@ fn simplest_near(number: &Q, distance: &Q) -> Q {
     }
 }
 
-/// Returns the greatest number of bits of a numerator or denominator.
 fn bits(point: &ProjectivePoint<Q, N>) -> usize {
     let of = |x: &Q| x.numer().bits().max(x.denom().bits());
     point.coordinates().iter().map(of).max().unwrap_or(0) as usize
 }
 
-/// Returns the limit of the n-th points of moved orbits, if its numbers have at most `bits` bits,
+/// Returns the limit of the n-th points of moved orbits if its numbers have at most `bits` bits,
 /// and whether it is at infinity. A point at infinity is a direction whose largest coordinate is 1.
 fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SVector<Q, N>, bool) {
     let power = |k: usize| Q::new(BigInt::one(), BigInt::one() << k);
@@ -58,7 +57,6 @@ fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SV
     let directions = [q(3, 1), q(-7, 2), q(5, 3), q(1, 1)];
     let moved = SVector::from_fn(|i, _| &x[i] + &delta * &directions[i]);
     let there = map.orbit(moved, eps.clone()).nth(n).expect("no pole at a point that is moved");
-    // The constant coordinates are moved, too.
     let still = |i: usize| i >= map.variables().len();
     let largest = (0..N).filter(|i| !still(*i)).max_by_key(|&i| there[i].abs()).expect("a variable");
     let is_infinite = there[largest].abs() * &near > Q::one();
@@ -69,7 +67,6 @@ fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SV
     (SVector::from_fn(|i, _| limit(i)), is_infinite)
 }
 
-/// Returns a rational point on a curve.
 fn point_on(
     pattern: &Pattern,
     symbols: &kahan_algebra::symbols::Symbols,
@@ -111,7 +108,6 @@ fn follows(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     }
 }
 
-/// Follows every curve with rational points, and returns their number.
 fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     let names = subject.system.field.symbols.parameters.clone();
     let parameters: Vec<(String, Rational)> =
@@ -137,10 +133,9 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
 }
 
 /// The error bound of projective orbits over `f64`, relative to the largest coordinate: 2¹⁶ u, ten
-/// bits above the 64 u of an ordinary step.
+/// bits more than the 64 u of an ordinary step.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
-/// Compares the float orbit from the rounded point with the exact orbit from there.
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let exactly = |value: f64| Q::from_float(value).expect("finite");
     let floats: Interpreted<f64, N> = map.rounded();
@@ -162,7 +157,7 @@ fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: 
 #[test]
 fn an_orbit_through_poles_is_what_moved_orbits_tend_to() {
     let catalog = [paper(), further()].into_iter().flatten().filter(|subject| subject.dimension() <= 3);
-    // The exact orbits of random fields in space grow too fast.
+    // Numbers on exact orbits of random fields in three variables grow too fast.
     let random = random().into_iter().filter(|subject| subject.dimension() <= 2);
     let eps = Rational::new(1, 2);
     let followed: usize = catalog.chain(random).map(|subject| follow_all(&subject, &eps)).sum();

@@ -1,4 +1,5 @@
-//! Steps over floats allocate nothing. This program's allocator counts the allocations of a thread.
+//! Steps over floats allocate nothing. The allocator of this program counts the allocations of a
+//! thread.
 
 use allocation_counter::measure;
 use kahan_core::__private::{Boundary, Sizes, Stencil};
@@ -13,7 +14,6 @@ use kahan_tests::random_systems::Dense6;
 
 const STEPS: usize = 100;
 
-/// Counts allocations of all ways to take steps, at ordinary points.
 fn allocations<M, const N: usize>(map: &M, start: [f64; N], eps: f64) -> u64
 where
     M: ExtendScalars<f64, N>,
@@ -36,7 +36,7 @@ where
         assert!(both.is_some_and(|x| x.iter().chain(composed.iter()).all(|entry| entry.is_finite())));
         assert!(last == Some(x) && also == Some(x) && x == y && z == w);
         assert!(projective.and_then(ProjectivePoint::affine) == Some(x));
-        // The stable tier may round differently, so it is compared for one step only.
+        // `try_step` may round differently, so it is compared for a single step.
         let stable = map.try_step(&start, eps).unwrap_or(start);
         assert!(stable != start && (stable - map.step(&start, eps)).amax() <= 1e-13);
         assert!(z.iter().all(|entry| entry.is_finite()));
@@ -107,7 +107,6 @@ fn observing_an_orbit_allocates_nothing() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// Allocations at the beginning and end are independent of the number of steps.
 #[test]
 fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
     let map = E6.at(0.05);
@@ -175,7 +174,7 @@ fn chains_allocate_nothing_once_they_are_made() {
 }
 
 kahan! {
-    /// A ring whose band is as wide as chains of the tests get: 3·5 + 2 to either side.
+    /// A ring with the widest band of any chain in the tests: 3·5 + 2 on either side.
     struct Wide;
     for i in periodic {
         x[i]dot = x[i]*(x[i+1] - z[i-5]);
@@ -185,13 +184,11 @@ kahan! {
 }
 
 kahan! {
-    /// The narrowest ring.
     struct Narrow;
     for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }
 
 kahan! {
-    /// The narrowest open chain.
     struct Open;
     for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }

@@ -1,10 +1,10 @@
-//! Steps in double-double, rounded to `f64`, near true poles, compared with exact steps from equal
-//! inputs. Points and ε have all bits, and lie at a relative distance δ from a value of ε or of a
-//! coordinate where det A changes its sign and the map is unbounded. Components without
-//! cancellation have a relative error of a few dozen u²/δ; rounding to `f64` adds half an ulp.
-//! Together these are at most 0.5 + 1e-5 ulp down to δ = 1e-9, and 0.6 ulp at 1e-12. If x̃ᵢ = xᵢ +
-//! increment nearly cancels, the inputs' digits are used up, and the error is small only relative
-//! to ‖x̃‖; the last test shows such points.
+//! Steps in double-double, rounded to `f64`, near true poles, compared with exact steps.
+//!
+//! Points and ε have all bits, at a relative distance δ from a zero of det A along ε or a
+//! coordinate, where the map is unbounded. Components without cancellation have a relative error of
+//! a few dozen u²/δ; rounding to `f64` adds half an ulp. The sum is at most 0.5 + 1e-5 ulp down to
+//! δ = 1e-9, and 0.6 ulp at 1e-12. If x̃ᵢ = xᵢ + increment nearly cancels, the inputs have too few
+//! digits, and the error is small only relative to ‖x̃‖; the last test shows such points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Dd;
@@ -16,7 +16,6 @@ use kahan_tests::rounding::UNIT_F64;
 use kahan_tests::subject::{Subject, paper};
 use num_traits::{Signed, Zero};
 
-/// A state and an ε.
 #[derive(Clone, Debug)]
 struct Place {
     x: Vec<f64>,
@@ -24,7 +23,7 @@ struct Place {
 }
 
 impl Place {
-    /// Returns the i-th of the coordinates and ε.
+    /// Returns coordinate i, or ε after the last coordinate.
     fn number(&mut self, i: usize) -> &mut f64 {
         if i < self.x.len() { &mut self.x[i] } else { &mut self.eps }
     }
@@ -43,19 +42,17 @@ impl Place {
         subject.interpreted.step(&self.state(), &exact(self.eps))
     }
 
-    /// Steps in double-double and rounds.
     fn step(&self, map: &dyn Steps<Dd>) -> Vec<f64> {
         let x: Vec<Dd> = self.x.iter().copied().map(Dd::from).collect();
         map.step(&x, self.eps.into()).into_iter().map(f64::from).collect()
     }
 }
 
-/// Says whether det A > 0.
 fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
 
-/// Returns the double next to a zero of det A along the i-th number, by bisection with exact signs.
+/// Returns the double next to a zero of det A along number i, by bisection with exact signs.
 fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut high: f64) -> Option<f64> {
     let sign_at = |value: f64| is_positive(subject, &place.with(i, value));
     let sign = sign_at(low);
@@ -85,18 +82,17 @@ fn size(next: &Vector) -> f64 {
     next.iter().map(|entry| float(&entry.abs())).fold(0.0, f64::max)
 }
 
-/// The largest errors near the poles of a system, in ulps.
 #[derive(Default)]
 struct Worst {
     poles: usize,
     down_to_1e_9: f64,
     at_1e_12: f64,
-    /// The largest error of plain `f64` steps at these places.
+    /// The largest error of plain `f64` steps at these points.
     plain: f64,
 }
 
 impl Worst {
-    /// Steps near the pole at a value of the i-th number, unless reduction removes the pole.
+    /// Takes steps near the pole at a value of number i, unless reduction removes the pole.
     fn look(
         &mut self,
         subject: &Subject,
@@ -141,7 +137,8 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
                 break;
             }
             let numbers = subject.dimension() + 1;
-            // Coordinates of different sizes: E3 has no pole if x and y are large compared with z.
+            // Coordinates of different sizes would avoid poles: E3 has none if x and y are large
+            // compared with z.
             let x = (1..numbers)
                 .map(|_| 2.0_f64.powi(2 - draws.below(4) as i32) * signed_unit(&mut draws))
                 .collect();
@@ -155,16 +152,16 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
         let Worst { poles, down_to_1e_9, at_1e_12, plain } = worst;
         eprintln!("{}: {poles} poles, {down_to_1e_9:.9}, {at_1e_12:.6}, in f64 {plain:.1e}", subject.name);
         assert!(poles >= POLES, "{}: {poles} poles are too few", subject.name);
-        // The places are hard and the bound is sharp: nearly half an ulp is reached.
+        // The points are hard, and the bound is nearly attained.
         assert!(plain > 1e9 && down_to_1e_9 > 0.45, "{}: {plain:e}, {down_to_1e_9}", subject.name);
     }
 }
 
 /// Steps onto a coordinate plane: starting from the rounded preimage of a point with x̃ᵢ = 0, x̃ᵢ
-/// is as small as the inputs' rounding errors.
+/// is as small as the rounding errors of the inputs.
 #[test]
 fn a_component_that_cancels_is_exact_against_the_others() {
-    /// The error of a component beyond half an ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
+    /// The bound on a component's error beyond half an ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
     const BOUND: f64 = 8.0;
     let (mut worst, mut worst_in_ulps, mut shown) = (0.0_f64, 0.0_f64, String::new());
     for (index, (subject, map)) in paper().iter().zip(steps::<Dd>()).enumerate() {
@@ -182,7 +179,7 @@ fn a_component_that_cancels_is_exact_against_the_others() {
             let Some(next) = place.exact_step(subject) else { continue };
             judged += 1;
             if next[i].is_zero() {
-                // The plane is invariant or the preimage has few bits, so nothing is lost.
+                // Nothing is lost if the plane is invariant or the preimage has few bits.
                 assert_eq!(place.step(map.as_ref())[i], 0.0);
                 continue;
             }

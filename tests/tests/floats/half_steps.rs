@@ -1,7 +1,7 @@
 //! Steps for every size of ε. Steps divided by the time step use another form for zero, tiny and
-//! huge ε; at the borders between the forms and far beyond, steps must stay accurate. For ε‖f′‖ ≪ u
+//! huge ε. Steps must be accurate at the borders between the forms and far beyond. For ε‖f′‖ ≪ u
 //! the error is at most ½ ulp from rounding x + increment, plus the effect of an increment far
-//! below the last digit. For large ε it is at most the stable tier's 64 u of ‖exact‖∞.
+//! below the last digit. For large ε it is at most the 64 u of ‖exact‖∞ that `try_step` promises.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_tests::back_end::BackEnd;
@@ -22,7 +22,6 @@ fn systems() -> Vec<(Subject, Map<f64>, Map<f32>)> {
         .collect()
 }
 
-/// Draws coordinates in ±[1/4, 1] with few bits, exact in `f32`.
 fn point(draws: &mut SplitMix64, n: usize) -> Vec<f32> {
     let coordinate = |draws: &mut SplitMix64| {
         let size = 0.25 + 0.75 * draws.below(1 << 10) as f32 / 1024.0;
@@ -51,7 +50,7 @@ fn at_zero_every_map_is_the_identity() {
     }
 }
 
-/// Up to just above the border the increment is far below the last digit: the step returns x.
+/// Just above the lower border the increment is far below the last digit: the step returns x.
 #[test]
 fn a_tiny_half_step_moves_nothing() {
     let mut draws = SplitMix64::new(72);
@@ -74,7 +73,7 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// Increments reach the last digits at the border of `f32`; both forms err by at most one ulp.
+/// At the border of `f32` increments reach the last digits; both forms err by at most one ulp.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);
@@ -93,7 +92,7 @@ fn steps_on_either_side_of_the_border_agree() {
     }
 }
 
-/// On both sides of the upper border and far beyond, the stable tier is within its bound, or fails.
+/// On both sides of the upper border and far beyond, `try_step` is within its bound, or fails.
 #[test]
 fn huge_half_steps_keep_the_promise() {
     let mut draws = SplitMix64::new(74);

@@ -1,6 +1,6 @@
-//! Accuracy of tangent vectors for long steps, compared with double-double. Where elimination with
-//! pivoting errs by at most 10 u, the planner refuses forms whose median error exceeds 45 times
-//! that, for ‖εf′‖∞ up to 1000. The test repeats this at points of its own.
+//! Accuracy of tangent vectors for long steps, compared with double-double. For ‖εf′‖∞ up to 1000,
+//! the planner refuses forms whose median error exceeds 45 times that of elimination with pivoting,
+//! if the latter is at most 10 u. The test measures this at other points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -8,19 +8,19 @@ use kahan_core::{Dd, ExtendScalars};
 use kahan_tests::rounding::UNIT_F64;
 
 kahan! {
-    /// Positions that move by momenta alone: a form that begins with their pivots would do.
+    /// Positions depend only on momenta, so eliminating them by their pivots is accurate.
     struct HenonHeiles;
     xdot = p; ydot = q; pdot = -x - 2*x*y; qdot = y^2 - x^2 - y;
 }
 
 kahan! {
-    /// Five variables, where beginning so loses ten digits.
+    /// Five variables, for which eliminating independent states by their pivots loses ten digits.
     struct Five;
     adot = b*c; bdot = c*d - a; cdot = d*e - b*a; ddot = e*a + c; edot = a*b - d^2;
 }
 
 kahan! {
-    /// Two blocks, the second of which the first drives.
+    /// Two blocks; the first one drives the second.
     struct Driven;
     xdot = x - y*x; ydot = x*y - y; zdot = z*x - z*y + x; wdot = w*z - x*w + z;
 }

@@ -1,9 +1,9 @@
-//! Two bounds on the error of one fast step, over the catalog.
+//! Two bounds on the error of one step in floats, over the catalog.
 //!
 //! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component errs by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of
 //!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable. The half ulp rounds x +
-//!   increment. The increment is a few roundings away from 2ε times the polarised field, whose
-//!   terms may cancel. The bound fails with |xⱼ| only, if one component is tiny compared with
+//!   increment. The increment differs by a few roundings from 2ε times the polarised field, whose
+//!   terms may cancel. With |xⱼ| only, the bound would fail if one component is tiny compared with
 //!   others: its increment is then of second order, ε²f′f. E6 at ε ≈ 6.6e-5 from (2.9, 3.0e-9,
 //!   4.0e-7) exceeds it 53 times, because z̃ nearly cancels.
 //! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). Steps
@@ -30,7 +30,6 @@ fn slope(subject: &Subject, x: &Vector) -> f64 {
     rows.iter().map(|row| row.iter().map(|entry| float(&entry.abs())).sum()).fold(0.0, f64::max)
 }
 
-/// Returns Σ|monomials of fᵢ| for each component, at the larger of |xⱼ| and |yⱼ|.
 fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     let symbols = &subject.system.field.symbols;
     let value = |variable| match symbols.symbol(variable) {
@@ -51,7 +50,7 @@ fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     sums.collect()
 }
 
-/// A system with its map over doubles, and its reference; `None` for exact steps.
+/// A system with its map over doubles and its reference, in double-double or (`None`) exact.
 struct Case {
     subject: Subject,
     map: Box<dyn Steps<f64>>,
@@ -59,7 +58,6 @@ struct Case {
 }
 
 impl Case {
-    /// Returns the float step and the reference step.
     fn both(&self, x: &[f64], eps: f64) -> Option<(Vec<f64>, Vector)> {
         let next = match &self.judge {
             None => {
@@ -76,18 +74,15 @@ impl Case {
     }
 }
 
-/// Returns all systems with exact references.
 fn every_system() -> impl Iterator<Item = Case> {
     let systems = paper().into_iter().chain(further()).zip(steps());
     systems.map(|(subject, map)| Case { subject, map, judge: None })
 }
 
-/// Returns all systems with references in double-double.
 fn judged_in_double_double() -> impl Iterator<Item = Case> {
     every_system().zip(steps()).map(|(case, judge)| Case { judge: Some(judge), ..case })
 }
 
-/// The largest ratio of an error to its bound, and its place.
 #[derive(Debug, Default)]
 struct Worst {
     part: f64,
@@ -102,12 +97,12 @@ impl Worst {
     }
 }
 
-/// Takes small steps of one system, and returns the largest error relative to its bound.
+/// Takes small steps of one system; returns the largest error relative to its bound.
 fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));
     for trial in 0..points {
-        // Every third point has components of very different sizes.
+        // In every third point the components have very different sizes.
         let spread = if trial % 3 == 0 { 30 } else { 1 };
         let x: Vec<f64> = (0..subject.dimension())
             .map(|_| 4.0 * signed_unit(&mut draws) * 2.0_f64.powi(-(draws.below(spread) as i32)))
@@ -124,7 +119,7 @@ fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     worst
 }
 
-/// Takes steps from ordinary points, and returns the largest error in units of u max(‖x‖∞, ‖x̃‖∞).
+/// Takes steps from ordinary points; returns the largest error in units of u max(‖x‖∞, ‖x̃‖∞).
 fn ordinary_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));

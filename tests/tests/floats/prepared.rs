@@ -11,7 +11,7 @@ use kahan_tests::subject::{Subject, paper, random};
 
 const STEPS: usize = 50;
 
-/// The bounds of ε for division by the time step, for `f32` and `f64`.
+/// The limits of ε for division by the time step, for `f32` and `f64`.
 const BORDERS: [f32; 4] =
     [1.0 / 65_536.0, 65_536.0, 1.0 / 18_446_744_073_709_551_616.0, 18_446_744_073_709_551_616.0];
 
@@ -19,7 +19,6 @@ fn subjects() -> Vec<Subject> {
     paper().into_iter().chain(random()).collect()
 }
 
-/// Returns the bits of points; all NaNs are equal.
 fn bits<T: Into<f64> + Copy>(points: &[Vec<T>]) -> Vec<Vec<u64>> {
     let canonical = |entry: &T| {
         let entry: f64 = (*entry).into();
@@ -28,7 +27,6 @@ fn bits<T: Into<f64> + Copy>(points: &[Vec<T>]) -> Vec<Vec<u64>> {
     points.iter().map(|point| point.iter().map(canonical).collect()).collect()
 }
 
-/// Draws an initial point and an ε of ordinary size, exact in both float types.
 fn start(draws: &mut SplitMix64, dimension: usize) -> (Vec<f32>, f32) {
     let mut entry = |scale: f32| (draws.below(2001) as f32 / 1000.0 - 1.0) * scale;
     ((0..dimension).map(|_| entry(2.0)).collect(), entry(0.1))
@@ -60,8 +58,8 @@ fn every_way_to_step_gives_the_same_bits_in_single_precision() {
     every_way_gives_the_same_bits::<f32>(502);
 }
 
-/// Compares the interpreter with generated code. On targets that fuse, generated code rounds
-/// multiply-adds once and the interpreter twice; there `floats` bounds both.
+/// Compares the interpreter with generated code. On targets that fuse, generated code rounds a
+/// multiply-add once and the interpreter twice; there, `floats` bounds both.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn the_interpreter_steps_with_the_same_bits() {
@@ -95,7 +93,7 @@ where
             let mut state: Vec<A::Value> = x.iter().map(|entry| A::Value::from(*entry)).collect();
             let [by_step, ..] = every_way(map.as_ref(), &state, eps, STEPS);
             for point in by_step {
-                // Near a pole numbers overflow, and NaN may arise in another order.
+                // Near a pole numbers overflow, and different orders of operations may give NaN.
                 let here = Point { state, parameters: parameters.clone(), eps };
                 let Some(next) = interpreter
                     .next(arithmetic, &here)

@@ -1,8 +1,8 @@
-//! The promise of `try_step`, judged by exact rationals: `Ok` is within 64 u of the exact step, and
-//! an error has a reason: a pole, a result outside the scalar's range, or an ill-conditioned step.
-//! The points are seeded: ordinary ones, mixed magnitudes from 1e-150 to 1e150 with ε from 1e-300
-//! to 1e300, and both sides of true and removable poles. `kahan extremes` judges a larger sample of
-//! all tiers.
+//! The promise of `try_step`, checked by exact rationals: `Ok` is within 64 u of the exact step,
+//! and an error has a reason: a pole, a result outside the scalar's range, or an ill-conditioned
+//! step. The points are seeded: ordinary ones, mixed magnitudes from 1e-150 to 1e150 with ε from
+//! 1e-300 to 1e300, and both sides of true and removable poles. `kahan extremes` checks a larger
+//! sample.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -12,7 +12,7 @@ use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra, VolterraLattice};
 
 kahan! {
-    /// Three species in a cycle.
+    /// The field of May and Leonard: three species in cyclic competition.
     struct MayLeonard { a, b }
     xdot = x*(1 - x - a*y - b*z);
     ydot = y*(1 - b*x - y - a*z);
@@ -27,9 +27,8 @@ kahan! {
     zdot = x*y;
 }
 
-/// A float type with its range and its promise.
+/// A float type with the limits of the tests.
 trait Judged: Pivot + Copy + ToPrimitive {
-    /// Binary exponents of states and of ε.
     const STATES: i32;
     const EPS: i32;
     /// The exponent of the unit roundoff, −53 or −24.
@@ -99,14 +98,12 @@ impl Draws {
         self.sign() * (0.1 + 2.0 * self.unit())
     }
 
-    /// Draws a number of any exponent.
     fn any(&mut self, exponents: i32) -> f64 {
         let exponent = self.0.below(2 * exponents as u64 + 1) as i32 - exponents;
         self.sign() * (1.0 + self.unit()) * 2.0_f64.powi(exponent)
     }
 }
 
-/// The results of a sample.
 #[derive(Default)]
 struct Tally {
     established: usize,
@@ -144,7 +141,7 @@ where
             {
                 return;
             }
-            // Relative differences for relative changes of 2⁻⁸⁰.
+            // Relative differences of the step for relative changes of the input of 2⁻⁸⁰.
             let change = two_to(-80);
             let moved = |x: &SVector<BigRational, N>, eps: &BigRational| {
                 step(x, eps).map(|next| (next - &exact).map(|entry| entry.abs()))
@@ -165,7 +162,6 @@ where
     }
 }
 
-/// Judges points of all kinds for one map.
 fn sample<T, M, const N: usize>(name: &str, map: &M, trials: usize) -> Tally
 where
     T: Judged,
@@ -188,7 +184,7 @@ where
     tally
 }
 
-/// Returns an ε near a root of det A(x,ε): by bisection, if any, moved by a relative 2⁻ᵏ.
+/// Returns an ε near a zero of det A(x,ε), found by bisection and moved by a relative 2⁻ᵏ.
 fn near_a_pole<T, M, const N: usize>(map: &M, x: &SVector<T, N>, draws: &mut Draws) -> T
 where
     T: Judged,
@@ -226,7 +222,7 @@ where
     M32: ExtendScalars<f32, N>,
 {
     for tally in [sample::<f64, _, N>(name, double, trials), sample::<f32, _, N>(name, single, trials)] {
-        // A step that always fails would keep its promise, too.
+        // Steps that always fail would keep the promise, too, so require successes.
         assert!(tally.established > trials / 3, "{name}: {} of {trials} flagged", tally.flagged);
     }
 }
@@ -257,17 +253,16 @@ promise! {
     wave: Wave;
 }
 
-/// Points that once gave silently wrong results.
 #[test]
 fn states_far_out_are_right_or_flagged() {
     let mut tally = Tally::default();
     judge("May–Leonard", &MayLeonard { a: 0.5, b: 0.7 }, vector![1e100, 0.2, 0.3], 0.05, &mut tally);
     judge("E3", &E3, vector![1e60, 1e130, 0.0], 0.5, &mut tally);
-    // Elimination has a small backward error, but a wrong result.
+    // Elimination has a small backward error, but its result is wrong.
     judge("Volterra", &VolterraLattice, vector![0.3, 1.7, 2.9], 1e17, &mut tally);
     judge("E6", &E6, vector![1e-200, 1e-200, -1e-200], 0.5, &mut tally);
     judge("E6 at rest", &E6, vector![0.0, 0.0, 0.0], 0.5, &mut tally);
-    // x² − y² is decisive and exactly 0.
+    // x² − y² dominates and is exactly 0.
     judge("wave", &Wave, vector![1e60, 1e60, 1e-160], 0.5, &mut tally);
     // 1 + εz = 0 is a removable pole; the increments are 10¹⁶⁸ times the components of x̃.
     let x = vector![-8.676922526036922e48, -1.5830949700414324e75, 4.794036587204811e-94];
@@ -307,7 +302,7 @@ fn removable_poles_have_values_and_true_ones_have_none() {
     assert_eq!((error.determinant(), error.eps(), error.bound()), (0.0, 0.5, f64::INFINITY));
 }
 
-/// Ordinary points stay on the first rung, whose bits equal those of the fast step.
+/// Ordinary points need no higher precision, so the bits equal those of `step`.
 #[test]
 fn ordinary_points_have_the_bits_of_the_fast_step() {
     let mut draws = Draws(SplitMix64::new(5));

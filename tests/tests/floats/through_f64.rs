@@ -1,4 +1,4 @@
-//! `f32` steps through `f64` against exact steps: nearly always the nearest `f32`.
+//! Compares `f32` steps computed through `f64` with exact steps: nearly always the nearest `f32`.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ThroughF64;
@@ -11,22 +11,22 @@ fn rational(x: f32) -> Q {
     Q::from_float(x).expect("an ordinary point has a finite step")
 }
 
-/// Returns the distance between neighbouring `f32`s of this size.
 fn ulp(x: f32) -> Q {
     rational(x.abs().next_up()) - rational(x.abs())
 }
 
-/// The number of components compared, and of those that differ from the nearest `f32`.
+/// The number of components, and of those that are not the nearest `f32`.
 #[derive(Default)]
 struct Count {
     all: u32,
     wrong: u32,
 }
 
-/// Compares seeded points in [−2, 2]ᴺ with |det A| ≥ ¼ and ε in [2⁻¹⁰, 2⁻⁴]. There an `f64` step
-/// errs by at most 2⁶ u = 2⁻⁴⁷ of its largest number, which is at most 2⁵ times the result unless
-/// that is small. So the error is below half an ulp plus 2⁻¹⁰ ulp for components of size 2⁻¹² or
-/// more, by a wide margin.
+/// Compares seeded points in [−2, 2]ᴺ with |det A| ≥ ¼ and ε in [2⁻¹⁰, 2⁻⁴].
+///
+/// An `f64` step then errs by at most 2⁶ u = 2⁻⁴⁷ of its largest number, which is at most 2⁵ times
+/// the result unless the result is small. So for components of size 2⁻¹² or more the error is
+/// clearly below half an ulp plus 2⁻¹⁰ ulp.
 fn compare<M, E, const N: usize>(map: &M, exact: &E, seed: u64, count: &mut Count)
 where
     M: KahanMap<f32, N>,
@@ -69,7 +69,6 @@ fn a_step_is_nearly_always_the_nearest_f32() {
     assert!(count.all > 3000 && count.wrong <= 1, "{} of {}", count.wrong, count.all);
 }
 
-/// Shows that the comparison detects plain `f32` steps.
 #[test]
 fn a_step_in_f32_alone_is_often_not_the_nearest() {
     let map = E6;
@@ -94,7 +93,7 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     let plain = error(ThroughF64(E6).orbit(start, eps).nth(steps));
     let compensated = error(ThroughF64(E6).orbit(start, eps).compensated().nth(steps));
     let in_single = error(E6.orbit(start, eps).compensated().nth(steps));
-    // Each step rounds the increment to u·2ε|f|, and the result to ½ ulp; E6 hardly magnifies
+    // Each step rounds the increment to u·2ε|f| and the result to ½ ulp; E6 hardly amplifies
     // errors.
     assert!(
         compensated < 1e-6 && compensated <= in_single && compensated < 0.1 * plain,
@@ -104,7 +103,7 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     assert_eq!(map.orbit(start).nth(5), ThroughF64(E6).orbit(start, eps).nth(5));
 }
 
-/// E1 at ε = ½, x̃ = x/(1 + x): beyond the range of `f32` near its pole for large y.
+/// E1 at ε = ½ has x̃ = x/(1 + x); near its pole and for large y the result exceeds `f32`.
 #[test]
 fn what_f32_cannot_hold_is_flagged() {
     let pole = ThroughF64(E1).try_step(&vector![-1.0_f32, 1.0, 0.0], 0.5);

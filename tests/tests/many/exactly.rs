@@ -1,4 +1,4 @@
-//! The defining equation over ℚ, also for vanishing leading minors of A in elimination order.
+//! The defining equation over ℚ, also if leading minors of A vanish in elimination order.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -23,7 +23,7 @@ where
     assert_eq!(map.matrix(x, eps.clone()) * jacobian, map.matrix(&next, -eps.clone()));
 }
 
-/// Tests small numbers, for which minors of A sometimes vanish.
+/// Tests small integers, for which minors of A sometimes vanish.
 fn at_small_points<M, const N: usize>(map: &M, seed: u64)
 where
     M: KahanMap<BigRational, N>,
@@ -54,7 +54,7 @@ fn the_defining_equation_holds_for_every_kind_of_coupling() {
     at_small_points::<_, 18>(&Web, 4);
 }
 
-/// The diagonal entry of xᵢ, 1 − ε(xᵢ₊₁ − xᵢ₋₁), vanishes for a variable eliminated first.
+/// The diagonal entry of xᵢ, 1 − ε(xᵢ₊₁ − xᵢ₋₁), vanishes for a variable that is eliminated early.
 #[test]
 fn pivots_that_vanish_are_exchanged() {
     let start = SVector::<_, 12>::from_fn(|i, _| q(i64::try_from(i * i * i).expect("small") - 400, 77));

@@ -1,4 +1,4 @@
-//! The promise of `try_step`, judged exactly, and equal bits of compiled and run-time fields.
+//! The promise of `try_step`, checked exactly, and equal bits of compiled and run-time fields.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -8,7 +8,6 @@ use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
 
 use super::systems::{ARROW, Arrow, CASCADE, Cascade, RING, Ring, WEB, Web};
 
-/// A float type under test, with its unit roundoff.
 trait Judged: MachineFloat + ParameterValue + Pivot + ToPrimitive {
     const UNIT: f64;
     /// The greatest power of ten by which states are scaled.
@@ -36,7 +35,7 @@ fn exact<T: ToPrimitive>(value: &T) -> BigRational {
     BigRational::from_f64(value.to_f64().expect("a float")).expect("finite")
 }
 
-/// Returns the number of entries in the widest row of A, at a point without accidental zeros.
+/// Returns the largest number of entries in a row of A, at a point without accidental zeros.
 fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usize {
     let x = SVector::from_fn(|i, _| BigRational::new((i * i + 3).into(), 7.into()));
     let matrix = map.extend_scalars(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
@@ -71,7 +70,7 @@ where
     worst
 }
 
-/// Judges points of ordinary and mixed sizes, some with zeros, and ε from 1e-6 to 1e3.
+/// Checks points of ordinary and mixed sizes, some with zeros, and ε from 1e-6 to 1e3.
 fn keeps_its_promise<T, M, const N: usize>(map: &M, seed: u64, count: usize)
 where
     T: Judged,
@@ -93,7 +92,7 @@ where
                 let error = backward_error(map, &x, &eps, &next);
                 assert!(error.to_f64().expect("a float") <= promise, "{error} at {x:?}, {eps:?}");
             }
-            // Extreme numbers may leave no certain step; ordinary ones fail at poles only.
+            // For extreme numbers every precision may fail; ordinary ones fail at poles only.
             Err(_) if sizes == T::SIZES => {}
             Err(why) => {
                 let determinant =
@@ -145,7 +144,7 @@ fn has_the_bits_of_the_field_read_at_run_time<T, M, const N: usize>(
         let mut next = vec![T::zero(); N];
         at.step(x.as_slice(), &mut next).expect("as many variables");
         let compiled = map.step(&x, eps);
-        // Printed numbers keep the sign of zero and identify all NaNs.
+        // Printed numbers distinguish signed zeros and identify all NaNs.
         let same = |a: &T, b: &T| format!("{a:?}") == format!("{b:?}");
         assert!(next.iter().zip(&compiled).all(|(a, b)| same(a, b)), "{trial}: {x:?}, {eps:?}");
         if trial % 10 == 0 {

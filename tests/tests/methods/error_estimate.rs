@@ -1,4 +1,4 @@
-//! The error estimate against the flow: its sign, its order and its accumulation.
+//! Compares the error estimate with the flow: its sign, its order and its accumulation.
 
 use kahan_core::prelude::*;
 use kahan_core::{Dd, ExtendScalars};
@@ -23,7 +23,7 @@ fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64)
     [distance(&next, &flow), distance(&corrected, &flow)]
 }
 
-/// Errors of 10⁻¹² to 10⁻²⁰ exceed rounding; neglected terms change slopes by at most 2⁻¹⁰.
+/// Errors of 10⁻¹² to 10⁻²⁰ are above rounding; neglected terms change slopes by at most 2⁻¹⁰.
 fn estimates_the_step<M: KahanMap<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let sizes = [11, 12, 13].map(|k| local(map, start, 2_f64.powi(-k)));
     for pair in sizes.windows(2) {
@@ -68,7 +68,6 @@ fn the_accumulated_estimate_is_the_leading_term_of_an_orbit() {
     estimates_the_orbit("LV", &LotkaVolterra, [1.5, 0.75]);
 }
 
-/// The points are those of the orbit, and the first has no error.
 #[test]
 fn estimating_changes_no_point() {
     let (start, eps) = (vector![0.5, 0.75, -0.25], 0.01);

@@ -1,14 +1,12 @@
 //! The list of weakenings: a file, a text in it, its replacement, and the tests that must fail.
 
-/// One change that weakens a proof or a test's subject.
+/// A change that weakens a proof, or the code that a test checks.
 pub(crate) struct Weakening {
     pub(crate) name: &'static str,
-    /// The path from the workspace's root.
     pub(crate) file: &'static str,
     /// A text that occurs exactly once in the file.
     pub(crate) text: &'static str,
     pub(crate) weaker: &'static str,
-    /// The arguments of `cargo test`.
     pub(crate) tests: &'static str,
 }
 

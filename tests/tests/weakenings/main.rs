@@ -6,9 +6,9 @@
 //! HEAD) and four others by the hash of HEAD, and stops after [`MINUTES`] with a count.
 //!
 //! Each weakening is applied to a copy of the workspace in the target folder, where its tests run;
-//! the workspace itself never changes. The copy reuses the workspace's builds. A text that doesn't
-//! occur exactly once, a copy that doesn't compile, and tests that fail without a weakening are
-//! errors.
+//! the workspace itself never changes. The copy reuses the workspace's builds. It is an error if a
+//! text does not occur exactly once, if the copy does not compile, or if the tests fail without a
+//! weakening.
 
 #![cfg(unix)]
 
@@ -29,29 +29,26 @@ use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
 use orbits::ORBITS;
 
-/// The time limit for the weakenings of a change.
 const MINUTES: u64 = 3;
 
-/// The number of weakenings tried besides those of a change.
+/// The number of further weakenings that are tried.
 const OTHERS: usize = 4;
 
 fn every() -> impl Iterator<Item = &'static Weakening> {
     WEAKENINGS.iter().chain(MACHINE_CODE).chain(ORBITS)
 }
 
-/// Returns the folder of the workspace's builds, which holds this program.
 fn builds() -> PathBuf {
     let program = std::env::current_exe().expect("a program has a path");
     program.ancestors().nth(2).expect("it stands in target/debug/deps").to_owned()
 }
 
-/// Returns the copy of the workspace in the target folder.
 fn folder() -> PathBuf {
     builds().with_file_name("weakenings").join("workspace")
 }
 
-/// Returns the folder of the copy's builds. Cargo identifies crates by their place in a workspace,
-/// so a shared folder would confuse weakened crates with sound ones.
+/// Returns the folder of the copy's builds. Cargo identifies crates by their path in a workspace,
+/// so a shared folder would confuse weakened crates with original ones.
 fn target() -> PathBuf {
     folder().with_file_name("target")
 }
@@ -62,7 +59,7 @@ fn copy_workspace() {
     if found {
         return update(root(), &folder());
     }
-    // Files keep their times, so builds stay valid. An unfinished copy has another name.
+    // Keeps modification times, so that builds stay valid. An unfinished copy has another name.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));
@@ -100,7 +97,8 @@ fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     }
 }
 
-/// Makes one folder equal another; equal files keep their times and builds.
+/// Makes one folder equal to another; equal files keep their modification times, hence their
+/// builds.
 fn update(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder can be made");
     for path in entries(to) {
@@ -153,14 +151,12 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
     }
 }
 
-/// Ends a cargo process with its process group, and waits for it.
 fn end(cargo: &mut Child) {
     let group = format!("-{}", cargo.id());
     Command::new("kill").args(["-TERM", "--", &group]).status().expect("a group can be ended");
     cargo.wait().expect("it has been ended");
 }
 
-/// Returns the file's text with the weakening applied.
 fn weakened(weakening: &Weakening) -> Result<String, String> {
     let text = fs::read_to_string(root().join(weakening.file)).map_err(|why| format!("{why}"))?;
     match text.matches(weakening.text).count() {
@@ -169,7 +165,6 @@ fn weakened(weakening: &Weakening) -> Result<String, String> {
     }
 }
 
-/// Runs git in the workspace and returns its output.
 fn git(words: &[&str]) -> String {
     let output = Command::new("git").args(words).current_dir(root()).output().expect("git runs");
     assert!(output.status.success(), "git {}: {}", words.join(" "), String::from_utf8_lossy(&output.stderr));
@@ -197,7 +192,6 @@ fn chosen_by_the_change() -> Vec<&'static Weakening> {
     of_change.into_iter().chain(others).collect()
 }
 
-/// Returns the FNV-1a hash of both.
 fn hash(commit: &str, name: &str) -> u64 {
     let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     commit.bytes().chain(name.bytes()).fold(0xcbf2_9ce4_8422_2325, mix)
@@ -206,7 +200,7 @@ fn hash(commit: &str, name: &str) -> u64 {
 /// Tries weakenings, grouped by tests. Panics if a weakening fails no test.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
-    // Dependents are compiled again after weakenings of a crate, so the front end comes last.
+    // A weakening of a crate recompiles its dependents, so the front end comes last.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
     // Groups are ordered by their first weakening.
@@ -254,7 +248,7 @@ fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     assert!(survivors.is_empty(), "{}", survivors.join("; "));
 }
 
-/// Runs in every test run, so that changes of the code update their weakenings.
+/// Checks in every test run that the text of each weakening occurs in the code.
 #[test]
 fn every_weakening_has_its_place() {
     let errors: Vec<String> = every().filter_map(|weakening| weakened(weakening).err()).collect();

@@ -1,7 +1,6 @@
-//! A process that computes Lyapunov exponents and stability maps on request, so that
-//! `numba/exponents.py` can time it in turns with its own loops. A line `e6 STEPS`, `lorenz STEPS`
-//! or `map STEPS` is answered by the seconds, followed by the orbit's exponent or the SALI of each
-//! cell.
+//! A process that computes Lyapunov exponents and stability maps on request; `numba/exponents.py`
+//! alternates between it and loops compiled by Numba. A line `e6 STEPS`, `lorenz STEPS` or `map
+//! STEPS` is answered by the seconds, followed by the orbit's exponent or the SALI of each cell.
 
 use std::hint::black_box;
 use std::io::{self, BufRead, Write};

@@ -2,7 +2,7 @@
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 
-/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x), with f' by central differences (exact for f).
+/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x) for y; f' by central differences is exact.
 fn kahan(f: &dyn Fn(&[f64]) -> Vec<f64>, x: &[f64], eps: f64) -> Vec<f64> {
     let n = x.len();
     let mut a = vec![vec![0.0; n + 1]; n];
@@ -196,7 +196,7 @@ fn main() {
                 &|x| sites(&|i| [open(x, 1, i), fput([i - 1, i, i + 1].map(|i| open(x, 0, i)))]),
                 &mut rng,
             ));
-            // Ill-conditioned steps, some of reach 3 at ε = 0.3, are known to fewer digits.
+            // Ill-conditioned steps, some of reach 3 at ε = 0.3, are accurate to fewer digits.
             assert!(w < 1e-9, "eps {eps}, {n} sites: {w:e}");
             if n % 20 == 1 {
                 println!("eps {eps}, {n} sites: largest difference {w:.1e}");

@@ -35,7 +35,6 @@ impl<A: OverRationals> Dual<'_, A> {
         Some(DualNumber { value, gradient })
     }
 
-    /// Returns α·∇a + β·∇b.
     fn combine(&self, alpha: &A::Value, a: &[A::Value], beta: &A::Value, b: &[A::Value]) -> Vec<A::Value> {
         let scaled = |factor: &A::Value, gradient: &[A::Value]| -> Vec<A::Value> {
             gradient.iter().map(|entry| self.base.multiply(factor, entry)).collect()

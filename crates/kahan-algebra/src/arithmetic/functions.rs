@@ -1,7 +1,7 @@
 //! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! A value is zero exactly if its numerator has no terms. No gcd is computed; common denominators
-//! and quotients share factors. Once the budget is spent, every further value is `None`.
+//! A value is zero exactly if its numerator has no terms. Fractions need not be in lowest terms: no
+//! gcd is computed. Once the budget is spent, every further operation returns `None`.
 
 use std::cell::RefCell;
 
@@ -47,7 +47,7 @@ impl Functions {
         a.pow_within(exponent, &mut self.budget.borrow_mut()).ok()
     }
 
-    /// Returns numerator · ∏ factorᵏ over the factors by which `target` exceeds `have`.
+    /// Multiplies `numerator` by the factors of `target` that `have` lacks.
     fn expand_to(
         &self,
         numerator: &Polynomial,
@@ -83,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Moves factors of `below` into `denominator`, or cancels divisors of `numerator` of equal
-    /// length.
+    /// Cancels factors of `below` that divide `numerator` and have as many terms; appends all other
+    /// factors of `below` to `denominator`.
     fn cancel(
         &self,
         numerator: &mut Polynomial,
@@ -106,7 +106,6 @@ impl Functions {
         Some(())
     }
 
-    /// Returns 1/b for nonzero b; `None` beyond the budget.
     fn inverted(&self, numerator: &Polynomial, denominator: &[(Polynomial, u32)]) -> Option<Function> {
         let above = self.expand_to(&Polynomial::one(), &[], denominator)?;
         let primitive = numerator.primitive_part();
@@ -116,7 +115,6 @@ impl Functions {
     }
 }
 
-/// Returns the exponent of a factor, added with exponent 0 if absent.
 fn exponent_in<'a>(denominator: &'a mut Vec<(Polynomial, u32)>, factor: &Polynomial) -> &'a mut u32 {
     let place = denominator.iter().position(|(known, _)| known == factor).unwrap_or_else(|| {
         denominator.push((factor.clone(), 0));

@@ -1,4 +1,4 @@
-//! Linear systems in any arithmetic, by elimination with the best pivot of each column.
+//! Solves linear systems in any arithmetic, by elimination with the best pivot of each column.
 
 use kahan_syntax::rational::Rational;
 

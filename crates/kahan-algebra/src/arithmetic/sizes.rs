@@ -1,7 +1,7 @@
-//! Sizes of formal fractions: degrees and coefficient sizes, for the error bound of the prover.
+//! Degrees and coefficient sizes of fractions, for the prover's bound on its error probability.
 //!
 //! Every value of a plan is a fraction N/M of integer polynomials, formed without cancellation. A
-//! [`Size`] bounds degrees and logarithms of 1-norms; bounds saturate.
+//! [`Size`] bounds their degrees and the logarithms of their 1-norms; bounds saturate.
 
 use kahan_syntax::rational::Rational;
 
@@ -19,9 +19,9 @@ pub struct Length {
 /// Bounds on a fraction N/M of integer polynomials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Size {
-    /// N
+    /// The numerator N.
     pub above: Length,
-    /// M
+    /// The denominator M.
     pub below: Length,
 }
 
@@ -63,9 +63,10 @@ impl Size {
 pub struct Sizes;
 
 impl Sizes {
-    /// Returns a bound on the determinant of any n×n matrix of columns among those of `rows` (n
-    /// rows of at least n entries). Over the product of all denominators, each of the n! terms has
-    /// one numerator from each row and at most all denominators.
+    /// Returns a bound on every n×n determinant whose columns are among those of `rows`.
+    ///
+    /// `rows` has n rows of at least n entries. The common denominator is the product of all
+    /// denominators; each of the n! terms takes one numerator from each row.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<Size>]) -> Size {
         let product =

@@ -16,7 +16,7 @@ use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order. A broken claim is dropped; the stand-in keeps its name.
+/// Compiles the claims in order. A claim with a mistake is dropped; the stand-in still declares it.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],
@@ -38,7 +38,8 @@ pub(super) fn compile_all(
             .body
             .as_ref()
             .filter(|body| {
-                // Resolve every expression, so that all unknown names are reported.
+                // Resolves all expressions before compiling any, so that all unknown names are
+                // reported.
                 let mut resolve = |expr: &Expr| compiler.scope.resolve(expr, true, diagnostics);
                 match body {
                     ClaimBody::Recurrence { function, next } => {
@@ -65,7 +66,7 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // The mistake is reported already, so later claims that use this one are silent.
+            // The mistake is already reported; claims that use this one are dropped silently.
             None => compiler.scope.poison(&claim.name.text),
         }
         if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
@@ -81,8 +82,8 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports names that the next value of a drift may not contain: unknown names, states and
-/// densities. The claim's own name stands for its function, so that F(x̃) follows from F(x).
+/// Reports names that G in `drift F by G` must not contain: unknown names, states and densities.
+/// The claim's own name stands for F(x), and G gives F(x̃).
 fn resolve_next(
     next: &Expr,
     claim: &syntax::Claim,
@@ -224,7 +225,6 @@ impl Compiler<'_> {
     }
 }
 
-/// Returns the state indices of a bracket's entries (none for other claims); reports wrong entries.
 fn entry_places(
     claim: &syntax::Claim,
     scope: &Scope,

@@ -1,7 +1,7 @@
-//! Relations behind `when`: `when expr = expr, …`.
+//! Checks the relations `when expr = expr, …` between parameters and ε.
 //!
-//! Relations between parameters and ε are each solved for a name that enters linearly. States and ε
-//! = 0 cannot be fixed. Field and relations must have values.
+//! Each relation is solved for a name that enters linearly. Relations can fix neither states nor ε
+//! = 0. The field must be defined where they hold.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax;
@@ -18,7 +18,6 @@ use crate::system::Condition;
 use super::expand::{Expansion, expand_as_written, is_spent};
 use super::names::Scope;
 
-/// Solves the relations behind `when`; `None` if one is broken.
 pub(super) fn evaluate(
     written: &[syntax::Condition],
     components: &[RationalFunction],
@@ -40,7 +39,7 @@ pub(super) fn evaluate(
     Some(Condition::all(solved, &relations))
 }
 
-/// Adds a relation and returns its name; `Ok(None)` if a mistake was reported elsewhere.
+/// Adds a relation and returns the name that it is solved for; `Ok(None)` after a reported mistake.
 fn one_relation(
     condition: &syntax::Condition,
     relations: &mut Relations,
@@ -78,7 +77,6 @@ fn one_relation(
     Ok(Some(name))
 }
 
-/// Returns the numerator of left − right in lowest terms.
 fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     let above = &(&left.numerator * &right.denominator) - &(&right.numerator * &left.denominator);
     let below = &left.denominator * &right.denominator;

@@ -30,7 +30,6 @@ pub(super) fn evaluate(
     values
 }
 
-/// Returns the value of a constant expression; `Ok(None)` if a mistake was reported elsewhere.
 fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
     let mut poisoned = false;

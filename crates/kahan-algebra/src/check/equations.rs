@@ -15,7 +15,7 @@ use crate::render::{Notation, Text};
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
 use super::names::{Scope, is_epsilon};
 
-/// Expands every equation and keeps its written form; a broken one becomes zero.
+/// Expands every equation, with its written form; an equation with a mistake becomes zero.
 pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,
@@ -44,7 +44,6 @@ pub(super) fn expand_all(
     (components, Kept::new(values, kept))
 }
 
-/// Reports a term of degree 3 or more: Kahan's method requires quadratic fields.
 fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let degree = |monomial: &Monomial| monomial.degree_where(|variable| scope.symbols.is_state(variable));
     let monomials = expansion.numerator.terms().map(|(monomial, _)| (degree(monomial), monomial));
@@ -88,7 +87,8 @@ fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &
     [numerator, denominator].iter().any(|part| !part.is_even_in(scope.symbols.epsilon()))
 }
 
-/// Returns the first `eps` in the innermost part with odd powers of ε, or in the whole expression.
+/// Returns the first `eps` in the innermost subexpression with odd powers of ε, or else the span of
+/// the whole expression.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd =
         |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));
@@ -104,7 +104,7 @@ fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     place.unwrap_or(expr.span)
 }
 
-/// Returns the term as text without parameters, and a product of two states that divides it.
+/// Describes a term without its parameters, and a product of two states that divides it.
 fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
     let power = |name: &str, exponent: u32| Text.power(name, exponent.into());
@@ -117,8 +117,8 @@ fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     (format!("the term `{}`", Text.product(&powers)), product)
 }
 
-/// Returns the place where the degree exceeds 2: the first such term of a sum, the factor of a
-/// product that exceeds it, or a whole power.
+/// Returns the place where the degree first exceeds 2: a term of a sum, a factor of a product, or a
+/// whole power.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
     let degree = |expr: &Expr| {
         expand_unkept(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator))

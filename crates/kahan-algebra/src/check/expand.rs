@@ -1,11 +1,9 @@
-//! Expands equations, constants and relations to fractions p/q; p in states and parameters, q free
-//! of states.
+//! Expands equations, constants and relations to fractions p/q. p is a polynomial in states and
+//! parameters, q is free of states.
 //!
-//! Only the result is checked, except that `power` refuses a power of a sum beyond degree 64 at
-//! once, since its expansion would take too long. Sizes are limited, so no input hangs the
-//! compiler. The written form is [kept](crate::kept) beside p/q, with two exceptions that stand
-//! expanded: a sum in which a name or the highest degree cancels, and a quotient without a pole
-//! where its divisor vanishes.
+//! Limits on sizes keep compile times bounded; degrees are checked by the caller on the result. The
+//! [written form](crate::kept) is stored beside p/q with two exceptions: sums in which a name or
+//! the highest degree cancels, and quotients whose divisor cancels.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -25,18 +23,18 @@ use super::names::{Meaning, Scope};
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 300_000;
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
-/// The most terms of a sum whose order is kept.
+/// The most terms of a sum whose order of addition is stored.
 const MOST_IN_ORDER: usize = 64;
-/// The largest degree in the states of a power of a sum, even if it cancels later.
+/// The largest degree in the states of a power of a sum, checked before the power is expanded.
 const HIGHEST_DEGREE: u64 = 64;
 
-/// A fraction p/q, with its written form.
+/// A fraction p/q, and the numerator as written.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {
     pub(super) numerator: Polynomial,
-    /// Not zero; 1 or not constant.
+    /// Nonzero; either 1 or not constant.
     pub(super) denominator: Polynomial,
-    /// The numerator over kept values; `None` if it equals `numerator` without a division.
+    /// The written form; `None` if it equals `numerator` and has no divisor.
     kept: Option<Polynomial>,
     /// The terms of a sum of three or more, in order of addition.
     order: Vec<Polynomial>,
@@ -51,12 +49,10 @@ impl Expansion {
         if self.denominator.is_one() { self.numerator.as_constant() } else { None }
     }
 
-    /// Returns 0, which replaces broken expressions.
     pub(super) fn zero() -> Self {
         Expansion::polynomial(Polynomial::zero())
     }
 
-    /// Returns the function; the fraction must be in lowest terms.
     pub(super) fn function(self) -> RationalFunction {
         RationalFunction::from_coprime(self.numerator, self.denominator)
     }
@@ -66,35 +62,34 @@ impl Expansion {
     }
 }
 
-/// Expands `expr` with known names; kept parts are added to `values`.
+/// Expands `expr`; adds sums and divisors of the written form to `values`.
 pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces) = (false, true);
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// Expands `expr` and discards kept values.
 pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     expand(expr, scope, &mut Values::of(&scope.symbols))
 }
 
-/// Expands a side of a relation: exponents may be negative; divisors stay, as they must be nonzero.
+/// Expands one side of a relation. Exponents may be negative; divisors stay uncancelled, since
+/// relations hold only where they are nonzero.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, false, &mut Values::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// Expands a claim in lowest terms; exponents may be negative.
+/// Expands an expression of a claim to lowest terms; exponents may be negative.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, true, &mut Values::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// Returns the budget of one expansion, part of the rest of the block's budget.
 fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }
 
-/// Returns whether the block's budget is spent; later expressions are not examined then.
+/// Returns whether the block's budget is spent; later expressions are then skipped.
 pub(super) fn is_spent(scope: &Scope) -> bool {
     scope.products.get() >= MOST_WORK_OF_BLOCK
 }
@@ -177,7 +172,6 @@ impl Target for Fractions<'_> {
         self.reduced(Expansion { numerator, denominator, kept, order: Vec::new() }, span)
     }
 
-    /// Divides by b, which must be free of states after expansion.
     fn divide(&mut self, a: Expansion, b: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         let Expansion { numerator, denominator, .. } = &b;
         let variables = numerator.variables();
@@ -259,7 +253,6 @@ impl Target for Fractions<'_> {
 }
 
 impl Fractions<'_> {
-    /// Expands an expression and charges it to the block.
     fn expanded(mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
         let before = self.budget.work_left();
         let expansion = lower(expr, &mut self);
@@ -299,8 +292,8 @@ impl Fractions<'_> {
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
 
-    /// Returns the sum as written, if it differs from the sum of numerators, and the order of its
-    /// terms. A sum in parentheses becomes a value.
+    /// Returns the sum as written, if it differs from the sum of numerators, and its terms in order
+    /// of addition.
     fn kept_sum(
         &mut self,
         terms: &[(bool, Expansion)],
@@ -323,13 +316,13 @@ impl Fractions<'_> {
         Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
-    /// Returns the kept form as a factor of a product; partial sums in written order become values.
+    /// Returns the written form as a factor of a product; sums become named subexpressions.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
     }
 
-    /// Returns the product as written, with sums as values; `None` if it equals the numerator.
+    /// Returns the product as written; `None` if it equals the product of numerators.
     fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
         let is_sign = |value: Rational| (&value * &value).is_one();
         let is_single = |of: &Expansion| of.kept.is_none() && of.numerator.len() < 2;
@@ -350,7 +343,7 @@ impl Fractions<'_> {
         (variables, self.scope.symbols.degree(&of.numerator))
     }
 
-    /// Reduces to lowest terms; drops the written form if one of its divisors cancels.
+    /// Reduces to lowest terms; drops the written form if a divisor of it cancels, even partly.
     fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         if expansion.denominator.is_one() || !self.reduces {
             return Ok(expansion);
@@ -367,7 +360,7 @@ impl Fractions<'_> {
         }
     }
 
-    /// Drops the written form except for the divisor.
+    /// Replaces the written form by the numerator times the reciprocal of the divisor.
     fn without_kept(&mut self, expansion: Expansion) -> Expansion {
         if expansion.denominator.is_one() {
             return Expansion { kept: None, order: Vec::new(), ..expansion };
@@ -420,14 +413,12 @@ fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(Kind::TooLarge, span, message, help)
 }
 
-/// Returns the parameter, or ε, with the highest power in an expansion.
 fn highest_power(expansion: &Expansion, symbols: &Symbols) -> Option<(Variable, u32)> {
     let terms = expansion.numerator.terms().chain(expansion.denominator.terms());
     let powers = terms.flat_map(|(monomial, _)| monomial.powers().iter().copied());
     powers.filter(|(variable, _)| !symbols.is_state(*variable)).max_by_key(|(_, exponent)| *exponent)
 }
 
-/// Returns the diagnostic of an excessive power of a parameter; `place` quotes the power.
 fn exponent_too_high(span: Span, place: &str) -> Diagnostic {
     let message = format!("exponents of parameters go to {HIGHEST_EXPONENT}{place}");
     let help = "declare the power as a parameter of its own";

@@ -20,7 +20,6 @@ use super::names::{Scope, references};
 use super::stand_in::StandIn;
 use super::{report_names, report_size};
 
-/// Checks the family of a block; returns a stand-in, and a family without mistakes.
 pub(crate) fn check_family(
     block: &Block,
     head: &FamilyHead,
@@ -78,7 +77,6 @@ pub(crate) fn check_family(
     (stand_in, diagnostics.is_empty().then_some(family))
 }
 
-/// Reports items that cannot stand beside a family.
 fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
     for (index, equation) in block.equations.iter().enumerate() {
         if !(head.equations_before..head.equations_until).contains(&index) {
@@ -162,7 +160,6 @@ impl Names {
     }
 }
 
-/// Checks a claimed sum; `None` if a mistake was reported.
 fn sum(
     claim: &Claim,
     arrays: &[String],
@@ -197,7 +194,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// Returns the summand of a claim: sums are linear, so `sum` is removed from each term.
+/// Returns the summand of a claim: `sum` is linear, so it is removed from each term.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
@@ -259,7 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters beyond the ends, unless they multiply a state as far outside (0).
+/// Reports site parameters that are undefined beyond an end of the chain. A term is exempt if it
+/// contains a state at the parameter's site or farther out, because that state is 0.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =
@@ -275,7 +273,6 @@ fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diag
     }
 }
 
-/// Returns a parameter that a quotient needs beyond an end.
 fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
     let divisors = component.denominator().terms().map(|(monomial, _)| monomial);
     let divisor = divisors.filter_map(|monomial| beyond(family, monomial, (0, 0))).next();
@@ -285,7 +282,6 @@ fn undefined(family: &Family, component: &RationalFunction) -> Option<String> {
     })
 }
 
-/// Returns the smallest and the largest offset among 0 and the states of a monomial.
 fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
     let offsets = monomial.powers().iter().filter_map(|&(variable, _)| match family.role(variable) {
         Role::State { offset, .. } => Some(offset),
@@ -294,7 +290,6 @@ fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
     offsets.fold((0, 0), |(least, most), offset| (least.min(offset), most.max(offset)))
 }
 
-/// Returns a site parameter outside of these offsets.
 fn beyond(family: &Family, monomial: &Monomial, (least, most): (i64, i64)) -> Option<String> {
     monomial.powers().iter().find_map(|&(variable, _)| match family.role(variable) {
         Role::SiteParameter { offset, index } if offset < least || offset > most => {

@@ -2,7 +2,7 @@
 //!
 //! Equations, constants and relations become fractions ([`expand`](super::expand)), claims become
 //! plans ([`claims`](super::claims)). [`lower`] refuses zero divisors, invalid negative exponents,
-//! and misplaced `sum(…)`; each target limits its own sizes.
+//! and misplaced `sum(…)`. Each target limits sizes itself.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -11,31 +11,27 @@ use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
 
-/// The largest exponent of a parameter in an equation; in a claim, of all but short numbers.
+/// The largest exponent: of a parameter in an equation, of all but short numbers in a claim.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
 pub(super) const MOST_BITS: u64 = 1 << 16;
 
-/// The result of lowering, with its operations.
+/// A representation to which expressions are lowered.
 pub(super) trait Target {
     type Value;
 
     fn number(&mut self, value: &Rational) -> Self::Value;
-    /// Returns the meaning of a name.
     fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn negate(&mut self, a: Self::Value) -> Self::Value;
     /// Returns the sum of all terms; the flag marks those to subtract.
     fn sum(&mut self, terms: Vec<(bool, Self::Value)>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn multiply(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// Returns a/b; b is not identically zero.
     fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
     fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
-    /// Returns whether a is known to be identically 0.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether exponents may be negative.
+    /// Returns whether negative exponents are allowed.
     fn inverts(&self) -> bool;
 }
 
-/// Lowers an expression with known names.
 pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, Diagnostic> {
     match &expr.kind {
         ExprKind::Number(value) => Ok(target.number(value)),

@@ -1,8 +1,8 @@
-//! Checks syntax and returns a system or a family; each rule has a function.
+//! Checks syntax and returns a system or a family, with one function for each rule.
 //!
-//! Names come first, then constants, equations and claims. A mistake is reported once; later stages
-//! see a harmless replacement such as a zero right-hand side. A block with a mistake is [`Broken`]:
-//! it has no field, only a [`StandIn`] for its type.
+//! Names are checked first, then constants, equations and claims. A mistake is reported once; later
+//! stages see a harmless replacement such as a zero right-hand side. A block with a mistake is
+//! [`Broken`]: it has no field, only a [`StandIn`] that declares its type.
 
 mod claims;
 mod conditions;
@@ -31,12 +31,12 @@ pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 const MOST_EQUATIONS: usize = 10_000;
-/// The most names of a block: states, parameters, constants and claims. A family counts the names
-/// that a site sees, with an array once for each neighbour.
+/// The most names of a block: states, parameters, constants and claims. In a family an array counts
+/// once for each site of the stencil.
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
-/// Returns the diagnostic of a family in place of a plain system.
+/// Returns the error for a family where a plain system is required.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";
@@ -101,7 +101,6 @@ impl Checked {
     }
 }
 
-/// Reports a block that declares too much; returns whether it does.
 fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
         let message = format!("the block has more than {MOST_EQUATIONS} equations");
@@ -134,8 +133,8 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
     true
 }
 
-/// Compiles further claims about the field of a system without a proof. Later claims may use
-/// earlier ones, but not those of the system.
+/// Compiles further claims about the field of a system, without proving them. Claims may use
+/// earlier ones of `tokens`, but not those of the system.
 ///
 /// # Errors
 /// Returns the mistakes.
@@ -150,7 +149,7 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks plain equations; returns a stand-in, and a system if they have no mistake.
+/// Checks plain equations; returns a stand-in, and the system if there is no mistake.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);

@@ -28,17 +28,14 @@ pub(super) enum Meaning {
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
     places: FxHashMap<String, Symbol>,
-    /// Values of constants; `None` if the value is broken.
     pub(super) constants: FxHashMap<String, Option<Rational>>,
-    /// The claims so far.
     pub(super) claims: Vec<String>,
-    /// Names with a reported mistake, not to be reported again.
+    /// Names whose mistake was reported; further uses are silent.
     poisoned: FxHashSet<String>,
     used: FxHashSet<String>,
     all_claims: FxHashSet<String>,
-    /// Left-hand sides without `dot`, as written.
     misspelt_states: Vec<String>,
-    /// The products of terms spent on expansions so far.
+    /// The term products spent on expansions so far.
     pub(super) products: Cell<u64>,
 }
 
@@ -63,7 +60,6 @@ impl Scope {
         self.poisoned.insert(name.to_owned());
     }
 
-    /// Returns the variable of a state, a parameter or ε.
     pub(super) fn variable(&self, name: &str) -> Option<Variable> {
         if is_epsilon(name) {
             return Some(self.symbols.epsilon());
@@ -82,7 +78,7 @@ impl Scope {
         self.variable(name).map(Meaning::Variable)
     }
 
-    /// Reports every unknown name of `expr`; returns whether all names are known and valid.
+    /// Reports every unknown name of `expr`; returns whether all names have a meaning.
     pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
         let mut references = Vec::new();
         expr.visit_names(&mut |reference, span| references.push((reference, span)));
@@ -116,7 +112,7 @@ impl Scope {
         diagnostics: &mut Diagnostics,
     ) {
         let name = &*reference.to_string();
-        // In `dxdt = …` the left-hand side is the mistake, not `x`.
+        // For `dxdt = …` the left-hand side is reported instead of `x`.
         if self.misspelt_states.iter().any(|left| left.contains(name)) {
             return;
         }
@@ -141,7 +137,7 @@ impl Scope {
         } else if let Some(help) = number(name) {
             help
         } else if let Some(nearest) = self.nearest(name, in_claim) {
-            // Mark the intended name as used, so that it is not reported as unused.
+            // Counts as a use of the intended name.
             self.mark_used(&nearest);
             format!("did you mean `{nearest}`?")
         } else if is_keyword(name) {
@@ -162,12 +158,10 @@ impl Scope {
         self.symbols.states.iter().any(|state| state.ends_with(']'))
     }
 
-    /// Returns whether `name` is an array of a family.
     fn is_array(&self, name: &str) -> bool {
         self.is_state_name(&Reference::Site { array: name, offset: 0 }.to_string())
     }
 
-    /// Returns message and help for a name that cannot be an undeclared parameter.
     fn never_free(&self, name: &str) -> Option<(String, String)> {
         let is_state = |base: &str| self.is_state_name(base) || self.is_array(base);
         if !is_never_free(name, is_state) {
@@ -206,7 +200,7 @@ impl Scope {
         names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
     }
 
-    /// Returns the closest known name, if close enough for a typing error.
+    /// Returns the closest known name within the distance of a typing error.
     pub(super) fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
         let mut candidates: Vec<String> = self.symbols.states.clone();
         candidates.extend(self.symbols.parameters.iter().cloned());
@@ -235,7 +229,7 @@ impl Scope {
         }
     }
 
-    /// Returns whether `name` is free; reports it otherwise.
+    /// Returns whether `name` has no meaning yet; otherwise reports it.
     pub(super) fn is_free(&self, name: &Name, what: &str, diagnostics: &mut Diagnostics) -> bool {
         let text = &name.text;
         let taken = if self.is_state_name(text) {
@@ -256,7 +250,6 @@ impl Scope {
     }
 }
 
-/// Reports a reserved name; returns whether it is reserved.
 fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
     let (message, help) = if is_epsilon(&name.text) {
         (format!("`{}` is reserved: it is half the time step", name.text), "choose another name")
@@ -276,7 +269,7 @@ fn base_of_derivative(name: &str) -> Option<String> {
     name.strip_suffix("dot").map(str::to_owned).or_else(|| Some(without_dots(name)?.0))
 }
 
-/// Returns whether an undeclared name cannot be a parameter: the time, or a state's derivative.
+/// Returns whether an undeclared name is the time or a state's derivative, hence no parameter.
 pub(super) fn is_never_free(name: &str, is_state: impl Fn(&str) -> bool) -> bool {
     name == TIME || base_of_derivative(name).is_some_and(|base| is_state(&base))
 }

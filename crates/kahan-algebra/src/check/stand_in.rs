@@ -1,5 +1,5 @@
-//! A stand-in for a block with mistakes, so that rustc can check the rest of a program against its
-//! type: names only, nothing that can be computed.
+//! A stand-in for a block with mistakes: its header and names, without equations. rustc checks the
+//! rest of the program against this type.
 
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
@@ -30,7 +30,7 @@ pub struct StandIn {
     pub symbols: Symbols,
     /// The parameters of each site of a family.
     pub site_parameters: Vec<String>,
-    /// The claims, each with whether it is unconditional.
+    /// The claims, each with a flag for unconditional ones.
     claims: Vec<(ClaimKind, Name, bool)>,
 }
 
@@ -54,7 +54,7 @@ impl StandIn {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// Returns a system with these names in which nothing moves and all claims are 0.
+    /// Returns a system with these names, the zero field, and claims equal to 0.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
@@ -74,7 +74,7 @@ impl StandIn {
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
-        // The existence of a condition decides the methods of a claim; any condition serves.
+        // Generated methods depend only on whether a claim is conditional, so any condition serves.
         let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
         Claim {
             kind: *kind,

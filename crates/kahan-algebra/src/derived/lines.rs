@@ -1,4 +1,4 @@
-//! The plans of one site of a family: its field, its rows of A(x,ε), the summands of its claims.
+//! The plans of one site of a family: field, rows of A(x,ε), and summands of the claims.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
@@ -19,19 +19,19 @@ use super::names::constant_names;
 pub struct Place {
     /// The array of the row.
     pub row: usize,
-    /// The column among the values that a site sees: site by site, arrays interleaved.
+    /// The column among the values of the stencil: site by site, arrays interleaved.
     pub column: usize,
 }
 
 /// The plans of a family.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    /// The names in `constants`: the parameters of the chain.
+    /// The inputs of `constants`: the parameters of the chain.
     pub given: Symbols,
-    /// The names in `rows` and `sums`. States are the values that a site sees: arrays, then site
-    /// parameters, each from −reach on. Parameters are the prepared constants.
+    /// The inputs of `rows` and `sums`. States are the arrays, then the site parameters, of the
+    /// sites −reach … reach. Parameters are the prepared constants.
     pub symbols: Symbols,
-    /// The prepared constants, from ε and the parameters of the chain.
+    /// The prepared constants, computed from ε and the parameters of the chain.
     pub constants: Plan,
     /// The field, one output for each array, then the entries of A at [`entries`](Self::entries).
     pub rows: Plan,
@@ -124,7 +124,6 @@ impl Family {
         self.integrals.iter().chain(&self.hamiltonian)
     }
 
-    /// Returns the couplings of an array, including its own value.
     fn with_diagonal(&self, array: usize) -> Vec<usize> {
         let mut places = self.couplings(array);
         let own = self.place(0, array);
@@ -134,7 +133,7 @@ impl Family {
         places
     }
 
-    /// Returns all values that a site sees, with site parameters, as states named by identifiers.
+    /// Returns the values of the stencil, site parameters included, as states named by identifiers.
     fn line_symbols(&self) -> Symbols {
         let reach = self.reach as i64;
         let identifier = |array: &String, offset: i64| match offset {
@@ -163,7 +162,6 @@ struct LineWriter<'a> {
 }
 
 impl LineWriter<'_> {
-    /// Returns a variable of the family in the numbering of the lines.
     fn renamed(&self, variable: Variable) -> Variable {
         let family = self.family;
         let symbol = self.with_constants.field.symbols.symbol(variable);
@@ -193,9 +191,8 @@ impl LineWriter<'_> {
         self.multiple(None, component.numerator(), component.denominator())
     }
 
-    /// Writes a quotient, or ε times it, as a sum of prepared coefficients times integer
-    /// polynomials in the values of a site, so that parameter expressions are computed once. If
-    /// divisors vary by site, the whole sum is divided.
+    /// Writes p/q, or ε·p/q, as Σ cₖ·pₖ with prepared coefficients cₖ and integer polynomials pₖ in
+    /// the values of the stencil. If q depends on the site, divides the whole sum by q.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();
@@ -215,7 +212,7 @@ impl LineWriter<'_> {
             let term = self.builder.multiply(factor, values);
             sum = self.builder.add(sum, term);
         }
-        // One reciprocal serves a row.
+        // One reciprocal serves all entries of a row.
         let [one, outside] = [&one, outside].map(|of| self.polynomial(of));
         let reciprocal = self.builder.divide(one, outside);
         self.builder.multiply(sum, reciprocal)
@@ -225,7 +222,7 @@ impl LineWriter<'_> {
         self.symbols.is_state(self.renamed(variable))
     }
 
-    /// Splits a polynomial into coefficients in parameters (not proportional) and their cofactors.
+    /// Writes a polynomial as Σ cₖ·pₖ with coefficients cₖ in parameters, no two proportional.
     fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {
@@ -239,10 +236,10 @@ impl LineWriter<'_> {
         terms
     }
 
-    /// Writes δ − ε ∂f/∂x.
+    /// Writes δᵢⱼ − ε ∂fᵢ/∂xⱼ.
     fn entry(&mut self, slope: &Polynomial, below: &Polynomial, is_diagonal: bool) -> Node {
         let eps = self.builder.input(self.symbols.epsilon());
-        // −ε times a sum is ε times the negated sum, which costs nothing.
+        // −ε·p is written as ε·(−p): negating the coefficients of p costs nothing.
         let scaled = self.multiple(Some(eps), &-slope, below);
         if !is_diagonal {
             return scaled;

@@ -40,7 +40,7 @@ impl StepListing {
             let reciprocal = reciprocal.map(|node| name(*node).to_owned());
             let (sign, numerator) = match plan.operations[numerator.0] {
                 Operation::Negate(inner) => {
-                    // A negation that becomes a subtraction is not listed.
+                    // A negated numerator is subtracted in `next`, so its negation is not listed.
                     hidden[numerator.0] = uses[numerator.0] == 1;
                     ('-', inner)
                 }
@@ -56,7 +56,7 @@ impl StepListing {
             });
             reciprocals.push(reciprocal);
         }
-        // Prepared constants that are ε or a parameter are listed by name only.
+        // Prepared constants equal to ε or a parameter are listed by name only.
         let is_kept = |output: &&Node| matches!(step.constants.operations[output.0], Operation::Input(_));
         let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
         let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();
@@ -65,7 +65,6 @@ impl StepListing {
     }
 }
 
-/// Returns a line for each operation that is not `hidden`; inputs and literals are inlined.
 fn lines(plan: &Plan, names: &[String], hidden: impl Fn(usize) -> bool) -> Vec<String> {
     let is_literal = |node: Node| matches!(plan.operations[node.0], Operation::Constant(_));
     let lines = plan.operations.iter().zip(names).enumerate().filter_map(|(index, (operation, result))| {

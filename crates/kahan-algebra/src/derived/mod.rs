@@ -1,8 +1,8 @@
 //! The field, the map and the claims of a system as straight-line plans.
 //!
-//! A [`Derived`] names each plan of a checked system; a family has [`Lines`]. Code generators,
-//! run-time maps and printers all read plans from here, so they compute equal operations in equal
-//! order. Plans of claims are made by the check, those of exact heights in `kahan-runtime`.
+//! Code generators, run-time maps and printers all read their plans from [`Derived`], so they
+//! compute equal operations in equal order. Plans for one site of a family are in [`Lines`]. The
+//! check makes the plans of claims, `kahan-runtime` those of exact heights.
 
 mod lines;
 mod listing;
@@ -41,7 +41,7 @@ pub struct Derived {
     /// (N, D): numerators, then the denominator, unreduced; `None` beyond the budget.
     pub rational_map: Option<Plan>,
     /// Numerators and denominator of the reduced map; `None` if no state-dependent factor was
-    /// divided out, so that they are (N, D) up to a factor without poles.
+    /// divided out. Then (N, D) is the reduced map up to a factor without poles.
     pub reduced_map: Option<Plan>,
     /// The unconditional integrals in one plan.
     pub integrals: Plan,
@@ -58,7 +58,6 @@ pub struct Derived {
     made: Made,
 }
 
-/// Plans made on first use.
 #[derive(Clone, Debug, Default)]
 struct Made {
     planned: OnceLock<Planned>,
@@ -104,7 +103,7 @@ pub fn derive(system: &System) -> Derived {
     }
 }
 
-/// The field and the map from which a step is planned.
+/// The field and the map from which the step is planned.
 #[derive(Clone, Debug)]
 struct Planned {
     with_constants: WithConstants,
@@ -112,13 +111,14 @@ struct Planned {
 }
 
 impl Planned {
-    /// Returns the field with constants, or the plain field if constants hide a factor of `map`.
+    /// Returns the field with named constants, or the plain field if naming them hides a factor
+    /// that `map` divides out.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return Planned { with_constants: with, map: map.cloned() };
         };
-        // In a field with constants ε² of coefficients is a parameter, so degrees in ε differ.
+        // With named constants ε² is a parameter, so degrees in ε cannot be compared.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -134,7 +134,6 @@ impl Planned {
         self.map.as_ref().map(|map| self.with_constants.put_into(&plan(map)))
     }
 
-    /// Returns the reduced map if a state-dependent factor was divided out.
     fn reduced_map(&self) -> Option<Plan> {
         let symbols = &self.with_constants.field.symbols;
         let reduced = &self.map.as_ref()?.reduced;
@@ -163,12 +162,15 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of the coefficients of a dense field from its parameters; `None` for other
-    /// fields. For each component: the constant, the coefficients of the variables, and those of
-    /// products xⱼxₖ with j ≤ k, row by row of the triangle.
+    /// Returns the plan that computes the coefficients of a dense field from its parameters; `None`
+    /// for other fields. Each component lists its constant, the coefficients of the variables, and
+    /// those of the products xⱼxₖ with j ≤ k, row by row of the triangle.
     ///
-    /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j, and ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where k = j
-    /// counts twice. Plans add in this order and skip zero coefficients.
+    /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
+    ///
+    /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where k = j counts twice.
+    ///
+    /// Plans add in this order and skip zero coefficients.
     pub fn coefficients(&self) -> Option<&Plan> {
         let coefficients = || Some(self.dense()?.coefficients());
         self.made.coefficients.get_or_init(coefficients).as_ref()
@@ -234,7 +236,6 @@ impl Derived {
         self.made.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
     }
 
-    /// Returns the plan of polynomials of the components, each over its component's divisor.
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
         let with = &self.planned().with_constants;
         let polynomials = polynomials(&with.field);
@@ -269,7 +270,7 @@ impl Derived {
     }
 
     /// Returns the plan of v ↦ (∂x̃/∂x)·v from x, v and x̃, one output for each component. `None`
-    /// if the reduced map is defined at zeros of det A, or if no short form keeps its digits.
+    /// if the reduced map is defined at zeros of det A, or if every short form loses digits.
     ///
     /// The symbols are those of the [variational](System::variational) field: x and v are its
     /// states, x̃ is the first half of its second states.

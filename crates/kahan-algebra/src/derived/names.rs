@@ -1,5 +1,5 @@
-//! Names for the values of a plan by their formulas: `two_eps`, `eps_a1`, `one_plus_eps_x`.
-//! Generated code and listings share them. Values without a short description are numbered.
+//! Names for the values of a plan after their formulas: `two_eps`, `eps_a1`, `one_plus_eps_x`.
+//! Generated code and listings share the names. Values with long formulas are numbered.
 
 use rustc_hash::FxHashSet;
 
@@ -17,13 +17,12 @@ pub enum ValueName {
     Numbered(&'static str, usize),
 }
 
-/// The distinct names given so far in one plan.
+/// The names given so far in one plan, all distinct.
 #[derive(Clone, Debug)]
 pub struct ValueNames {
     descriptions: Vec<Option<String>>,
     kinds: Vec<&'static str>,
     taken: FxHashSet<String>,
-    /// The number of numbered values of each kind.
     numbered: Table<&'static str, usize>,
 }
 
@@ -50,7 +49,6 @@ impl ValueNames {
         self.name_as(value, self.kinds[value.0])
     }
 
-    /// Names a value; numbered names begin with `what`.
     fn name_as(&mut self, value: Node, what: &'static str) -> ValueName {
         if let Some(text) = self.descriptions[value.0].clone().filter(|text| self.taken.insert(text.clone()))
         {
@@ -87,7 +85,7 @@ pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     constants.outputs.iter().map(name).collect()
 }
 
-/// Names each value of the plan of prepared constants; its outputs are named `prepared`.
+/// Names each value of the plan of prepared constants; outputs get the names in `prepared`.
 pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<String> {
     let taken = symbol_names(symbols).chain(prepared.iter().cloned());
     let values = ValueNames::of(plan, symbols, &[]).without(taken);
@@ -95,7 +93,7 @@ pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[Strin
     listed(plan, symbols, values, |value| place(value).map(|place| prepared[place].clone()))
 }
 
-/// Names each value of a kernel, without the names in `constants`, which include `prepared`.
+/// Names each value of a kernel; the names in `constants` must not be used again.
 pub(super) fn listed_kernel(
     plan: &Plan,
     symbols: &Symbols,
@@ -110,7 +108,6 @@ pub(super) fn listed_kernel(
     })
 }
 
-/// Names all values in order; literals are named by their values.
 fn listed(
     plan: &Plan,
     symbols: &Symbols,

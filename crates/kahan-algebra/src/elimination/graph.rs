@@ -7,9 +7,8 @@ pub(super) struct Graph {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Price {
-    /// Products of two entries.
     products: usize,
-    /// The longest chain of dependent pivots.
+    /// The number of pivots in the longest chain of dependent pivots.
     critical_path: usize,
 }
 
@@ -19,12 +18,10 @@ pub(super) struct Filled {
 }
 
 pub(super) struct FilledRow {
-    /// The columns in order, with the diagonal.
     pub(super) columns: Vec<usize>,
-    /// The index of the diagonal in `columns`.
     pub(super) diagonal: usize,
-    /// The end of the columns that later rows examine. Later rows find the columns behind in the
-    /// row of the last column before, which contains them all.
+    /// The end of the columns that elimination reads from this row for rows below. Later columns
+    /// also stand in the row of the last one read, so rows below inherit them from there.
     looked_at: Option<usize>,
 }
 
@@ -126,7 +123,7 @@ impl Graph {
     }
 }
 
-/// Returns the position of each variable in an order.
+/// Returns the inverse permutation: the position of each variable in `order`.
 pub(super) fn turns(order: &[usize]) -> Vec<usize> {
     let mut turns = vec![0; order.len()];
     order.iter().enumerate().for_each(|(turn, &i)| turns[i] = turn);

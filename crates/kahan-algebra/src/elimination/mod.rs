@@ -1,9 +1,9 @@
-//! Sparse elimination along the couplings: order and fill-in of A(x,ε), found once for all states.
+//! Sparse elimination of A(x,ε): an elimination order and its fill-in, found once for all states.
 //!
-//! A field whose step is too large for straight-line code comes in; an order of elimination and the
-//! positions of entries with fill-in go out. The pivot of a variable is its diagonal entry 1 − ε
-//! ∂fᵢ/∂xᵢ; rows are never exchanged, so callers must check pivots. Blocks of a triangular field
-//! have no fill-in between them. `graph` computes fill-in, `orders` proposes orders.
+//! The input is a field whose step is too large for straight-line code. The result lists the
+//! positions of all entries, fill-in included. Variable i has the pivot 1 − ε ∂fᵢ/∂xᵢ; rows are
+//! never exchanged, so callers must check pivots. Blocks of a triangular field are eliminated
+//! separately.
 
 mod graph;
 mod orders;
@@ -25,9 +25,8 @@ pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables of a compiled block.
 pub const MOST_VARIABLES: usize = 200;
-/// The most parameters of a compiled block.
 const MOST_PARAMETERS: usize = 2000;
-/// The most entries of f′ that are not identically zero in a compiled block of many variables.
+/// The most nonzero entries of f′ in a compiled block of many variables.
 const MOST_SLOPES: usize = 1500;
 
 /// The most products in an elimination written as straight-line code.
@@ -44,7 +43,7 @@ pub struct Couplings {
     pub columns: Vec<usize>,
     /// The end of each block: the index of its last row plus 1.
     pub blocks: Vec<usize>,
-    /// The positions among the entries of the outputs of [`Self::slopes`].
+    /// For each output of [`Self::slopes`] its position among the entries.
     pub places: Vec<usize>,
     /// The plan of the entries of f′(x) that are not identically zero.
     pub slopes: Plan,
@@ -53,7 +52,7 @@ pub struct Couplings {
 /// The positions of a row's entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// The first entry, in the column of an earlier block if there is one.
+    /// The first entry; entries before `own` are in columns of earlier blocks.
     pub start: usize,
     /// The first entry in the row's own block.
     pub own: usize,
@@ -171,7 +170,7 @@ impl Couplings {
         StepCost { operations: count(operations), divisions: count(n), critical_path: count(critical_path) }
     }
 
-    /// Returns the products of elimination and substitution.
+    /// Returns the number of products in elimination and substitution.
     fn products(&self) -> usize {
         let above = |place: usize| {
             let Row { diagonal, end, .. } = self.rows[self.columns[place]];
@@ -181,7 +180,8 @@ impl Couplings {
         self.rows.iter().map(row).sum()
     }
 
-    /// Returns the cycles of the longest pivot chain: a division and three multiply-adds for each.
+    /// Returns the cycles of the longest chain of pivots: one division and three multiply-adds
+    /// each.
     fn critical_path(&self) -> usize {
         const PIVOT: usize = 26;
         let mut chains: Vec<usize> = Vec::with_capacity(self.rows.len());
@@ -211,7 +211,7 @@ pub(crate) mod tests {
         order
     }
 
-    /// Returns for each of n variables in order those that it depends on, up to three on average.
+    /// Returns up to three dependencies on average for each of n variables, in order.
     pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
         let mut rows = vec![Vec::new(); n];
         for _ in 0..n * (1 + below(random, 5)) / 2 {

@@ -21,12 +21,12 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, Filled) {
     (order, filled)
 }
 
-/// Returns the written order, best if each variable couples to the next few only.
+/// Returns the order of the text, best if each variable couples to the next few only.
 fn as_written(count: usize) -> Vec<usize> {
     (0..count).collect()
 }
 
-/// Returns 0, n−1, 1, n−2, …: a cyclic band becomes an open one of twice the bandwidth.
+/// Returns 0, n−1, 1, n−2, …: a cyclic band matrix becomes an open one of twice the bandwidth.
 fn folded(count: usize) -> Vec<usize> {
     (0..count).map(|k| if k % 2 == 0 { k / 2 } else { count - 1 - k / 2 }).collect()
 }
@@ -66,7 +66,7 @@ fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let all = (0..around.len()).map(|place| Reverse((around[place].len(), 0, place)));
     let mut queue: BinaryHeap<_> = all.collect();
     while let Some(Reverse((degree, turn, chosen))) = queue.pop() {
-        // The queue also contains outdated entries of variables.
+        // Skips outdated entries of the priority queue.
         if !is_left[chosen] || (degree, turn) != (around[chosen].len(), waits[chosen]) {
             continue;
         }
@@ -88,7 +88,6 @@ fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Appends mutually coupled variables, the one with the shortest chain of pivots next.
 fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<usize>) {
     while let Some(chosen) = left.iter().copied().min_by_key(|&place| waits[place]) {
         left.retain(|&place| place != chosen);
@@ -97,7 +96,6 @@ fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<us
     }
 }
 
-/// Merges two sorted lists without duplicates, keeping numbers that satisfy `is_kept`.
 fn united(left: &[usize], right: &[usize], is_kept: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut united = Vec::with_capacity(left.len() + right.len());
     let (mut a, mut b) = (0, 0);

@@ -142,7 +142,6 @@ pub(super) fn plural(sites: usize) -> &'static str {
     if sites == 1 { "site" } else { "sites" }
 }
 
-/// Returns the numerator of the sum's derivative along the field; `None` if it vanishes.
 fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<Option<Polynomial>> {
     let Chain { family, symbols, sites } = chain;
     // Terms over one divisor often cancel completely.

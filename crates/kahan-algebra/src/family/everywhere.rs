@@ -1,9 +1,10 @@
-//! Sums over all sites, reduced to finitely many terms.
+//! Reduces sums over all sites to finitely many terms.
 //!
-//! Each term is seen from a site in the middle of a long chain. Its extent is the interval of sites
-//! that a chain must contain for the term to occur. A sum vanishes in all chains if the terms of
-//! each extent cancel separately: S(chain) minus the sums of the two chains shorter by one end
-//! site, plus that of the chain shorter at both ends, has exactly the terms that need both ends.
+//! Each term is written relative to a site in the middle of a long chain. Its *extent* is the
+//! interval of sites that a chain must contain for the term to occur. A sum vanishes in all chains
+//! if the terms of each extent cancel separately. Proof: take S(chain), subtract S of the two
+//! chains that lack one end site, add S of the chain that lacks both. Exactly the terms that need
+//! both ends remain.
 
 use kahan_syntax::syntax::Boundary;
 
@@ -40,10 +41,9 @@ impl Extent {
     }
 }
 
-/// The middle site of a long chain, and its surroundings.
+/// A long chain and its middle site.
 pub(super) struct Middle<'a> {
     pub chain: Chain<'a>,
-    /// The site.
     pub site: usize,
 }
 
@@ -54,19 +54,16 @@ impl<'a> Middle<'a> {
         Middle { chain: family.chain(sites), site: sites / 2 }
     }
 
-    /// Moves a function of site i to the site `offset` from the middle.
     pub(super) fn at(&self, component: &RationalFunction, offset: i64) -> RationalFunction {
         let site = (self.site as i64 + offset) as usize;
         self.chain.moved(component, site).expect("no two sites are one in a long chain")
     }
 
-    /// Returns the offset of a state's site from the middle, and its array.
     pub(super) fn state(&self, state: Variable) -> (i64, usize) {
         let (place, block) = (usize::from(state.0), self.chain.family.block());
         ((place / block) as i64 - self.site as i64, place % block)
     }
 
-    /// Returns the site of a variable; `None` for a parameter of the chain.
     fn site_of(&self, variable: Variable) -> Option<usize> {
         match self.chain.symbols.symbol(variable) {
             Symbol::State(k) => Some(k / self.chain.family.block()),
@@ -87,7 +84,7 @@ impl<'a> Middle<'a> {
         Extent { first: site, last: site }
     }
 
-    /// Returns the extent of a term that stands at a place of extent `place`.
+    /// Returns the extent of a monomial, extended to contain `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: Extent) -> Extent {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;
@@ -103,13 +100,12 @@ impl<'a> Middle<'a> {
         Extent { first, last }
     }
 
-    /// Returns the first site that occurs in these monomials, or the middle.
+    /// Returns the first site in these monomials, or the middle if none occurs.
     pub(super) fn first_site<'b>(&self, monomials: impl Iterator<Item = &'b Monomial>) -> usize {
         let variables = monomials.flat_map(Monomial::powers);
         variables.filter_map(|(variable, _)| self.site_of(*variable)).min().unwrap_or(self.site)
     }
 
-    /// Moves every site of a monomial by `by` sites.
     pub(super) fn shifted(&self, monomial: &Monomial, by: i64) -> Monomial {
         let shift = |variable: Variable| {
             let step = match self.chain.symbols.symbol(variable) {

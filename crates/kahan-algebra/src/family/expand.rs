@@ -20,7 +20,7 @@ impl Family {
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
-        // `x` and `x1` together would make ambiguous names.
+        // Arrays `x` and `x1` together would yield ambiguous names.
         let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
         let is_prefix =
             |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);
@@ -37,8 +37,8 @@ impl Family {
     }
 
     /// Returns the system of a chain of `sites` sites with its linear integrals. In a periodic
-    /// chain shorter than the stencil a site is its own neighbour. `None` if the system then
-    /// divides by zero, as `x[i]/(c[i] - c[i+1])` does at one site.
+    /// chain shorter than the stencil a site is its own neighbour. `None` if a divisor vanishes
+    /// identically, as in `x[i]/(c[i] - c[i+1])` at one site.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);
@@ -72,7 +72,6 @@ pub(super) struct Chain<'a> {
 }
 
 impl Chain<'_> {
-    /// Returns a linear integral of the chain, proved for every number of sites.
     fn claim(&self, sum: &SiteSum) -> Option<Claim> {
         let mut builder = PlanBuilder::default();
         let mut total = builder.polynomial(&Polynomial::zero());
@@ -92,7 +91,7 @@ impl Chain<'_> {
         })
     }
 
-    /// Moves a function of site i to a site of the chain; `None` if its denominator vanishes.
+    /// Moves a function of site i to `site`; `None` if its denominator vanishes.
     pub(super) fn moved(&self, function: &RationalFunction, site: usize) -> Option<RationalFunction> {
         // A value beyond the end of an open chain makes a term zero.
         let moved = |monomial: &Monomial| -> Option<Monomial> {
@@ -102,7 +101,6 @@ impl Chain<'_> {
         function.map(|polynomial| polynomial.map_monomials(moved))
     }
 
-    /// Moves a variable; `None` beyond the end of an open chain.
     fn moved_variable(&self, variable: Variable, site: usize) -> Option<Variable> {
         let Chain { family, symbols, sites } = self;
         let neighbour = |offset: i64| {
@@ -123,7 +121,6 @@ impl Chain<'_> {
     }
 }
 
-/// Formats a sum of quotients as an expression at the place of the claim.
 fn written(terms: &[RationalFunction], symbols: &Symbols, span: Span) -> Expr {
     let expr = |kind| Expr { kind, span };
     let factor = |divides, expr| Factor { divides, expr };

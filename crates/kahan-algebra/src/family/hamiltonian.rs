@@ -17,7 +17,6 @@ use super::conserved::{plural, too_long};
 use super::everywhere::{Extent, Middle, budget, product};
 use super::{Family, Role, SiteSum};
 
-/// Proves that some K satisfies ẋ = K∇H for every number of sites.
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
     let refuse = |message: &str, help: &str| {
@@ -55,7 +54,7 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     }
 }
 
-/// Returns the independent entries of K, above the diagonal.
+/// Returns the positions of the independent entries of K, above the diagonal.
 fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     let arrays = 0..family.block();
     let pairs = arrays.clone().flat_map(|row| arrays.clone().map(move |column| (row, column)));
@@ -66,7 +65,7 @@ fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     pairs.flat_map(offsets).collect()
 }
 
-/// A term that no K produces, at a site of a chain.
+/// A term of ẋ that K∇H cannot produce, and the chain and site where it occurs.
 pub(super) struct Missing {
     array: usize,
     term: String,
@@ -74,7 +73,6 @@ pub(super) struct Missing {
     sites: usize,
 }
 
-/// A term in the middle of a long chain.
 struct Term {
     monomial: Monomial,
     coefficient: Rational,
@@ -83,16 +81,15 @@ struct Term {
 
 /// A term of ẋ = K∇H for an array in the middle.
 struct RowTerm {
-    /// In states and site parameters.
+    /// The product of states and site parameters.
     monomial: Monomial,
     extent: Extent,
     /// The index of the unknown that it multiplies; the number of unknowns for a term of ẋ.
     unknown: usize,
-    /// In parameters of the chain.
+    /// The factor in parameters of the chain.
     coefficient: Polynomial,
 }
 
-/// Returns the first term that no K produces.
 pub(super) fn missing(
     middle: &Middle<'_>,
     hamiltonian: &SiteSum,
@@ -113,7 +110,8 @@ pub(super) fn missing(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // Far from the ends all terms of a monomial combine. Begin with terms of ẋ, which reports name.
+    // Far from the ends, terms with equal monomials combine. Terms of ẋ come first: reports name
+    // them.
     let long = Extent { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -140,7 +138,7 @@ pub(super) fn missing(
     Ok(None)
 }
 
-/// Returns the derivatives of H times its divisor by the state of each array in the middle.
+/// Returns ∂H/∂x, times the divisor of H, for each array in the middle.
 fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> Within<Vec<Vec<Term>>> {
     let mut gradient: Vec<Vec<Term>> = (0..middle.chain.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
@@ -186,7 +184,7 @@ fn row(
     }
     for (unknown, &(row, column, offset)) in unknowns.iter().enumerate() {
         let offset = offset as i64;
-        // The entry, and its negative below the diagonal.
+        // Visits each entry of K and its negative below the diagonal.
         for (_, other, offset, sign) in
             [(row, column, offset, 1), (column, row, -offset, -1)].iter().filter(|(of, ..)| *of == array)
         {
@@ -205,7 +203,6 @@ fn row(
     Ok(terms)
 }
 
-/// Formats a monomial with sites relative to the middle.
 fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
     let family = middle.chain.family;
     let name = |variable| match middle.chain.symbols.symbol(variable) {

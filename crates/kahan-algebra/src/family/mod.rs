@@ -37,8 +37,8 @@ pub struct Family {
     pub site_parameters: Vec<String>,
     /// The largest offset of a neighbour, at least 1.
     pub reach: usize,
-    /// The values that a site sees. States: arrays, site by site from −reach on. Parameters: those
-    /// of the chain, then 2·reach + 1 values for each site parameter.
+    /// The values of the stencil. States: arrays, site by site from −reach on. Parameters: those of
+    /// the chain, then 2·reach + 1 values for each site parameter.
     pub symbols: Symbols,
     /// The field at site i, one component for each array.
     pub components: Vec<RationalFunction>,
@@ -93,13 +93,13 @@ impl Family {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())
     }
 
-    /// Returns the number of arrays.
+    /// Returns the number of arrays, which is the number of states at each site.
     #[must_use]
     pub fn block(&self) -> usize {
         self.arrays.len()
     }
 
-    /// Returns the number of sites that a site sees: 2·reach + 1.
+    /// Returns the number of sites in the stencil: 2·reach + 1.
     #[must_use]
     pub fn stencil(&self) -> usize {
         2 * self.reach + 1
@@ -120,7 +120,7 @@ impl Family {
         }
     }
 
-    /// Returns the index of an array's value among the states: site by site, arrays interleaved.
+    /// Returns the index of an array's value among the states of the stencil.
     #[must_use]
     pub fn place(&self, offset: i64, array: usize) -> usize {
         (offset + self.reach as i64) as usize * self.block() + array

@@ -13,10 +13,9 @@ use super::conserved::cancels;
 use super::everywhere::{Middle, budget};
 use super::hamiltonian::missing;
 
-/// A coefficient, and names with the offsets of their sites.
+/// A coefficient, and array names with offsets of their sites.
 type Term = (i64, Vec<(&'static str, i64)>);
 
-/// The equations of a random family, one for each array.
 struct Random {
     is_open: bool,
     arrays: Vec<(&'static str, Vec<Term>)>,
@@ -188,7 +187,6 @@ fn sums_that_telescope_are_kept_and_others_are_not() {
     assert!(!holds(
         "for i in open { a[i]dot = b[i+1] - a[i]*b[i]; b[i]dot = a[i]*b[i] - b[i]; } integral S = sum(a[i] + b[i]);"
     ));
-    // With a separate divisor at each site.
     assert!(holds("for i in periodic { x[i]dot = x[i+1]/c[i+1] - x[i]/c[i]; } integral S = sum(x[i]);"));
 }
 
@@ -230,7 +228,6 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
 }
 
-/// Returns the products of terms in the proof of a family's only claim.
 fn work(text: &str) -> u64 {
     let tokens = lex(text).tokens;
     let family = crate::read_unproved(&tokens).family().unwrap_or_else(|why| panic!("{text}: {why:?}"));

@@ -34,12 +34,11 @@ pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
     rows.into_iter().map(row).collect()
 }
 
-/// Returns whether each entry is not identically zero.
+/// Returns the nonzero pattern of a matrix.
 pub(crate) fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
     rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
 }
 
-/// Returns the matrix diag(`diagonal`) − ε · `slopes`.
 #[must_use]
 pub(crate) fn matrix_of(
     mut slopes: Vec<Vec<Polynomial>>,

@@ -9,8 +9,8 @@ use crate::poly::{Budget, OverBudget, Polynomial, Within};
 
 const MOST_MINORS: usize = 4096;
 
-/// Returns the nonzero minors of n rows of at least n entries by set of columns; bit j stands for
-/// column j.
+/// Returns the nonzero n×n minors of a matrix with n rows, keyed by their set of columns; bit j
+/// stands for column j.
 ///
 /// # Errors
 /// Beyond the budget, 63 columns, or 4096 minors at a time.
@@ -27,7 +27,8 @@ pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Within<T
                     continue;
                 }
                 let product = minor.mul_within(entry, budget)?;
-                // The entry moves past the chosen columns to its right.
+                // The entry moves past the chosen columns to its right, with one sign change for
+                // each.
                 let odd = (chosen >> column).count_ones() % 2 == 1;
                 let product = if odd { -&product } else { product };
                 let sum = next.or_default(chosen | 1 << column);

@@ -1,7 +1,6 @@
-//! Kahan's objects, derived from a checked field as exact polynomials, one object of the theory in
-//! each file.
+//! Kahan's objects as exact polynomials, derived from a checked field; one object in each file.
 //!
-//! Each row of A x̃ = b is multiplied by its denominator qᵢ, so all objects are polynomials: Â =
+//! Row i of A x̃ = b is multiplied by its denominator qᵢ, so all objects are polynomials: Â =
 //! diag(q)·A, b̂ = diag(q)·b, D̂ = det Â = ∏q · det A.
 
 mod bilinear;

@@ -1,9 +1,9 @@
 //! The map as rational functions: x̃ᵢ = Nᵢ/D unreduced, and the reduced increment x̃ᵢ − xᵢ = 2ε
 //! nᵢ/d.
 //!
-//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, n̂ⱼ being det Â with column j replaced by p, and
-//! N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are those of N̂ and D̂, because ε does not
-//! divide D̂ (at ε = 0 it is ∏q). Their gcd is divided out; a pole where only it vanishes is
+//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where n̂ⱼ is det Â with column j replaced by p,
+//! and N̂ = xD̂ + 2εn̂. ε does not divide D̂, because D̂ = ∏q at ε = 0. Hence N̂ and D̂ have the
+//! common factors of n̂₁ … n̂ₙ and D̂. Their gcd is divided out; a pole where only it vanishes is
 //! removable.
 
 use kahan_syntax::rational::Rational;
@@ -15,7 +15,7 @@ use crate::symbols::Symbols;
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
 
-/// The most terms of N and D together, and of every minor; larger maps are eliminated numerically.
+/// The most terms of N and D together, and of each minor. Larger maps are evaluated by elimination.
 pub const TERM_BUDGET: usize = 500;
 
 /// The most products of terms to derive and reduce one map: some tens of milliseconds unoptimised.
@@ -63,7 +63,7 @@ impl RationalMap {
         let all = (1u64 << (n + 1)) - 1;
         let mut without = |column: usize| minors.remove(&(all & !(1 << column))).unwrap_or_default();
         let denominator = without(n);
-        // In the minor, p replaces column j from the last place, past n−1−j columns.
+        // In the minor, p is the last column; moving it to position j passes n−1−j columns.
         let signed = |j: usize, minor: Polynomial| if (n - 1 - j) % 2 == 1 { -&minor } else { minor };
         let increments: Vec<Polynomial> = (0..n).map(|j| signed(j, without(j))).collect();
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
@@ -87,8 +87,8 @@ impl Reduced {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Returns whether all degrees in the states equal those of `other`, so that equally many
-    /// factors were divided out. With `counts_eps` ε counts as a state.
+    /// Returns whether all degrees in the states equal those of `other`, as they do if factors of
+    /// equal degree were divided out. With `counts_eps` ε counts as a state.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,
@@ -124,7 +124,7 @@ impl Reduced {
             lowered.push(increment.div_within(&common_factor, budget)?.expect("a common divisor divides"));
         }
         let denominator = denominator.div_within(&common_factor, budget)?.expect("a common divisor divides");
-        // With constant term 1 the denominator rounds best near ε = 0, where it is 1.
+        // With constant term 1, rounding errors of the denominator are smallest near ε = 0.
         let constant = denominator.coefficient(&crate::poly::Monomial::one());
         let scale = constant.recip().unwrap_or_else(Rational::one);
         Ok(Reduced {

@@ -84,7 +84,6 @@ fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Ve
     (rows.into_iter().map(|row| row.into_iter().map(function).collect()).collect(), is_zero)
 }
 
-/// Multiplies by the least common denominator of the coefficients and divides by their content.
 fn cleared(relation: &Row, budget: &mut Budget) -> Within<Relation> {
     let entries = relation.iter().map(|(_, entry)| entry);
     let (numerators, _) = RationalFunction::over_common_within(entries, budget)?;

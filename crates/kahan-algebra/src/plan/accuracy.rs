@@ -1,11 +1,10 @@
 //! Measures how many digits a step loses in long time steps, relative to elimination with pivoting.
 //!
 //! Minors cancel leading terms, and a pivot of 1 beside entries of size ‖εf′‖ magnifies errors by
-//! that factor. Each form, and elimination with partial pivoting of A d = f, x̃ = x + 2εd, run at
-//! seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000 in floats of 30 bits. Elimination in 53 bits
-//! is the reference: its error is 2⁻²³ times that in 30 bits. To first order errors are
-//! proportional to u, so k u in 30 bits predicts k u in 53. A form beyond the limits is refused if
-//! another stays well within them.
+//! that factor. Each form runs at seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000 in floats of
+//! 30 bits. So does elimination with partial pivoting of A d = f, x̃ = x + 2εd; in 53 bits it is
+//! the reference. To first order errors are proportional to the unit roundoff u, so k u in 30 bits
+//! predicts k u in 53. A form beyond the limits is refused if another one stays well within them.
 
 mod float_plan;
 mod trial;
@@ -39,33 +38,32 @@ const SMALL_TAIL: f64 = 1000.0;
 const REFUSED: f64 = 1.5;
 /// A step within this fraction of the limits can replace a refused one.
 const KEPT: f64 = 1.0 / 6.0;
-/// Below this fraction of the limits a few points suffice.
+/// A largest ratio below this needs no further points.
 const CLEAR: f64 = 0.2;
-/// Above this multiple of the limits a few points suffice, too.
+/// A median ratio above this needs no further points.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// The median of n errors lies within the quantiles ½ ± BAND/√n with probability 0.9.
 const BAND: f64 = 0.8;
-/// A step is claimed to hold within this fraction of the limits, a margin for other points.
+/// A step is claimed to hold up to this fraction of the limits, leaving a margin for other points.
 const CLAIMED: f64 = 0.6;
 /// The quantile that measures the tail.
 const TAIL: f64 = 0.9;
 
-/// Points of every size, with the errors of elimination there.
+/// Sample points of every size, with the errors of elimination.
 pub(super) struct Accuracy<'a> {
     field: &'a Field,
     few: Vec<Vec<Trial>>,
     many: OnceCell<Vec<Vec<Trial>>>,
 }
 
-/// The loss of accuracy of a step against elimination, for each size.
+/// The ratio of a step's errors to the limit, for each size.
 #[derive(Debug)]
 pub(super) struct Loss(Vec<Ratio>);
 
-/// A ratio of errors to their limit, 1 at the limit.
+/// A ratio of errors to their limit; 1 is at the limit.
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
     measured: f64,
-    /// The upper end of the confidence band.
     largest: f64,
 }
 
@@ -74,7 +72,7 @@ impl<'a> Accuracy<'a> {
         Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
     }
 
-    /// Measures a step, with more points if the first leave a doubt.
+    /// Measures a step, with more points if the first round is inconclusive.
     pub(super) fn loss(&self, step: &StepPlan) -> Loss {
         let runner = Runner::of(step);
         let loss = |points: &[Vec<Trial>]| Loss(points.iter().map(|trials| runner.loss(trials)).collect());
@@ -82,14 +80,14 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Returns whether a step stays well within the limits at every size, the largest first.
+    /// Returns whether a step stays well within the limits at every size.
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 
-    /// Returns whether a plan that carries tangent vectors from x to x̃ stays below the limit for
-    /// refusal. `self` is the accuracy of the variational field.
+    /// Returns whether a tangent plan (v ↦ ṽ from x, v and x̃) stays below the limit of refusal.
+    /// `self` belongs to the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
@@ -101,7 +99,6 @@ impl<'a> Accuracy<'a> {
     }
 }
 
-/// Draws `count` points of each size, or fewer where f′ mostly vanishes.
 fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
     let plan = Elimination::plan(field);
     let elimination = Elimination::of(field, &plan);
@@ -114,7 +111,7 @@ fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
 }
 
 impl Loss {
-    /// Returns whether a step is refused if there is a better one.
+    /// Returns whether a step loses so many digits that a better one, if any, must replace it.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }
@@ -161,7 +158,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Returns the ratios of medians and of tails to their limits, whichever is larger.
+/// Returns the larger of two ratios: median error to its limit, and tail of errors to its limit.
 fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };
@@ -169,7 +166,7 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = BAND / (trials.len() as f64).sqrt();
-    // Reads the step's errors at `shift` above a quantile, those of elimination at `shift` below.
+    // Compares the step's quantile at q + `shift` with that of elimination at q − `shift`.
     let ratio = |shift: f64| {
         let of_medians =
             quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));

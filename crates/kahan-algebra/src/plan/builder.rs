@@ -1,4 +1,4 @@
-//! Builds plans.
+//! Builds plans from variables, polynomials and other plans.
 
 use std::ops::{Deref, DerefMut};
 
@@ -13,7 +13,7 @@ use super::{Input, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     builder: Builder<Input, Rational>,
-    /// The number of terms examined so far to nest polynomials.
+    /// The number of polynomial terms examined so far.
     pub(super) looked_at: usize,
 }
 
@@ -62,7 +62,7 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Makes a node for every operation of another plan from its index and earlier nodes.
+    /// Copies another plan; `make` builds each node from the operation's index and earlier nodes.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,
@@ -76,7 +76,6 @@ impl PlanBuilder {
         renamed
     }
 
-    /// Adds a literal of another plan: a constant or the negation of one.
     pub(super) fn include_literal(&mut self, plan: &Plan, node: Node) -> Node {
         let operation = &plan.operations[node.0];
         let operand = operation.operands().next().map(|operand| self.include_literal(plan, operand));

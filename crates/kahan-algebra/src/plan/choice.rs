@@ -1,4 +1,4 @@
-//! Chooses forms of a step: the cheapest, one with a short recurrence, or an accurate one.
+//! Chooses the form of a step: the cheapest, one with a short recurrence, or a more accurate one.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -16,7 +16,7 @@ impl StepPlan {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// Returns the plan of a field's step from kept sums and the map (`None` beyond the budget).
+    /// Returns the plan of a step from its written sums and its map (`None` beyond the budget).
     #[must_use]
     pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
         let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
@@ -24,7 +24,8 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves lanes, and one orbit if no other form has a shorter recurrence.
+        // The cheapest form serves lanes; it also serves one orbit unless another form has a
+        // shorter recurrence.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
@@ -61,8 +62,8 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// Returns the forms for one orbit that beat the cheapest form's recurrence among those made up
-    /// to `recurrence`, and the number of forms made.
+    /// Returns the forms whose recurrence is shorter than that of the cheapest form, and the number
+    /// of forms that were built; `recurrence` maps this limit to the limit for building a form.
     fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);

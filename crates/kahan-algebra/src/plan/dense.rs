@@ -1,5 +1,5 @@
-//! Plans of fields with many products of two variables: sums in one order, so that loops over
-//! packed coefficients reproduce the bits of the plans.
+//! Plans of fields with very many products of two variables. Their sums have a fixed order, so
+//! loops over packed coefficients reproduce them bit for bit.
 
 use kahan_syntax::rational::Rational;
 
@@ -9,11 +9,10 @@ use crate::symbols::Symbols;
 
 use super::{Node, Plan, PlanBuilder};
 
-/// The minimal dimension of a dense field.
 const FEWEST_VARIABLES: usize = 10;
 /// The minimal number of products of two variables; straight-line code is faster for fewer.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field at least one product in `SPARSEST` has a nonzero coefficient.
+/// In a dense field at least one in `SPARSEST` products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]
@@ -47,7 +46,7 @@ pub(crate) struct DenseField {
 }
 
 impl DenseField {
-    /// Returns the field if it is dense and its text has neither sums as factors nor divisors.
+    /// Returns the field if it is dense and written with neither sums as factors nor divisors.
     pub(crate) fn of(kept: &Kept, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
@@ -95,7 +94,6 @@ impl DenseField {
         (0..n * n).map(move |place| (place / n, place % n))
     }
 
-    /// Returns whether ∂fᵢ/∂xⱼ is not identically zero.
     pub(crate) fn depends(&self, (i, j): (usize, usize)) -> bool {
         let coefficients = &self.components[i];
         let product = |k: usize| &coefficients[self.place(j.min(k), j.max(k))];
@@ -159,7 +157,6 @@ impl DenseField {
         builder.finish(&entries)
     }
 
-    /// Returns the coefficient of xᵢxⱼ times the variable with index `k`.
     fn term(&self, builder: &mut PlanBuilder, of: &[Coefficient], [i, j]: [usize; 2], k: usize) -> Node {
         let coefficient = &of[self.place(i, j)];
         if coefficient.is_zero() {

@@ -1,8 +1,8 @@
-//! Nested (Horner) forms of polynomials for all plans except steps.
+//! Nested (Horner) forms of polynomials, for all plans except steps.
 //!
-//! The variable to factor out depends on the rest, so a polynomial is examined once for each
-//! variable. A budget limits the examined terms of one plan; beyond it, all variables of a
-//! polynomial are factored out at once.
+//! The best variable to factor out depends on the remaining terms, so each polynomial is examined
+//! again after every choice. A budget limits the examined terms of one plan. Beyond it, all
+//! variables of a polynomial are factored out at once.
 
 use std::cmp::Reverse;
 
@@ -13,12 +13,12 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use super::{Node, PlanBuilder};
 
-/// The most terms to examine one variable at a time.
+/// The most terms examined one variable at a time.
 pub(super) const MOST_LOOKED_AT: usize = 1_000_000;
 
 impl PlanBuilder {
-    /// Returns a polynomial in nested form: content and common monomial first, then v·q + r in the
-    /// most frequent variable v. Beyond the budget, Σ vᵢ·qᵢ + r in all variables.
+    /// Returns a polynomial in nested form: numeric and monomial common factors first, then v·q + r
+    /// for the most frequent variable v. Beyond the budget, Σ vᵢ·qᵢ + r over all variables.
     pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
         self.nested(polynomial.clone())
     }
@@ -65,7 +65,6 @@ impl PlanBuilder {
         self.divide(above, below)
     }
 
-    /// Writes a single term; it counts as two examined terms, one for its coefficient.
     fn term(&mut self, monomial: &Monomial, coefficient: &Rational) -> Node {
         self.looked_at += if monomial.is_one() { 1 } else { 2 };
         let coefficient = self.constant(coefficient);
@@ -104,14 +103,14 @@ impl PlanBuilder {
     }
 }
 
-/// Returns the variable in most terms, the later one of equals; `None` if none is in two terms.
+/// Returns the variable in most terms, the last of equals; `None` if none is in two terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     let counts = polynomial.frequencies().into_iter().filter(|&(_, count)| count > 1);
     counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)
 }
 
-/// Returns products v·q and a rest r with Σ v·q + r = polynomial. Each term goes to the most
-/// frequent variable that it contains and that `may_be_out`; frequent variables come first.
+/// Returns products v·q and a remainder r with Σ v·q + r = polynomial. Each term goes to its most
+/// frequent variable among those that `may_be_out`; frequent variables come first.
 pub(super) fn by_frequency(
     polynomial: &Polynomial,
     may_be_out: impl Fn(Variable) -> bool,

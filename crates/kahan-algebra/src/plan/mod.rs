@@ -7,12 +7,12 @@
 //!
 //! 1. `step` separates prepared constants from the kernel, and rewrites the kernel.
 //! 2. `writing` turns a polynomial into operations: nesting, distribution of ε, reuse.
-//! 3. `accuracy` measures the loss of digits in long steps, and refuses forms that lose too much.
+//! 3. `accuracy` measures the loss of digits in long steps, and refuses inaccurate forms.
 //! 4. `forms` writes different ways to solve A·x̃ = b.
 //! 5. `choice` chooses the form for one orbit and the form for lanes.
 //!
-//! `values` substitutes sums and divisors kept as written, `dense` writes fields with very many
-//! products, `words` names operations.
+//! `values` substitutes named sums and divisors of the written form, `dense` writes fields with
+//! very many products, `words` names operations.
 //!
 //! # Benefit of each optimisation
 //!
@@ -35,9 +35,9 @@
 //!
 //! Two more were measured and dropped. (2ε)x as εx + εx changed 27 steps (means 1.00, 0.99, 1.00
 //! and 1.00). A division for each component in place of a shared reciprocal changed 6 steps (1.00;
-//! 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84; 0.93). It is left to fields of one variable
+//! 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84; 0.93). Only fields of one variable use it
 //! (`PlanBuilder::increment`): ensembles that report how they ended took twice the time with it,
-//! since two divisions bound the lanes.
+//! since two divisions are the bottleneck of lanes.
 
 mod operation;
 

@@ -1,4 +1,4 @@
-//! Plans as programs: types of inputs and constants.
+//! Plans as programs: their inputs and constants.
 
 use kahan_program::Program;
 pub use kahan_program::{Cost, Node};

@@ -1,5 +1,5 @@
-//! Substitutes kept values into plans: a field [kept](crate::kept) as written refers to values,
-//! while plans run on states and parameters. Each value is computed once in a plan.
+//! Substitutes the [named subexpressions](crate::kept) of a field into plans, so that plans run on
+//! states and parameters. Each subexpression is computed once in a plan.
 
 use kahan_syntax::rational::Rational;
 
@@ -38,7 +38,7 @@ impl Nodes<'_> {
 }
 
 impl Values {
-    /// Replaces each input that is a value by its operations.
+    /// Replaces each input that names a subexpression by its operations.
     pub(crate) fn put_into(&self, plan: Plan) -> Plan {
         let is_value = |operation: &Operation| match operation {
             Operation::Input(Input::Variable(variable)) => self.place(*variable).is_some(),
@@ -50,8 +50,8 @@ impl Values {
         self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
     }
 
-    /// Replaces variables of a plan by values. `value` returns the index of the value for a
-    /// variable, or the variable's new name. `rename` renames variables inside values.
+    /// Replaces variables of a plan: by the subexpression with the index that `value` returns, or
+    /// by the variable that it returns. `rename` renames variables inside subexpressions.
     fn put_in(
         &self,
         plan: &Plan,
@@ -67,7 +67,6 @@ impl Values {
         builder.finish(&outputs)
     }
 
-    /// Returns the plan of polynomials over the values, one output each.
     pub(crate) fn plan<'a>(&self, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
         self.put_into(plan_of(polynomials))
     }
@@ -88,8 +87,9 @@ impl Kept {
 }
 
 impl WithConstants {
-    /// Substitutes values into a plan over variables of a family's line. `constant` returns the
-    /// index of the value that a variable stands for; `rename` renames variables of the field.
+    /// Substitutes subexpressions into a plan for one site of a family. `constant` returns the
+    /// index of the subexpression that a variable stands for; `rename` renames variables of the
+    /// field.
     pub(crate) fn put_into_line(
         &self,
         plan: &Plan,
@@ -99,7 +99,6 @@ impl WithConstants {
         self.values.put_in(plan, |variable| constant(variable).map(|index| self.places[index]), rename)
     }
 
-    /// Substitutes values into a plan of this field.
     pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
         if self.is_plain() {
             return plan.clone();

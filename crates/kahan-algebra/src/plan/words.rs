@@ -1,4 +1,4 @@
-//! Describes operations in words, `two_eps`, `one_plus_eps_x`, for names in code and listings.
+//! Describes operations as names for code and listings, such as `two_eps` or `one_plus_eps_x`.
 
 use kahan_syntax::rational::Rational;
 
@@ -8,10 +8,9 @@ use crate::symbols::Symbols;
 
 use super::{Node, Operation, Plan};
 
-/// The longest description that serves as a name.
 const LONGEST: usize = 24;
 
-/// The structure of a description, which decides how it joins others.
+/// The outermost operation of a description, which decides how it combines with others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Number,
@@ -25,9 +24,8 @@ struct Description {
     kind: Kind,
 }
 
-/// Returns for each operation a description that can serve as a name. `None` if long or beginning
-/// with a digit, and for quotients except a constant over ε. `prepared` names the prepared
-/// constants.
+/// Returns for each operation a description that can serve as a name, using the names of `prepared`
+/// constants. `None` if it is long, begins with a digit, or is a quotient other than constant/ε.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
@@ -47,7 +45,7 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     plan.operations.iter().zip(known).map(named).collect()
 }
 
-/// Returns the kind of an operation, which with a number names operations without description.
+/// Returns the word for an operation without description: code names it by this word and a number.
 #[must_use]
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
@@ -60,7 +58,6 @@ pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     }
 }
 
-/// Describes an operation from the descriptions of its operands.
 fn describe<'a>(
     operation: &Operation,
     symbols: &Symbols,

@@ -1,8 +1,8 @@
 //! Sums and products of polynomials, by merging sorted runs of terms.
 //!
-//! A product forms one run for each term of the shorter factor; the order is admissible, so the
-//! runs are sorted. Runs of similar length are merged, as a binary counter carries: n·m term
-//! products and n·m·log₂ min(n, m) comparisons.
+//! A product forms one sorted run for each term of the shorter factor. Runs of similar length are
+//! merged, like the digits of a binary counter: n·m term products and n·m·log₂ min(n, m)
+//! comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;
@@ -19,7 +19,6 @@ impl Polynomial {
         sum
     }
 
-    /// Returns the sum of all summands, adding coefficients by `add`.
     pub(super) fn sum_with<'a, E>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,
@@ -101,8 +100,8 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     }
 }
 
-/// A sum of many sorted runs. A run is merged once it is less than twice as long as the next, so
-/// each term takes part in logarithmically many merges.
+/// A sum of many sorted runs. A run is merged with the next one unless it is at least twice as
+/// long, so each term takes part in logarithmically many merges.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }
@@ -165,7 +164,7 @@ impl Neg for &Polynomial {
     }
 }
 
-/// Consuming variants, which clone no terms of a sum.
+/// Variants that consume their operands and clone no terms.
 impl Add for Polynomial {
     type Output = Self;
 

@@ -9,7 +9,7 @@ use std::fmt;
 
 use super::Polynomial;
 
-/// Maximal total degree within any budget, so that exponents never overflow.
+/// The maximal total degree within any budget; exponents never overflow.
 const MAX_DEGREE: u64 = 1 << 24;
 
 /// A limit on the size and the work of computations with polynomials.
@@ -80,7 +80,8 @@ impl Polynomial {
     }
 
     /// Returns the sum of all summands within the budget; the flag marks those to subtract. Costs a
-    /// sort. An addition of coefficients is charged the square of their words beyond the first.
+    /// sort. Adding two coefficients costs w² units of work; w is the number of their 64-bit words,
+    /// without the first word of each.
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
@@ -136,7 +137,6 @@ impl Polynomial {
         Ok(power)
     }
 
-    /// Returns an upper bound on the number of terms of a power.
     fn power_size(&self, exponent: u32) -> usize {
         // C(e+t−1, t−1) is the product of the (e+k)/k; each partial product is an integer.
         let mut choices: u128 = 1;

@@ -1,8 +1,8 @@
-//! Exact division of polynomials, and contents.
+//! Exact division of polynomials, and common factors of their terms.
 //!
-//! Leading terms are divided out one after another. The order is admissible, so the first leading
-//! term that the divisor's does not divide proves that no polynomial quotient exists. Degrees and
-//! lowest terms are compared first, which refutes most divisions.
+//! Leading terms are divided out one after another. If the divisor's leading term does not divide
+//! one of them, no polynomial quotient exists. Degrees and lowest terms are compared first, which
+//! refutes most divisions.
 
 use kahan_syntax::rational::Rational;
 
@@ -40,15 +40,15 @@ impl Polynomial {
         Ok(Some(Self::from_sorted(quotient)))
     }
 
-    /// Checks necessary conditions in one pass.
+    /// Checks necessary conditions for divisibility in one pass.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
         divisor_low.0.divides(&low.0)
             && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
     }
 
-    /// Returns the rational c such that self/c is primitive: coprime integer coefficients, the
-    /// leading one positive. c has the sign of the leading coefficient; the content of 0 is 1.
+    /// Returns the rational content c: self/c has coprime integer coefficients, the leading one
+    /// positive. c has the sign of the leading coefficient; the content of 0 is 1.
     pub fn content(&self) -> Rational {
         let Some((_, leading)) = self.leading_term() else { return Rational::ONE };
         let mut content = leading.abs();

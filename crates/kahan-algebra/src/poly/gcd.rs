@@ -1,9 +1,9 @@
 //! Greatest common divisors of multivariate polynomials over ℚ, primitive with positive leading
 //! coefficient.
 //!
-//! Monomials are divided out first. Images modulo a prime then bound the degree in each variable:
-//! they prove the common case (the gcd is 1) and remove variables that the gcd does not contain.
-//! The rest is done by trial division and the subresultant remainder sequence. All results are
+//! Monomials are divided out first. Images modulo a prime then bound the degree in each variable.
+//! They prove the common case that the gcd is 1, and remove variables that it does not contain.
+//! What remains is done by trial division and the subresultant remainder sequence. All results are
 //! exact; the prime affects only the speed.
 
 use kahan_syntax::rational::Rational;

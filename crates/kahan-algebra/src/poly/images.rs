@@ -1,7 +1,7 @@
 //! Bounds on the degrees of a greatest common divisor, from images modulo a prime.
 //!
 //! The degree in v of the gcd is at most that of the gcd of images with all other variables fixed
-//! in F_p. Unlucky points loosen a bound and never falsify it.
+//! in F_p. An unlucky point makes the bound larger, never wrong.
 //!
 //! *Proof.* Let a, b be integral, a primitive, g their primitive gcd. By Gauss's lemma a = g·h with
 //! h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree in v, the image of
@@ -18,7 +18,6 @@ const FIELD: PrimeField = PrimeField::MERSENNE_61;
 /// a prime is charged to a [`Budget`] at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
-/// Coefficients in F_p by exponent, without trailing zeros.
 type Univariate = Vec<u64>;
 
 /// Returns for each common variable an upper bound on the degree of gcd(a, b) in it. Both must be
@@ -61,7 +60,6 @@ fn degrees(polynomial: &Polynomial) -> Table<Variable, u32> {
     degrees
 }
 
-/// Returns the powers of the value of a variable.
 fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     let mut rng = SplitMix64::new(u64::from(variable.0));
     let value = 1 + rng.below(FIELD.prime() - 1);
@@ -72,15 +70,15 @@ fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     powers
 }
 
-/// Returns for each variable the image that keeps it.
+/// Returns for each variable the image with all other variables fixed.
 fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
     let variables: Vec<Variable> = degrees.iter().map(|(variable, _)| *variable).collect();
     let points: Vec<Vec<u64>> = degrees.iter().map(|(&v, &degree)| powers_of_point(v, degree)).collect();
     let mut images: Vec<Univariate> = points.iter().map(|powers| vec![0; powers.len()]).collect();
     let mut before = vec![0; variables.len()];
     for (monomial, coefficient) in polynomial.terms() {
-        // The coefficient in the image of a variable is the product of the values of all other
-        // powers, those before and those behind it.
+        // A term's coefficient in the image of v is multiplied by the values of all its other
+        // powers, those before v and those behind it.
         let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
         for (index, variable) in variables.iter().enumerate() {
             before[index] = value;

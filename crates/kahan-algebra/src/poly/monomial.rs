@@ -47,7 +47,6 @@ impl Monomial {
         power
     }
 
-    /// Multiplies by a power of a variable that comes after all others.
     fn push(&mut self, variable: Variable, exponent: u32) {
         if exponent > 0 {
             self.powers.push((variable, exponent));
@@ -145,7 +144,8 @@ impl Ord for Monomial {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
         let (left, right) = (self.powers(), other.powers());
-        // At equal degree neither list is a proper prefix of the other.
+        // Of two monomials with equal degree, neither list of powers is a proper prefix of the
+        // other.
         let mut index = 0;
         while index < left.len() && index < right.len() {
             let ((v, e), (w, f)): (Power, Power) = (left[index], right[index]);

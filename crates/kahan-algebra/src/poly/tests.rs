@@ -169,7 +169,7 @@ fn products_and_powers_keep_to_their_budget() {
     // Refused by prediction: the power has 10^12 terms.
     let many = (0..12).fold(c(1), |sum, index| &sum + &v(index));
     assert_eq!(many.pow_within(64, &mut Budget::new(100_000, u64::MAX)), Err(OverBudget));
-    // One variable: few terms despite a large binomial coefficient.
+    // One variable: few terms, although the binomial bound is large.
     let dense = &(&(&v(0) * &v(0)) + &v(0)) + &c(1);
     assert_eq!(dense.pow_within(64, &mut Budget::new(129, 100_000)).unwrap().len(), 129);
     // Nested powers of one term overflow neither an exponent nor memory.

@@ -26,17 +26,16 @@ pub trait Random {
 ///
 /// A generator with a seed of 64 bits has at most 2⁶⁴ sequences of points, so no error probability
 /// below 2⁻⁶⁴ holds for it, and an author could search for a text whose points satisfy a false
-/// claim. For SHAKE256 the best known attack is to try texts.
+/// claim. Against SHAKE256 the best known attack is to try texts.
 ///
 /// Cost: a permutation of 1600 bits for 17 draws, about a microsecond (unoptimised, some tens).
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
-    /// The number of words drawn from this state.
     drawn: usize,
 }
 
-/// The number of words that absorb text and emit digest; the other 512 bits stay secret.
+/// The number of 64-bit words that absorb text and emit digest; the other 512 bits stay secret.
 const RATE: usize = 25 - 512 / 64;
 
 impl Shake256 {

@@ -36,11 +36,12 @@ pub enum Verdict {
     Proved(Proof),
     /// The claim is false; the refutation is a counterexample.
     Refuted(Refutation),
-    /// The claim is empty: an integral or drift without a state, a zero density, a zero bracket.
+    /// The claim says nothing: an integral or drift without a state, a zero density, a zero
+    /// bracket.
     Vacuous,
     /// The claim divides by zero identically.
     Undefined,
-    /// Under its conditions det A vanishes identically: the map does not exist.
+    /// Where the conditions hold, det A vanishes identically: the map does not exist.
     NoMap,
     /// The degree is too high for a reasonable number of points.
     TooLarge,
@@ -68,7 +69,6 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     verdicts
 }
 
-/// Returns whether conditions have equal solutions.
 fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     let values = |conditions: &[Condition]| {
         conditions.iter().map(|condition| (condition.variable, condition.value.clone())).collect::<Vec<_>>()

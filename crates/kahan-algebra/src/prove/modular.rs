@@ -20,7 +20,8 @@ pub struct Proof {
 
 struct Evidence {
     holds: bool,
-    /// Whether an integral or drift has a nonzero gradient, or a density or bracket is nonzero.
+    /// Whether the claim is not empty: an integral or drift has a nonzero gradient, or a density or
+    /// bracket is nonzero.
     says_something: bool,
 }
 
@@ -60,7 +61,7 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Opt
             return Some(evidence.holds);
         }
     }
-    // All small points can lie on a divisor; the proof does not depend on small heights.
+    // All small points may lie on the zeros of a divisor; the modular proof holds nevertheless.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

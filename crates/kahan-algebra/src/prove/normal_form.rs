@@ -1,5 +1,5 @@
-//! The slow proof: expands the difference of both sides of every identity over ℚ. It depends
-//! neither on the modular proof nor on probability.
+//! The slow proof: expands the difference of both sides of every identity over ℚ. It uses neither
+//! random points nor the modular proof.
 
 use kahan_syntax::rational::Rational;
 
@@ -31,7 +31,6 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     Some(holds)
 }
 
-/// Takes one step with symbols for everything that the claim leaves generic.
 fn sample(
     scheme: &Scheme,
     map: &RationalMap,

@@ -11,7 +11,7 @@ use crate::system::{Claim, upper_index};
 use super::residual::{Place, Test};
 use super::sample::{Scheme, run, small_point, take_step};
 
-/// The heights to search, and the points to try at each.
+/// The largest height of coordinates to search.
 const HIGHEST: u64 = 24;
 const POINTS_PER_HEIGHT: usize = 48;
 
@@ -49,7 +49,6 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
     Refutation::NoPoint
 }
 
-/// Returns the refutation at this point, if both sides differ.
 fn at(test: &Test<'_, Exact>) -> Option<Refutation> {
     let Test { claim, sample, .. } = *test;
     let failing = test.pairs()?.into_iter().find(|pair| pair.left != pair.right)?;
@@ -60,7 +59,7 @@ fn at(test: &Test<'_, Exact>) -> Option<Refutation> {
     Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
 }
 
-/// Returns (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the form readers expect.
+/// Returns (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the sides of the invariance as readers expect them.
 fn transported(test: &Test<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
     let Test { claim, sample, .. } = *test;
     let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;
@@ -103,7 +102,6 @@ impl Refutation {
     }
 }
 
-/// Returns a number in full, or its first digits and its length.
 fn shorten(value: &Rational) -> String {
     let text = value.to_string();
     if text.len() <= 80 {

@@ -37,7 +37,6 @@ pub enum Place {
     Jacobi(usize, usize, usize),
 }
 
-/// A claim at a sample point.
 pub(super) struct Test<'a, A: Arithmetic> {
     pub(super) claim: &'a Claim,
     pub(super) arithmetic: &'a A,
@@ -49,7 +48,6 @@ impl<A: OverRationals> Test<'_, A> {
         self.sample.matrix.len()
     }
 
-    /// Returns all pairs of the claim; `None` if it has no value.
     pub(super) fn pairs(&self) -> Option<Vec<Pair<A::Value>>> {
         let Test { claim, arithmetic, sample } = *self;
         let here = run(arithmetic, &claim.plan, &sample.here)?;
@@ -134,7 +132,6 @@ impl<A: OverRationals> Test<'_, A> {
         Some(pairs)
     }
 
-    /// Returns the claim's values with their gradients in the states.
     pub(super) fn gradients(&self) -> Option<Vec<DualNumber<A::Value>>> {
         let (here, n) = (&self.sample.here, self.n());
         let dual = Dual { base: self.arithmetic, directions: n };

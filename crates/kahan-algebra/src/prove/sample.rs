@@ -1,4 +1,4 @@
-//! One step of the map at one point in any field, with the data to test claims.
+//! One step of the map at one point over any field, with the data for testing claims.
 
 use kahan_syntax::rational::Rational;
 
@@ -34,9 +34,7 @@ impl Scheme {
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
 pub(super) struct Sample<V> {
-    /// The values at x: states, parameters, ε.
     pub(super) here: Vec<V>,
-    /// The values at x̃ (ε unchanged).
     pub(super) there: Vec<V>,
     pub(super) matrix: Vec<Vec<V>>,
     pub(super) back_matrix: Vec<Vec<V>>,
@@ -82,8 +80,8 @@ pub(super) fn take_step<A: OverRationals>(
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }
 
-/// The most points drawn for one step, and the most steps beyond those a claim needs, plus one. The
-/// error of a proof ([`super::sizes`]) grows with its square.
+/// The most points drawn for one step, and the most steps beyond those that a claim needs, plus
+/// one. The bound on the error probability ([`super::sizes`]) grows with its square.
 pub(super) const MOST_DRAWS: usize = 16;
 
 /// The random points under given conditions, drawn on demand.
@@ -99,7 +97,7 @@ impl<'a> Samples<'a> {
         Samples { conditions, random: Shake256::new(&seed), modular: Vec::new(), exact: Vec::new() }
     }
 
-    /// Returns the point `index` modulo its own prime; `None` if [`MOST_DRAWS`] draws fail.
+    /// Returns point number `index`, modulo its own prime; `None` if [`MOST_DRAWS`] draws fail.
     pub(super) fn modular(&mut self, scheme: &Scheme, index: usize) -> Option<&(Modular, Sample<u64>)> {
         let conditions = self.conditions;
         while self.modular.len() <= index {
@@ -115,7 +113,8 @@ impl<'a> Samples<'a> {
         self.modular.get(index)
     }
 
-    /// Returns the exact point `index` of small rationals; `None` if [`MOST_DRAWS`] draws fail.
+    /// Returns the exact point number `index`, of small rationals; `None` if [`MOST_DRAWS`] draws
+    /// fail.
     pub(super) fn exact(&mut self, scheme: &Scheme, index: usize) -> Option<&Sample<Rational>> {
         let conditions = self.conditions;
         while self.exact.len() <= index {
@@ -128,7 +127,7 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// Evaluates the names that conditions are solved for; `None` if one has no value.
+/// Sets the names that the conditions are solved for; `None` if one has no value.
 pub(super) fn impose<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,

@@ -1,21 +1,21 @@
-//! The number of points that proves a claim, from a computed bound on degree and size of its
-//! residuals.
+//! The number of points that proves a claim, from bounds on the degree and size of its residuals.
 //!
-//! Let F/G be a residual, F and G integer polynomials in states, parameters and ε, as formed by the
-//! evaluation. A false claim has some F ≠ 0. A point is a random prime p between 2⁶⁰ and 2⁶¹ with
-//! random residues. A false claim passes only if
+//! Let F/G be a residual as formed by the evaluation, with integer polynomials F and G in states,
+//! parameters and ε. For a false claim some F ≠ 0. A point is a random prime p between 2⁶⁰ and 2⁶¹
+//! with random residues. A false claim passes only if
 //!
 //! * p divides every coefficient of F: at most b/60 primes do, b = log₂ ‖F‖₁, out of more than 2⁵⁴
 //!   (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
 //! * F vanishes at the point modulo p: probability at most deg F · 2⁻⁶⁰ (Schwartz and Zippel).
 //!
-//! So a draw passes with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰. Where a step divides
-//! by zero, it is drawn again, up to r = 16 times (`MOST_DRAWS`), so it passes with probability at
-//! most r·e. Fewer than r steps without a value of the claim are skipped. A false claim is proved
-//! with k points only if k of its first k + r − 1 independent steps pass: probability at most
-//! binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. k ≥ 3 is chosen with (r²·e)ᵏ < 2⁻¹⁰⁰. Points come from
-//! SHAKE256 of the block's text, so builds are reproducible, and authors cannot choose primes
-//! except by trial. The residuals run in [`Sizes`] to bound deg F and b.
+//! So one point passes with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰. If a step divides
+//! by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`). So a step passes with
+//! probability at most r·e. Fewer than r steps where the claim has no value are skipped. A false
+//! claim is proved with k points only if k of its first k + r − 1 independent steps pass:
+//! probability at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. k ≥ 3 is chosen with (r²·e)ᵏ <
+//! 2⁻¹⁰⁰. Points come from SHAKE256 of the block's text: builds are reproducible, and authors can
+//! influence the primes only by trying texts. Evaluation of the residuals in [`Sizes`] bounds deg F
+//! and b.
 
 use crate::arithmetic::{Arithmetic, Length, Size, Sizes};
 use crate::system::Claim;
@@ -23,7 +23,7 @@ use crate::system::Claim;
 use super::residual::Test;
 use super::sample::{MOST_DRAWS, Sample, Scheme, impose, rows, run};
 
-/// The error of a proof is below 2 to minus this.
+/// The error probability of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
 
 /// The largest degree to prove; numbers at the exact point would have millions of digits beyond.
@@ -52,7 +52,7 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
 fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
     let n = scheme.dimension();
     let mut here = vec![Size::variable(); scheme.variables];
-    // A name that a relation is solved for is a quotient of polynomials in the others.
+    // A name that a relation is solved for becomes a quotient of polynomials in the others.
     impose(&claim.conditions, &Sizes, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
     let matrix = rows(&run(&Sizes, &scheme.matrix, &here)?, n);
@@ -61,7 +61,7 @@ fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
-    // A bound for every n×n minor of (Â | p), so for n̂ⱼ and D̂ alike.
+    // One bound serves every n×n minor of (Â | p), hence D̂ and each n̂ⱼ.
     let minor = Sizes.determinant(&extended);
     let increment = Sizes.multiply(&Sizes.add(&eps, &eps), &Sizes.divide(&minor, &minor)?);
     let mut there = here.clone();

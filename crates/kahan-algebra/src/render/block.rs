@@ -26,7 +26,6 @@ fn used_parameters(system: &System) -> Vec<String> {
     names.filter(|(k, _)| is_used(*k)).map(|(_, name)| name.clone()).collect()
 }
 
-/// Returns whether a name occurs in a relation.
 fn mentions(condition: &Condition, name: &str) -> bool {
     let mut found = false;
     condition.written.visit_names(&mut |written, _| found |= written == Reference::Name(name));
@@ -41,7 +40,6 @@ fn claim_names(claim: &Claim, name: &str) -> bool {
     found
 }
 
-/// Returns the header with documentation and attributes as written, and these parameters.
 fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     let mut lines = header.attributes.lines.clone();
     let visibility = header.visibility.lines.first().map_or("pub", String::as_str);

@@ -56,7 +56,6 @@ fn length(text: &str) -> usize {
     text.chars().count()
 }
 
-/// Returns the unbreakable pieces, each with the spaces before it.
 fn units(text: &str) -> Vec<&str> {
     let mut starts = vec![0];
     let mut after_sign = false;

@@ -53,21 +53,22 @@ pub trait Notation: fmt::Debug {
         written(self, expr).0
     }
 
-    /// Returns a product as written, and its binding strength.
+    /// Returns a product in a notation, and its binding strength.
     fn written_product(&self, factors: &[Factor]) -> (String, Level) {
         let mut text = String::new();
         for (index, factor) in factors.iter().enumerate() {
             if index > 0 {
                 text.push(if factor.divides { '/' } else { '*' });
             }
-            // A leading sign applies to the whole product: −a·b is (−a)·b.
+            // −a·b is read as (−a)·b: a leading sign belongs to the first factor.
             let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
             text.push_str(&at_least(self, &factor.expr, if signed { Level::Sum } else { Level::Power }));
         }
         (text, Level::Product)
     }
 
-    /// Returns the least binding strength behind a sign without parentheses.
+    /// Returns the minimal binding strength of an expression that follows a sign without
+    /// parentheses.
     fn behind_sign(&self) -> Level {
         Level::Power
     }
@@ -180,7 +181,6 @@ impl Notation for Text {
     }
 }
 
-/// Adds parentheses unless the text is a single name, number or power.
 fn parenthesize(text: &str) -> String {
     if text.contains([' ', '*', '/', '-']) { format!("({text})") } else { text.to_owned() }
 }

@@ -19,7 +19,7 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     let gutter = number.to_string();
     let (line, column) = shorten(line, column, WIDTH.saturating_sub(gutter.len() + 3));
     let margin = " ".repeat(gutter.len());
-    // Tabs keep their width, so that the caret stands under its place.
+    // Keeps tabs, so that the caret stands below its column.
     let indent: String = line.chars().take(column).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
     let room = line.chars().count().saturating_sub(column).max(1);
     let carets = "^".repeat(marked.chars().count().clamp(1, room));
@@ -41,7 +41,7 @@ pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [u
     [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
 }
 
-/// Returns the bytes of a token; of the last one beyond the end.
+/// Returns the byte range of a token, or of the last token if there is no such one.
 fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
     let last = ranges.len().saturating_sub(1);
     ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())
@@ -50,13 +50,13 @@ fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
 /// The most columns of the line with the caret.
 const WIDTH: usize = 80;
 
-/// Cuts a line of more than `width` characters around its place.
 fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     let length = line.chars().count();
     if length <= width {
         return (line.to_owned(), column);
     }
-    // Room for an ellipsis on either side, with more text after the place than before it.
+    // Leaves room for an ellipsis on both sides, and shows more text after the place than before
+    // it.
     let kept = width.saturating_sub(2);
     let start = column.saturating_sub(kept / 3).min(length - kept);
     let cut: String = line.chars().skip(start).take(kept).collect();

@@ -180,7 +180,7 @@ fn eliminated<A: Arithmetic<Constant = Rational>>(
     Some(solution)
 }
 
-/// An exact number as a float and a rest.
+/// An exact number as a float and the remainder.
 type Double = (f64, f64);
 
 /// Returns the errors of floats entry by entry, infinite for NaN.

@@ -40,7 +40,7 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Returns two places with opposite signs.
+/// Returns two test points, one with positive and one with negative numbers.
 fn places(system: &System) -> [Place; 2] {
     [1, -1].map(|sign| {
         let n = system.field.dimension() as i64;
@@ -262,7 +262,7 @@ fn half(n: i64) -> Rational {
     Rational::new(n, 2)
 }
 
-/// An object's plan, and its values at both places by definition.
+/// An object's plan, and its values at the two test points by definition.
 struct Object<'a> {
     name: String,
     plan: Plan,
@@ -475,7 +475,7 @@ fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
         if negative { -value } else { value }
     };
     let product = |text: &str| -> Rational {
-        // The slash of a literal stands in parentheses.
+        // A slash in parentheses belongs to a literal.
         if let Some((a, b)) = text.rsplit_once('/').filter(|(_, below)| !below.contains(')')) {
             return lookup(a).checked_div(&lookup(b)).expect("no pole");
         }

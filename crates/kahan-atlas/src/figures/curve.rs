@@ -76,7 +76,7 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
     .inline()
 }
 
-/// Draws the curve in its box; near points are larger than far ones.
+/// Draws the curve in a box; points near the viewer are larger.
 fn in_space(orbit: &[Point], curve: &[Point]) -> Markup {
     let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     let cloud = |colour, mark, points: &[Point]| {

@@ -1,4 +1,4 @@
-//! Heights along exact orbits: their growth, and the correction after the growth is divided out.
+//! Plots of heights along exact orbits: their growth, and the remainder after division by it.
 
 use maud::{Markup, html};
 
@@ -31,7 +31,6 @@ fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): 
     drawing(description, ["n", label], vec![series, level])
 }
 
-/// Returns a dashed horizontal line over the range of a series.
 fn level(label: &str, colour: usize, height: f64, series: &Series) -> Series {
     let ends = [series.points.first(), series.points.last()];
     Series::new(label, colour, Mark::Level, ends.into_iter().flatten().map(|(n, _)| (*n, height)).collect())

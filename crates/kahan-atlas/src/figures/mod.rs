@@ -1,4 +1,4 @@
-//! The figures of the paper, and two more, drawn from orbits that were computed for this page.
+//! The figures of the paper and two more, drawn from orbits computed for this page.
 
 mod curve;
 mod heights;
@@ -13,20 +13,18 @@ use super::words::{badge, link};
 use kahan_draw::document::readable;
 
 pub(super) struct Plate {
-    /// The anchor, for example `figure-de3`.
     pub(super) id: &'static str,
     pub(super) title: &'static str,
     /// One or more drawings, side by side if the page is wide enough.
     pub(super) drawings: Vec<Markup>,
     /// The system, ε, the initial point and the number of iterates.
     pub(super) data: Markup,
-    /// The visible and the measured result.
+    /// The text on the visible and the measured result.
     pub(super) result: Markup,
-    /// Prefixes of the names of the claims about the figure.
+    /// Name prefixes of the claims about the figure.
     pub(super) claims: &'static [&'static str],
 }
 
-/// Returns the figures that can be drawn from the computed orbits.
 fn plates(found: &Found<'_>) -> Vec<Plate> {
     let orbits = &found.orbits;
     let drawn = [

@@ -19,7 +19,6 @@ pub(super) struct Orbit<'a> {
 pub(super) struct Heights(pub(super) Vec<f64>);
 
 impl Heights {
-    /// Returns (n, h) from n = 1 on.
     pub(super) fn pairs(&self) -> impl Iterator<Item = (f64, f64)> {
         self.0.iter().enumerate().skip(1).map(|(n, h)| (n as f64, *h))
     }
@@ -74,14 +73,12 @@ impl<'a> Orbit<'a> {
         &self.measured.variables[self.measured.survey.largest()]
     }
 
-    /// Returns the number of decimal digits of a component's last value.
     pub(super) fn digits(&self, variable: &str) -> u64 {
         let index = self.measured.variables.iter().position(|known| known == variable);
         let last = self.measured.survey.heights.last();
         last.zip(index).map_or(0, |(heights, index)| heights.digits[index])
     }
 
-    /// Describes the orbit: map, parameters, ε, initial point, number of iterates.
     pub(super) fn data(&self) -> Markup {
         let figure = self.figure;
         let fraction = |(p, q): &(i64, i64)| {
@@ -104,7 +101,7 @@ impl<'a> Orbit<'a> {
 /// Returns the paper's name of the map, for example `dE3` or `Lotka–Volterra map`.
 fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
-    // The paper writes the maps of its own systems with a prefix d.
+    // The paper prefixes the maps of its own systems with d.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 

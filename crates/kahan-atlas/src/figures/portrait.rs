@@ -13,12 +13,11 @@ use kahan_draw::{Mark, NumberLine, Plot, Series, Sheet};
 /// Half the time step; a cycle has about twenty steps.
 const EPS: f64 = 0.147;
 const STEPS: usize = 360;
-/// The upper end of both axes.
 const SHOWN: f64 = 4.2;
 
 type Point = SVector<f64, 2>;
 
-/// Values of r; the initial points are (1 − r, 1).
+/// The orbits start at (1 − r, 1) for these r.
 const RADII: [f64; 5] = [0.15, 0.3, 0.5, 0.65, 0.75];
 
 /// Returns log(xy) − (x + y), the integral of the flow.
@@ -26,7 +25,6 @@ fn integral(point: &Point) -> f64 {
     (point[0] * point[1]).ln() - (point[0] + point[1])
 }
 
-/// Computes the orbits from the initial points by a method.
 fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
     let steps = STEPS as u64 - 1;
     let orbit = |radius: &f64| {

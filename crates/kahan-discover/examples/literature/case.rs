@@ -11,32 +11,25 @@ use serde::Deserialize;
 pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) system: System,
-    /// The values of fixed parameters.
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) known: Known,
-    /// The reason why a known fact is out of reach.
+    /// The reason why a known fact cannot be found, if any.
     pub(crate) limit: Option<String>,
-    /// Proved claims in their shortest known form.
+    /// Published claims in their shortest known form, each proved.
     pub(crate) shortest: Vec<String>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Known {
-    /// The number of independent integrals, exactly.
     pub(crate) independent_integrals: Option<usize>,
-    /// The growth class of degrees, as one word.
     pub(crate) growth: Option<String>,
-    /// The least number of densities.
     #[serde(default)]
     pub(crate) densities: usize,
-    /// The least number of drifts.
     #[serde(default)]
     pub(crate) drifts: usize,
-    /// Ranks of invariant Poisson brackets.
     #[serde(default)]
     pub(crate) bracket_ranks: Vec<usize>,
-    /// The most seconds for the whole discovery.
     pub(crate) seconds: Option<f64>,
 }
 
@@ -73,7 +66,6 @@ impl Case {
     }
 }
 
-/// Reads a field and proves claims about it.
 fn proved(field: &str, claims: &[String]) -> Result<System, String> {
     let read = |text: &str| {
         let reading = read(&lexer::lex(text).tokens);
@@ -82,7 +74,7 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names may repeat, so each claim is read on its own, but after earlier drifts.
+    // Names may repeat, so each claim is read separately, after the earlier drifts.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

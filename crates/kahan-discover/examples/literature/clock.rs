@@ -16,7 +16,6 @@ impl Clock {
         Clock { begun: Instant::now(), found: Mutex::default() }
     }
 
-    /// Returns the time since the start, and the findings with their times.
     pub(crate) fn stop(self) -> (Duration, Vec<(Duration, Finding)>) {
         (self.begun.elapsed(), self.found.into_inner().expect("no thread panics"))
     }

@@ -12,13 +12,12 @@ use crate::clock::Clock;
 
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
-    /// The columns between the name and the times.
+    /// The columns of the table between the name and the times.
     counts: [String; 5],
     last_finding: f64,
     total: f64,
-    /// The claims that the command prints.
     pub(crate) printed: Vec<String>,
-    /// Printed length over shortest known length; `None` if a claim or a shortest form is missing.
+    /// Printed length divided by shortest known length; `None` if either is missing.
     pub(crate) ratio: Option<f64>,
     pub(crate) differences: Vec<String>,
 }

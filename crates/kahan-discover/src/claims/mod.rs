@@ -1,4 +1,4 @@
-//! Findings as claims in the language of `kahan!`, proved, and verdicts in words.
+//! Findings as proved claims in the language of `kahan!`, and conclusions as English sentences.
 
 pub mod proved;
 pub(crate) mod verdicts;

@@ -1,7 +1,7 @@
-//! Formulas as claims in the language of `kahan!`: written, read again, and proved.
+//! Writes formulas as claims in the language of `kahan!`, and proves them.
 //!
-//! In: polynomials. Out: claims whose text, as read again, the prover of claims accepts, or whose
-//! text states exactly the formula of a theorem. Formulas that fail are not returned.
+//! Polynomials come in. A claim goes out if the prover accepts its text, read again, or if the text
+//! states exactly the formula of a theorem. Formulas that fail are dropped.
 
 use std::slice::from_ref;
 
@@ -22,7 +22,6 @@ use kahan_algebra::{lexer, seed};
 use crate::claims::writing::{is_product, quotient, state_factors};
 use crate::poisson::brackets::Bracket;
 
-/// Bounds of the comparison of a formula with its text.
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 10_000_000;
 
@@ -58,9 +57,9 @@ impl Formula {
 pub struct Claims<'a> {
     system: &'a System,
     bare: System,
-    /// The equations as tokens, which seed the proofs.
+    /// The equations as tokens; they seed the random points of the proofs.
     equations: Vec<Token>,
-    /// For example ` when a = 1, eps = 1/2`, or empty.
+    /// The clause of fixed values, for example ` when a = 1, eps = 1/2`, or empty.
     pub(crate) condition: String,
 }
 
@@ -71,7 +70,7 @@ impl<'a> Claims<'a> {
         let field = &system.field;
         let symbols = &field.symbols;
         let equations = equation_lines(field).collect::<Vec<_>>().join(" ");
-        // Equations don't know parameters that cancelled.
+        // A parameter that cancelled does not occur in the printed equations.
         let occurs = |name: &str| {
             symbols
                 .named(name)
@@ -89,7 +88,7 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the system's own density if a density found here would replace it. A
+    /// Returns the name of the system's own density if a density found here would replace it: a
     /// block holds only one density without `when`.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
@@ -120,7 +119,7 @@ impl<'a> Claims<'a> {
     }
 
     /// Claims numerator/denominator as the integral H`index`; `None` if the proof fails. The text
-    /// is factored; it uses powers of a polynomial of `by` if that makes it shorter.
+    /// is factored, and may use powers of a polynomial of `by` to be shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -135,8 +134,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// Claims numerator/denominator as an integral by a theorem, as a proof may take minutes.
-    /// Returns `None` if the text, read again, states another function.
+    /// Claims numerator/denominator as an integral that a theorem proves, since the prover may take
+    /// minutes. `None` if the text, read again, states another function.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,
@@ -172,8 +171,8 @@ impl<'a> Claims<'a> {
         format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
-    /// Claims ∏ factorᵏ as an invariant density; `None` if the proof fails. The text is factored;
-    /// it uses powers of a polynomial of `by` if that makes it shorter.
+    /// Claims ∏ factorᵏ as an invariant density; `None` if the proof fails. The text is factored,
+    /// and may use powers of a polynomial of `by` to be shorter.
     #[must_use]
     pub fn density(
         &self,
@@ -207,15 +206,14 @@ impl<'a> Claims<'a> {
         places.zip(tensor).filter_map(entry).collect::<Vec<_>>().join(" ")
     }
 
-    /// Claims an invariant bracket with these entries; `None` if the proof fails.
     pub(crate) fn bracket(&self, index: usize, rank: usize, entries: &str) -> Option<Bracket> {
         let text = format!("bracket {} {{ {entries} }}{};", self.name("P", Some(index)), self.condition);
         let claim = self.proved(&[], &text)?;
         Some(Bracket { text, claim, rank })
     }
 
-    /// Reads a claim after earlier claims, which it may name, and returns it if it is proved.
-    /// Earlier claims are not proved again.
+    /// Reads a claim that may refer to `earlier` claims, and returns it if it is proved. The
+    /// earlier claims are not proved again.
     pub(crate) fn proved(&self, earlier: &[&str], text: &str) -> Option<Claim> {
         let tokens = lexer::lex(&format!("{} {text}", earlier.join(" "))).tokens;
         let claims = claims_of(self.system, &tokens).ok()?;
@@ -245,7 +243,7 @@ fn formula(
     }
 }
 
-/// Removes the sign in front of a product; it does not affect invariance.
+/// Removes the sign in front of a density; it does not affect invariance.
 fn unsigned(value: String) -> String {
     match value.strip_prefix('-') {
         Some(positive) if is_product(&value) => positive.to_owned(),

@@ -1,4 +1,4 @@
-//! Verdicts in words; each sentence states exactly what was shown.
+//! The conclusions of a search as sentences; each states exactly what was shown.
 
 mod drifts;
 mod plane;
@@ -24,7 +24,7 @@ fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// Returns all sentences; `is_stopped` tells that time ran out before higher degrees.
+/// Returns all sentences; with `is_stopped`, time ran out before higher degrees.
 pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.push(degrees(report));
@@ -64,11 +64,10 @@ fn degrees(report: &Report) -> String {
     )
 }
 
-/// Writes the bound on the number of integrals by the fixed points.
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // For n − 1 integrals the orbits give this bound, too.
+    // Orbits already give the bound n − 1.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }
@@ -116,7 +115,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
         Bound::Degree => Some(format!(
             "The degree that was given, {degree}, ended the search: higher ones may show more integrals."
         )),
-        // The last of all sentences reports earlier omissions.
+        // The last sentence reports that time ran out.
         Bound::Time if is_stopped => None,
         Bound::Time => Some(format!(
             "The time ended the search beyond degree {degree}: more seconds go on to higher degrees, which may show more integrals."
@@ -125,7 +124,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
             "The size ended the search: relations of degree {} would take more than {MOST_MONOMIALS_AT_ALL} monomials.",
             degree + 1
         )),
-        // Without any orbit, the sentences on orbits say so.
+        // If no orbit was found, the sentences on orbits report the reason.
         Bound::Poles => report.hilbert.as_ref().map(|_| {
             format!(
                 "Poles ended the search beyond degree {degree}: no orbit of a random point was long enough."
@@ -162,7 +161,7 @@ fn orbits(report: &Report) -> Vec<String> {
         format!(
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
-                // In these cases absence is proved.
+                // For these bounds the absence of integrals is proved.
                 Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }
@@ -183,7 +182,6 @@ fn orbits(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// The most characters of a list; a longer list is replaced by its length.
 const MOST_CHARACTERS: usize = 200;
 
 fn formulas(report: &Report) -> Vec<String> {

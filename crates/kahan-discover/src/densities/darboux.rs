@@ -1,8 +1,9 @@
-//! Polynomials with a given cofactor under the map φ: P(φ(x)) = C(x) P(x), linear in P.
+//! Darboux polynomials: P with a given cofactor C under the map φ, P(φ(x)) = C(x) P(x). The
+//! equation is linear in P.
 //!
-//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. A quotient of
-//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density, too. The quotient of two P with
-//! equal C is an integral, so P is not unique if integrals exist; the simplest P is written.
+//! If C = det ∂x̃/∂x, dx/P is an invariant measure; if C = 1, P is an integral. A quotient of
+//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density, too. If two P have equal C, their
+//! quotient is an integral, so P is not unique if integrals exist; the simplest P is returned.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -29,7 +30,6 @@ pub struct Measure {
     pub degree: u32,
 }
 
-/// Makes a step from a random point; `None` if no point has an image.
 pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
     (0..MOST_SAMPLES).find_map(|_| {
         let point = map.point(random);
@@ -38,7 +38,7 @@ pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(
     })
 }
 
-/// Returns the null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on the monomials of `support`. `None` if
+/// Returns the null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on the monomials in `support`. `None` if
 /// the map has no value or the deadline passes.
 fn null_vectors(
     map: &ModularMap,
@@ -57,8 +57,8 @@ fn null_vectors(
     })
 }
 
-/// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x; it may have dimension 0.
-/// `None` if the map has no value or the deadline passes.
+/// Returns the space, possibly zero, of all P up to a degree with the cofactor det ∂x̃/∂x. `None`
+/// if the map has no value or the deadline passes.
 pub fn measure_space(
     map: &ModularMap,
     degree: u32,
@@ -74,10 +74,10 @@ pub fn measure_space(
 /// The highest degree of products 1/∏ factors.
 const HIGHEST_PRODUCT: u32 = 12;
 
-/// The highest degree of quotients of factors, above and below together.
+/// The highest degree of quotients of factors: numerator and denominator together.
 const HIGHEST_QUOTIENT: u32 = 16;
 
-/// Finds the measure of least degree, over ℚ with all unknowns, and reports the search. Prefers
+/// Finds the measure of least degree over ℚ(parameters, ε), and reports the search. Prefers
 /// products of `factors`, up to degree 12; other P have degrees up to `highest`.
 pub fn measure(
     searched: &SearchField,
@@ -116,7 +116,6 @@ pub fn measure(
     quotient.map_or((None, search), found)
 }
 
-/// Reconstructs the simplest element of a space of P over ℚ.
 fn reconstructed(
     searched: &SearchField,
     map: &ModularMap,
@@ -149,7 +148,6 @@ mod tests {
 
     #[test]
     fn a_density_may_be_a_quotient_of_factors() {
-        // The density of E1, 1/(y²(1 − ε²x²)), as a quotient of y and y³(1 − ε²x²).
         let field = read(&lexer::lex("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;").tokens)
             .system()
             .expect("a system")
@@ -162,7 +160,7 @@ mod tests {
         let square = |polynomial: &Polynomial| polynomial * polynomial;
         let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
         let factors = [long.clone(), y.clone()];
-        // The search stops below degree 4, in which 1/P exists.
+        // The limit is below degree 4, the least degree of a 1/P.
         let far = Deadline::never();
         let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
         assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));

@@ -1,4 +1,4 @@
-//! The invariant density of a report, found by degree or from det A.
+//! The invariant densities of a report.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -21,14 +21,13 @@ const MOST_DENSITY_COEFFICIENTS: usize = 1000;
 
 const MOST_DENSITY_TERMS: usize = 300;
 
-/// The budget for expanding det A, in products of terms.
 const DETERMINANT_WORK: u64 = 1_000_000;
 
 fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
 }
 
-/// Returns the density 1/Pf(P) of the tensor P of a bracket, if its rank is full.
+/// Returns the density 1/Pf(P) of a bracket's tensor P of full rank.
 pub(crate) fn pfaffian_density(
     tensor: &PoissonTensor,
     claims: &Claims<'_>,
@@ -70,8 +69,8 @@ pub(crate) fn densities(
     (densities, search)
 }
 
-/// Returns linear factors P of components of the field for which P divides ∇P·f. The hyperplane
-/// P = 0 is invariant under the flow, and hence under the map.
+/// Returns linear factors P of components of the field with P | ∇P·f. The hyperplane P = 0 is then
+/// invariant under the flow, hence under the map.
 fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();
@@ -91,7 +90,7 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// Expands det A(x,ε), without factors free of states, at the fixed ε, if it has few terms.
+/// Returns det A(x,ε) without state-independent factors, at the fixed ε; `None` if it is too long.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

@@ -4,7 +4,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 
-/// The most variables; minors are kept for every set of columns.
+/// The most variables: a minor is stored for every set of columns.
 const MOST_VARIABLES: usize = 12;
 
 /// Returns ∏q · det A(x,ε), with qᵢ the denominators of the field's components.
@@ -49,7 +49,7 @@ mod tests {
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
-        // With the i-th unit vector g: n̂ᵢ, and N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ.
+        // g = i-th unit vector yields n̂ᵢ, and N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ.
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
         for i in 0..3 {
             let mut unit = vec![Polynomial::zero(); 3];

@@ -1,9 +1,9 @@
-//! The possible cofactors of a space of polynomials under the map.
+//! Possible cofactors of polynomials under the map.
 //!
 //! In homogeneous coordinates, x₀ = 1, the map is F = (N₁ … Nₙ, D) of degree δ. Let P∘F = C·Q with
 //! P and Q of degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces that F
 //! contracts. So C is a product of factors of the Jacobian determinant of F, which has degree (n +
-//! 1)(δ − 1) and perhaps x₀ as a factor.
+//! 1)(δ − 1) and may have the factor x₀.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -13,16 +13,13 @@ use crate::densities::products::exponents;
 use crate::maps::search_field::SearchField;
 use crate::poles::curves::{components, jacobian};
 
-/// The budget for expanding and factoring the Jacobian determinant.
 const MOST_TERMS: usize = 5_000;
 const MOST_WORK: u64 = 2_000_000;
 
 pub(super) struct Cofactors {
-    /// The homogeneous components N₁ … Nₙ, D at x₀ = 1.
     pub(super) components: Vec<Polynomial>,
-    /// The factors of the Jacobian determinant that contain states.
     pub(super) factors: Vec<Polynomial>,
-    /// The degrees of the factors in the states, and 1 for x₀ if x₀ is a factor.
+    /// The degrees of the factors in the states, followed by 1 if x₀ is a factor.
     degrees: Vec<u32>,
     degree: u32,
 }
@@ -47,7 +44,7 @@ impl Cofactors {
         self.components.last().expect("a map has a denominator")
     }
 
-    /// Returns the exponents of the factors in each possible cofactor for one degree.
+    /// Returns the exponents of the factors in each possible cofactor of polynomials of one degree.
     pub(super) fn of_degree(&self, degree: u32) -> Vec<Vec<i32>> {
         exponents(&self.degrees, degree * (self.degree - 1), &[1])
     }

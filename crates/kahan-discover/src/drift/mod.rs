@@ -1,10 +1,10 @@
-//! Drifts: functions whose next value F(x̃) is F(x) + c, c·F(x), or (aF(x) + b)/(cF(x) + d).
+//! Drifts: functions F whose next value F(x̃) is F(x) + c, c·F(x), or (aF(x) + b)/(cF(x) + d).
 //!
-//! Let P be a basis of a space of polynomials that the map carries into itself up to a cofactor C,
-//! with P(x̃) = C(x)·M·P(x); then M acts on quotients of elements. The search goes through degrees
-//! and cofactors and finds these spaces modulo a prime. If a space has a function independent of
-//! integrals and earlier drifts, basis and M are reconstructed over ℚ, `normal` reads functions off
-//! M, and each is proved as a claim.
+//! Let P be a basis of a space of polynomials that the map leaves invariant up to a cofactor C:
+//! P(x̃) = C(x)·M·P(x). Then M acts on quotients of elements. The search finds these spaces modulo
+//! a prime, by degree and cofactor. If a space has a function independent of integrals and earlier
+//! drifts, basis and M are reconstructed over ℚ. `normal` finds drifts from the Jordan form of M,
+//! and each is proved as a claim.
 
 mod cofactors;
 mod normal;
@@ -36,13 +36,11 @@ use normal::{Next, carried};
 use spaces::{Carried, Points};
 use triangular::Triangle;
 
-/// The share of the whole time for the search.
 pub(crate) const SHARE: f64 = 0.03;
 
-/// The highest degree of the polynomials.
 const HIGHEST: u32 = 4;
 
-/// The most products of all eliminations together: a fraction of a second.
+/// The most products in all eliminations together: a fraction of a second.
 const MOST_PRODUCTS: usize = 20_000_000;
 
 const MOST_DIMENSIONS: usize = 8;
@@ -87,7 +85,7 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Tells whether F ↦ F + c with c ≠ 0, or F ↦ c·F with c ≠ ±1, so c is no root of unity.
+    /// Returns whether c has infinite order: c ≠ 0 for F + c, c ≠ ±1 for c·F.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {
@@ -98,7 +96,7 @@ impl DriftKind {
     }
 }
 
-/// Finds and proves drifts independent of each other and of the integrals; `tell` hears of each.
+/// Finds and proves drifts, independent of each other and of the integrals; calls `tell` for each.
 pub(crate) fn drifts(
     searched: &SearchField,
     field: &Field,
@@ -149,11 +147,11 @@ pub(crate) fn drifts(
     search().unwrap_or_default()
 }
 
-/// Bounds the number of independent integrals of a map in n dimensions with these drifts. Let F + c
-/// with c ≠ 0 and c′·G with c′ no root of unity be the next values of two drifts. In the plane of F
-/// and G the closure of a generic orbit is that of the powers of (+c, ·c′), which is 𝔾ₐ × 𝔾ₘ. So
-/// generic orbits of the map have closures of dimension at least 2, or at least 1 with only one of
-/// both drifts.
+/// Returns an upper bound on the number of independent integrals in n dimensions with these drifts.
+///
+/// Let F + c with c ≠ 0 and c′·G with c′ no root of unity be the next values of two drifts F and G.
+/// In the (F, G)-plane a generic orbit has the closure of all powers of (+c, ·c′), which is 𝔾ₐ ×
+/// 𝔾ₘ. So generic orbits have closures of dimension at least 2, or at least 1 for one drift only.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
@@ -161,9 +159,9 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// Keeps the drifts before the first one that is no longer valid, as later ones may need it.
-/// Invalid is a drift that depends on the integrals and earlier drifts, or that names an integral
-/// of `before` (the integrals at its proof) that is not among `integrals`.
+/// Drops the first drift that is no longer valid and all later ones, which may depend on it. A
+/// drift is invalid if it depends on integrals and earlier drifts, or if its claim names an
+/// integral of `before` that is not in `integrals`.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
@@ -203,12 +201,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Tells whether integrals and drifts together are as many as the states.
     fn is_done(&self) -> bool {
         self.known.rank_with(Vec::new()) == self.searched.dimension()
     }
 
-    /// Searches the spaces of one degree; `None` if the map has no value or the deadline passes.
     fn of_degree(&mut self, monomials: &Monomials, all: &[Vec<i32>], random: &mut SplitMix64) -> Option<()> {
         let modulus = *self.sample.map.modulus();
         let points = Points::new(self.searched, &self.sample, &self.cofactors, monomials, random)?;
@@ -234,7 +230,7 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs the space of this form with its matrix, and adds its drifts.
+    /// Reconstructs a space of this form with its matrix M, and adds its drifts.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -259,7 +255,7 @@ impl Search<'_> {
         let (rows, matrix) = (split(rows, width), split(matrix, size));
         let symbols = self.searched.family().symbols();
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
-        // Returns s·Σ vᵢPᵢ with integer coefficients and no factor without states, and s.
+        // Returns s·Σ vᵢPᵢ with integer coefficients and without state-independent factors, and s.
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
@@ -271,7 +267,7 @@ impl Search<'_> {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
             let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
-            // Both F and 1/F are drifts; the simpler side becomes the denominator.
+            // F and 1/F are both drifts; the simpler polynomial becomes the denominator.
             let size = |side: &Polynomial| (symbols.degree(side), side.len());
             candidates.push(match next.of_reciprocal() {
                 Some(next) if size(&below) > size(&above) => (below, above, next),
@@ -304,7 +300,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds drifts of states whose next value follows from earlier drifts.
+    /// Adds drifts of states whose next value is a function of themselves and earlier drifts.
     fn add_links(&mut self) -> Option<()> {
         while !self.is_done() && !self.deadline.passed() {
             let name = self.name();
@@ -321,8 +317,8 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Adds a drift if its claim is short and proved, and tells whether. The claim of a link is
-    /// read after integrals and earlier drifts, which it may name.
+    /// Adds a drift if its claim is short and proved; returns whether it was added. The claim of a
+    /// link may refer to integrals and earlier drifts.
     fn add(
         &mut self,
         name: &str,

@@ -30,7 +30,6 @@ pub(super) enum Next {
 }
 
 impl Next {
-    /// Returns the order of preference: sums, then multiples, then images.
     pub(super) fn rank(&self) -> u8 {
         match self {
             Next::Sum(_) => 0,
@@ -55,7 +54,7 @@ impl Next {
         }
     }
 
-    /// Returns the next value of s·F in terms of s·F.
+    /// Returns the next value of s·F as a function of s·F.
     pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
         Some(match self {
             Next::Sum(step) => Next::Sum(&step * scale),
@@ -64,7 +63,7 @@ impl Next {
         })
     }
 
-    /// Returns the next value of 1/F in terms of 1/F; `None` for F + c.
+    /// Returns the next value of 1/F as a function of 1/F; `None` for F + c.
     pub(super) fn of_reciprocal(&self) -> Option<Next> {
         match self {
             Next::Sum(_) => None,
@@ -74,14 +73,15 @@ impl Next {
     }
 }
 
-/// A function F = P_above/P_below and its next value.
+/// A function F = P_above/P_below with its next value.
 pub(super) struct Carried {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: Next,
 }
 
-/// Returns the functions of M: sums, multiples, images. `free` is a variable that M lacks.
+/// Returns all drifts in the table above for M: sums, multiples, images. `free` is a variable that
+/// does not occur in M.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
@@ -131,9 +131,8 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     sums.into_iter().chain(multiples).chain(images).collect()
 }
 
-/// Returns the function of an invariant plane of M.
 fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> {
-    // Each basis vector of a null space has an entry 1 in a column in which the other has 0.
+    // Of two basis vectors of a null space, each has an entry 1 where the other has 0.
     let place = |of: &Vector, other: &Vector| {
         (0..of.len()).find(|&place| of[place] == RationalFunction::one() && other[place].is_zero())
     };
@@ -160,7 +159,6 @@ fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
     numerators.iter().fold(Polynomial::zero(), |sum, coefficient| &(&sum * &lambda) + coefficient)
 }
 
-/// Returns v·M.
 pub(super) fn image(vector: &Vector, matrix: &Matrix) -> Vector {
     let entry = |column: usize| {
         let terms = vector.iter().zip(matrix).filter(|(own, _)| !own.is_zero());
@@ -173,7 +171,6 @@ fn product(left: &Matrix, right: &Matrix) -> Matrix {
     left.iter().map(|row| image(row, right)).collect()
 }
 
-/// Returns M + c·I.
 fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     let mut sum = matrix.clone();
     for (i, row) in sum.iter_mut().enumerate() {
@@ -183,7 +180,7 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
 }
 
 /// Returns a basis of the row vectors v with vM = 0, by elimination in Mᵀ. Each vector has 1 in one
-/// column without a pivot, and 0 in the other columns without one.
+/// column without a pivot, and 0 in the other columns without a pivot.
 fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
     let columns = matrix.len();
     let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();
@@ -239,7 +236,7 @@ mod tests {
         let found = carried(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
-        // At a column of values P the next value is the quotient of wM·P and vM·P.
+        // For a column P of values, F = wP/vP has the next value wMP/vMP.
         for Carried { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);

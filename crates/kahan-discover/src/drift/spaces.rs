@@ -1,4 +1,4 @@
-//! Spaces of polynomials that the map carries into themselves up to a cofactor, modulo a prime.
+//! Spaces of polynomials that the map leaves invariant up to a cofactor, modulo a prime.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -12,17 +12,17 @@ use crate::modular::subspace::Form;
 
 use super::cofactors::Cofactors;
 
-/// Pairs of polynomials (P, Q) with P(x̃) = C(x)·Q(x); the coefficients of Q follow those of P.
+/// Pairs of polynomials (P, Q) with P(x̃) = C(x)·Q(x): the coefficients of P, then those of Q.
 type Pairs = Vec<Vec<u64>>;
 
 pub(super) struct Points {
     modulus: Modulus,
-    /// For each point: monomials there, monomials at its image times D^d, factors there.
+    /// For each point x: the monomials at x, the monomials at x̃ times D^d, the factors at x.
     values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
 }
 
 impl Points {
-    /// Samples enough points to determine pairs on these monomials; `None` if the map has no value.
+    /// Samples enough points to determine pairs of polynomials; `None` if the map has no value.
     pub(super) fn new(
         searched: &SearchField,
         sample: &Sample,
@@ -49,7 +49,8 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// Returns a basis, with images, of the largest invariant space with this cofactor.
+    /// Returns a basis of the largest invariant space with this cofactor, with the image of each
+    /// element.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {
@@ -83,14 +84,14 @@ fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
     echelon.rows[inside..].iter().map(|row| row[count..].to_vec()).collect()
 }
 
-/// A basis in reduced form, and the matrix M with P(x̃) = C(x)·M·P(x).
+/// A basis P in reduced form, and the matrix M with P(x̃) = C(x)·M·P(x).
 pub(super) struct Carried {
     pub(super) rows: Vec<Vec<u64>>,
     pub(super) matrix: Vec<Vec<u64>>,
 }
 
 impl Carried {
-    /// Restricts the space to the support of a form; `None` if the space has another form.
+    /// Restricts the space to the support of `form`; `None` if the basis has another form.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
         let wide = |pair: &Vec<u64>| {
@@ -110,7 +111,7 @@ impl Carried {
         })
     }
 
-    /// Tells whether M is a multiple of I, so that all quotients of elements are integrals.
+    /// Returns whether M is a multiple of I: then all quotients of elements are integrals.
     pub(super) fn is_scalar(&self) -> bool {
         let first = self.matrix[0][0];
         self.matrix

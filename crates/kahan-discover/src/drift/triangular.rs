@@ -1,9 +1,9 @@
-//! First-order recurrences: states whose next value follows from their value and earlier drifts.
+//! First-order recurrences: states whose next value is a function of themselves and earlier drifts.
 //!
-//! If a drift or integral F contains one state xᵢ only, linearly in numerator and denominator, then
+//! If a drift or integral F contains a single state xᵢ, linearly in numerator and denominator, then
 //! xᵢ is a function of F. If the image of another state w contains only w and states known in this
-//! way, then w is a drift. Its product with a power of an earlier drift is a drift, too, and may be
-//! shorter.
+//! way, then w is a drift. Its product with a power of an earlier drift is a drift, too, and may
+//! have a shorter formula.
 
 use std::slice::from_ref;
 
@@ -20,36 +20,33 @@ use super::{Constant, DriftKind};
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
-/// The exponents of an earlier drift in its product with a state.
+/// The exponents of an earlier drift that are tried in its product with a state.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
 pub(super) struct Triangle {
-    /// The states of the field, then the names of drifts and integrals.
+    /// The states, followed by the names of drifts and integrals.
     symbols: Symbols,
     own: Symbols,
     components: Vec<Polynomial>,
     /// Each state as a function of drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift: its variable, its value by states, its next value by drifts.
+    /// For each drift its variable, its value in states, and its next value in drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
 /// A candidate for a drift w·F^k, with a state w and an earlier drift F.
 pub(super) struct Link {
-    /// The index of w.
     state: usize,
-    /// The drift as a function of states.
     pub(super) value: RationalFunction,
     pub(super) value_text: String,
     pub(super) next_text: String,
-    /// The next value as a function of drifts.
     next: RationalFunction,
-    /// The state w as a function of the drift and earlier ones.
+    /// The state w as a function of the drift and of earlier drifts.
     solved: RationalFunction,
 }
 
 impl Triangle {
-    /// Starts without drifts; `names` lists the possible names of drifts and integrals.
+    /// Starts without drifts; `names` lists the names that drifts and integrals may get.
     pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
         let states = [symbols.states.clone(), names].concat();
         let joint = Symbols { states, parameters: symbols.parameters.clone() };
@@ -79,7 +76,6 @@ impl Triangle {
         Some((drift, image, kind, text))
     }
 
-    /// Writes a sum, for example `F1 - 2*eps`.
     fn sum(&self, first: String, step: &RationalFunction) -> String {
         let size = self.text(step);
         match size.strip_prefix('-') {
@@ -109,14 +105,12 @@ impl Triangle {
         quotient(&self.symbols, from_ref(function.numerator()), from_ref(function.denominator()), &[])
     }
 
-    /// Translates a function from the symbols of the field to the joint symbols.
     fn moved(&self, function: &RationalFunction) -> RationalFunction {
         let [above, below] =
             [function.numerator(), function.denominator()].map(|side| moved(side, &self.own, &self.symbols));
         RationalFunction::new(above, below).expect("a denominator is not zero")
     }
 
-    /// Adds an integral, a drift that is its own next value.
     pub(super) fn take_integral(&mut self, formula: &Formula) {
         if let Some(variable) = self.variable(formula.name()) {
             let value = RationalFunction::variable(variable);
@@ -124,7 +118,7 @@ impl Triangle {
         }
     }
 
-    /// Adds a drift above/below if it makes a state known.
+    /// Adds the drift above/below if a state is a function of it.
     pub(super) fn take(&mut self, drift: RationalFunction, sides: [&Polynomial; 2], next: RationalFunction) {
         let [above, below] = sides.map(|side| moved(side, &self.own, &self.symbols));
         let mut states = (0..self.values.len()).filter(|&i| {
@@ -148,7 +142,7 @@ impl Triangle {
         self.steps.push([drift, in_states, next]);
     }
 
-    /// Returns the shortest drift of this name for the first state that can be linked.
+    /// Returns the shortest drift for the first state that yields one, with this name.
     pub(super) fn link(&self, name: &str) -> Option<Link> {
         if self.steps.is_empty() {
             return None;
@@ -193,7 +187,7 @@ impl Triangle {
         links.min_by_key(|link| link.value_text.len() + link.next_text.len())
     }
 
-    /// Returns numerator and denominator of a link in the field's states.
+    /// Returns numerator and denominator of a link as polynomials in the states.
     pub(super) fn in_states(&self, link: &Link) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
@@ -214,13 +208,12 @@ impl Triangle {
     }
 }
 
-/// Returns f^power; `None` for a negative power of 0.
 fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     let base = if power < 0 { function.recip()? } else { function.clone() };
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
 }
 
-/// Translates a polynomial to symbols in which states and parameters have equal indices.
+/// Renames variables by index; states and parameters of both symbol tables correspond.
 fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
     polynomial.map_variables(|variable| match from.symbol(variable) {
         Symbol::State(i) | Symbol::SecondState(i) => to.state(i),

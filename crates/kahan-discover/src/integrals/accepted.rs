@@ -1,4 +1,4 @@
-//! Acceptance of found integrals: simplified, proved, and kept if independent.
+//! Accepts integrals: simplifies and proves them, and rejects dependent ones.
 
 use std::slice::from_ref;
 
@@ -16,10 +16,11 @@ use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
-/// The most coefficients of a degree that is searched before known integrals of higher degree.
+/// The most coefficients of a degree that is searched before known integrals of higher degree are
+/// added.
 const MOST_AHEAD: usize = 150;
 
-/// Up to this total length, other members of the pencil of P and Q are not tried.
+/// Up to this total length P/Q is not replaced by other elements of its pencil.
 const SHORT: usize = 60;
 
 pub(crate) struct Accepted<'a> {
@@ -39,7 +40,7 @@ impl Accepted<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Keeps P/Q if it is new and proved; if P and Q are integrals each, keeps both instead.
+    /// Accepts P/Q if it is independent and proved; if P and Q are both integrals, accepts each.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none()
             && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
@@ -51,7 +52,7 @@ impl Accepted<'_> {
         }
     }
 
-    /// Offers known integrals once the search reaches their degree or becomes expensive.
+    /// Accepts known integrals once the search reaches their degree, or becomes expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -93,7 +94,8 @@ impl Accepted<'_> {
         }
     }
 
-    /// Returns P/Q if it is short, else the pencil's shortest quotient with a limit at ε = 0.
+    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of elements of its
+    /// pencil, among those whose limit at ε = 0 depends on the states.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -110,7 +112,7 @@ impl Accepted<'_> {
         if special.is_empty() {
             return own;
         }
-        // Denominators without states at ε = 0 are preferred: the limit is then a polynomial.
+        // Prefers denominators that are constant at ε = 0: the limit is then a polynomial.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -124,22 +126,21 @@ impl Accepted<'_> {
                 && (is_flat(below) || !has_flat)
                 && with_a_limit(symbols, (*above).clone(), below) == **above
         };
-        // `min_by_key` keeps the first of equal pairs, so P/Q wins a tie.
+        // `min_by_key` returns the first of equal pairs, so P/Q wins a tie.
         let best = pairs.filter(is_fit).min_by_key(|((above, _), (below, _))| above + below);
         best.map_or(own, |((_, above), (_, below))| ((*above).clone(), (*below).clone()))
     }
 
-    /// Combines the integral with known ones so that factors of its denominator cancel.
     fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
             reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
-        // The new part may have been a product of known factors, so independence is tested.
+        // The new summand may have been a product of known factors, so test independence again.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of found integrals in the order of coordinates of a level set. A
-    /// proper level set yields none: the integrals that define it are constants there.
+    /// Returns the gradients of the accepted integrals, in the coordinates of a level set. Empty on
+    /// a proper level set: the integrals that define it are constants there.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

@@ -1,4 +1,5 @@
-//! Integrals of compositions, tested on the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε}.
+//! Integrals that compositions preserve, tested on the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘
+//! φ_{γ₁ε}.
 //!
 //! Compositions of higher order have this pattern; here γ is random.
 
@@ -18,9 +19,9 @@ use crate::orbits::hilbert::{Hilbert, random_relations};
 pub struct Survivors {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
-    /// For each formula, whether the composed map keeps it, too.
+    /// For each formula, whether the composed map preserves it.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas that are not kept themselves while their quotient is.
+    /// Pairs of formulas that the composed map does not preserve, but whose quotient it does.
     pub quotients: Vec<(usize, usize)>,
 }
 
@@ -68,7 +69,7 @@ pub fn survivors(
         let below = searched.evaluate(&formula.denominator, &sample, point)?;
         Some(modulus.times(above, modulus.inverse(below)?))
     };
-    // The factor by which a step of the composed map multiplies each formula.
+    // Returns the factor by which one composed step multiplies a formula.
     let factor = |formula: &Formula| {
         let (here, there) = (value(formula, &relations.start)?, value(formula, &next)?);
         Some(modulus.times(there, modulus.inverse(here)?))

@@ -30,7 +30,8 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// Gradients of functions at a random point modulo a prime; their rank is at most that over ℚ.
+/// The gradients of accepted functions at a random point modulo a prime. Their rank is at most the
+/// rank over ℚ.
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,
@@ -55,26 +56,25 @@ impl<'a> Independent<'a> {
         quotient_gradient(self.searched, &step.sample, &step.here, numerator, denominator)
     }
 
-    /// Tells whether P/Q is independent of the kept functions.
+    /// Returns whether P/Q is independent of the accepted functions.
     #[must_use]
     pub fn admits(&self, numerator: &Polynomial, denominator: &Polynomial) -> bool {
         let Some(gradient) = self.gradient(numerator, denominator) else { return false };
         self.rank_with(vec![gradient]) == self.gradients.len() + 1
     }
 
-    /// Returns the map and the point at which gradients are taken.
     pub(crate) fn step(&self) -> Option<&SampledStep> {
         self.step.as_ref()
     }
 
-    /// Returns the rank of kept and further gradients; 0 without a point.
+    /// Returns the rank of the accepted gradients together with `further`; 0 without a point.
     pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
         let Some(step) = &self.step else { return 0 };
         let rows = [self.gradients.clone(), further].concat();
         Echelon::of(step.sample.map.modulus(), rows, self.searched.dimension()).rank()
     }
 
-    /// Keeps P/Q.
+    /// Accepts P/Q.
     pub fn keep(&mut self, numerator: &Polynomial, denominator: &Polynomial) {
         self.gradients.extend(self.gradient(numerator, denominator));
     }

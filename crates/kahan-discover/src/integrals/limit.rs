@@ -1,4 +1,4 @@
-//! Integrals with a limit at ε = 0 that depends on the states.
+//! Integrals whose limit at ε = 0 depends on the states.
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational::Rational;
@@ -7,11 +7,10 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::modular::subspace::tidy;
 
-/// The budget of one limit, in products of terms.
 const LIMIT_WORK: u64 = 2_000_000;
 
-/// Returns P such that P/Q depends on the states at ε = 0. While P/Q has a constant limit c, P is
-/// replaced by (P − cQ)/εᵏ. On a level set of known integrals, these integrals count as constants.
+/// Returns P′ such that P′/Q depends on the states at ε = 0. While P/Q has a constant limit c, P is
+/// replaced by (P − cQ)/εᵏ. On a level set, the integrals that define it count as constants.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

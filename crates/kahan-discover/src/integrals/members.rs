@@ -1,11 +1,11 @@
-//! Special members P + cQ of a pencil: those that factor, have lower degree, or are free of ε.
+//! Special elements P + cQ of a pencil: those that factor, have lower degree, or are free of ε.
 //!
 //! Let F be a polynomial of degree d in s, t. The equation ∂(G/F)/∂t = ∂(H/F)/∂s has solutions G, H
-//! of degree d − 1 beside the multiples of ∇F if and only if F factors over ℂ or has a square
+//! of degree d − 1 other than multiples of ∇F if and only if F factors over ℂ or has a square
 //! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
-//! a random plane it is linear in c, so the wanted c are roots of a polynomial modulo a prime.
-//! Members at different parameters are matched by [`Kind`] and interpolated; their integrals are
-//! proved elsewhere.
+//! a random plane the equation is linear in c, so the wanted c are roots of a polynomial modulo a
+//! prime. Elements at different parameters are matched by [`Kind`] and interpolated; the caller
+//! proves their integrals.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -23,14 +23,14 @@ use crate::modular::subspace::{Form, Names, PolynomialSpace, reconstruct_space, 
 /// The most products modulo a prime in one search: some tenths of a second.
 const MOST_WORK: u64 = 100_000_000;
 
-/// The cost of one evaluation of the pencil, in products.
 const WORK_OF_LOOK: u64 = 50_000;
 
-/// The number of parameter samples at which the members of each kind are counted.
+/// The number of parameter samples at which the elements of each kind are counted.
 const LOOKS: usize = 4;
 
-/// Finds the members whose coefficients are rational functions of the parameters and ε. The factors
-/// of a member may have coefficients in a larger field. Members that are too expensive are missing.
+/// Finds the special elements whose coefficients are rational functions of the parameters and ε.
+/// Their factors may have coefficients in a larger field. Elements that are too expensive are
+/// missing.
 pub(crate) fn special_members(
     searched: &SearchField,
     numerator: &Polynomial,
@@ -118,7 +118,7 @@ pub(crate) fn members(
     let mut at = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {
         special(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
-    // The number of members of each kind at each sample; members with irrational c may be missing.
+    // The number of elements of each kind at each sample; those with irrational c may be missing.
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -153,10 +153,9 @@ fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Opt
     Some((0..here[0].len()).map(own).collect())
 }
 
-/// Properties of a member that do not depend on the parameters.
+/// Properties of a special element that do not depend on the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Kind {
-    /// The multiplicity of c as a root.
     multiplicity: usize,
     /// The dimension of the space of solutions G, H.
     solutions: usize,
@@ -165,7 +164,7 @@ struct Kind {
     support: Vec<usize>,
 }
 
-/// Returns members, with c in the prime field, that factor or have lower degree at one sample.
+/// Returns the elements, with c in the prime field, that factor or have lower degree at one sample.
 fn special(
     modulus: &Modulus,
     monomials: &Monomials,
@@ -176,7 +175,7 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // In a random basis of the pencil, no special member has c = ∞.
+    // In a random basis of the pencil, no special element has c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
@@ -184,7 +183,8 @@ fn special(
     let [first, second] = sides.each_ref().map(|side| equations(modulus, degree, side));
     let field = modulus.field();
     let residues = |values: &[u64]| values.iter().map(|&value| modulus.residue(value)).collect::<Vec<_>>();
-    // For F without the term sᵈ, ∇F solves the equations. The c of this F is divided out.
+    // For F without the term sᵈ, ∇F solves the equations; the value of c with this F is divided
+    // out.
     let highest = sides.each_ref().map(|side| side[place(degree, degree, 0)]);
     if highest[1] == 0 {
         return None;
@@ -221,7 +221,6 @@ fn special(
 struct Plane<'a> {
     modulus: Modulus,
     monomials: &'a Monomials,
-    /// The powers of each state: by state, then by exponent.
     powers: Vec<Vec<Vec<u64>>>,
 }
 
@@ -250,7 +249,6 @@ impl<'a> Plane<'a> {
         plane
     }
 
-    /// Multiplies polynomials in s and t; the degree of the product is at most that of the pencil.
     fn product(&self, left: &[u64], right: &[u64]) -> Vec<u64> {
         let mut product = vec![0; left.len()];
         for (i, &own) in left.iter().enumerate().filter(|(_, own)| **own != 0) {
@@ -285,7 +283,7 @@ fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut Spli
     let columns = p.len();
     let mut determinants = Vec::new();
     for _ in 0..2 {
-        // Random combinations of the equations, as many as unknowns: rows (Q | P).
+        // Random combinations of the equations, one for each unknown: rows (Q | P).
         let mixed = (0..columns).map(|_| {
             let mixer: Vec<u64> = (0..p[0].len()).map(|_| modulus.sample(random)).collect();
             q.iter().chain(p).map(|column| modulus.dot(&mixer, column)).collect()
@@ -347,8 +345,8 @@ fn characteristic(modulus: &Modulus, mut rows: Vec<Vec<u64>>) -> Vec<u64> {
     leading.pop().expect("there is one for each size")
 }
 
-/// Returns F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for monomials G and H of degree below that of F.
-/// The highest power of s is left out of G, which excludes the solution ∇F.
+/// Returns F ∂G/∂t − G ∂F/∂t − F ∂H/∂s + H ∂F/∂s for monomials G and H of degree below that of F. G
+/// lacks the highest power of s, which excludes the solution ∇F.
 fn equations(modulus: &Modulus, degree: usize, f: &[u64]) -> Vec<Vec<u64>> {
     let wide = 2 * degree;
     let mut columns = Vec::new();
@@ -379,7 +377,6 @@ mod tests {
     use kahan_algebra::symbols::Symbols;
     use kahan_algebra::{lexer, read};
 
-    /// Returns numerators of expressions in x, y and a, and a field in these symbols.
     fn polynomials(expressions: &[&str]) -> (SearchField, Symbols, Vec<Polynomial>) {
         let field = "xdot = a*x + y^2; ydot = x^2;";
         let claims = expressions.iter().enumerate().map(|(k, own)| format!(" integral H{k} = {own};"));
@@ -391,7 +388,7 @@ mod tests {
         (searched, system.field.symbols.clone(), sides.collect())
     }
 
-    /// In the conics three members factor, two with irrational c; in the cubics one.
+    /// Three of the conics factor, two of them with irrational c; one of the cubics does.
     #[test]
     fn the_member_that_falls_apart_is_found() {
         for (product, other) in [

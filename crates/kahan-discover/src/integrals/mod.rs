@@ -1,6 +1,7 @@
-//! Rational integrals: found as null vectors of relations ([`search`]), among entries of relations
-//! (`relation_coefficients`) and as special members of pencils (`members`); then reconstructed,
-//! simplified, proved, and tested for independence ([`reconstructed`], `accepted`).
+//! Rational integrals, found as null vectors of relations ([`search`]), among coefficients of
+//! relations (`relation_coefficients`) and as special elements of pencils (`members`). They are
+//! reconstructed over ℚ ([`reconstructed`]), simplified, proved, and tested for independence
+//! (`accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;

@@ -1,14 +1,14 @@
-//! Sign changes of states that map orbits to orbits, and the signs of monomials under them.
+//! Sign changes of states that map orbits to orbits.
 //!
-//! If f(Sx) = ±S f(x) with S = diag(±1), then φ(Sx) = Sφ(x) at ε or −ε, and the closure of the
-//! orbit of Sx is S times that of x. An entry of the reduced relations then changes by the signs of
-//! its two monomials. So P and Q with P/Q equal to it can each be restricted to monomials of one
-//! sign.
+//! If f(Sx) = ±S f(x) with S = diag(±1), then φ(Sx) = Sφ(x) at ε or −ε, and S maps the closure of
+//! the orbit of x to that of Sx. An entry of the reduced relations then changes by the signs of its
+//! two monomials. So P and Q with P/Q equal to this entry can be restricted to monomials of one
+//! sign each.
 
 /// The most generators returned.
 const MOST: usize = 8;
 
-/// A term xⱼxₖ, xⱼ or 1 in component i, as the sum over F₂ of unit vectors of i, j and k.
+/// A term of component i, xⱼxₖ, xⱼ or 1, as the sum over F₂ of the unit vectors of i, j and k.
 pub type TermSigns = u64;
 
 /// Returns generators of the sign changes S, each as a bit set of states. `terms` are all terms of
@@ -40,7 +40,7 @@ pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     solutions.filter(|solution| *solution != 0).take(MOST).collect()
 }
 
-/// Returns the signs of a monomial under the generators, one bit each.
+/// Returns the sign of a monomial under each generator, one bit each.
 #[must_use]
 pub fn character(generators: &[u64], exponents: &[u32]) -> u64 {
     let odd = exponents.iter().enumerate().filter(|(_, exponent)| *exponent % 2 == 1);
@@ -55,12 +55,13 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // Every term of ẋ = yz, ẏ = zx, ż = xy is xyz, so each state may flip with time.
+        // For ẋ = yz, ẏ = zx, ż = xy all terms are xyz, so each state may change its sign with
+        // time.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);
         assert_ne!(character(&generators, &[1, 1, 0]), 0);
-        // For x² + x a sign change of x fits neither sign of time.
+        // For x² + x no sign change of x is compatible with either sign of time.
         assert!(sign_changes(1, &[0b1, 0b0]).is_empty());
     }
 }

@@ -1,4 +1,4 @@
-//! Spaces of polynomials whose quotients are integrals, and how to find them at other parameters.
+//! Spaces of polynomials whose quotients are integrals, and their evaluation at other parameters.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -24,19 +24,19 @@ pub struct Pencil {
     pub(crate) source: Source,
 }
 
-/// The method that finds a pencil.
+/// The method by which a pencil was found.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// The span of the relations of orbits on the pencil's monomials.
+    /// The span of the relations on several orbits.
     Span,
-    /// Numerators and denominators of entries of relations.
+    /// Numerators and denominators of coefficients of relations.
     Entries { relation_degree: u32, entries: Vec<PencilEntry> },
 }
 
-/// An entry of the reduced relations that is P/Q.
+/// A coefficient of a reduced relation that equals P/Q.
 #[derive(Clone, Debug)]
 pub(crate) struct PencilEntry {
-    /// The leading monomial of the relation; `lower` is the monomial of the entry.
+    /// The leading monomial of the relation; `lower` is the monomial of the coefficient.
     pub(crate) leading: usize,
     pub(crate) lower: usize,
     pub(crate) numerator: Vec<usize>,
@@ -44,8 +44,8 @@ pub(crate) struct PencilEntry {
 }
 
 impl PencilEntry {
-    /// Solves P − cQ = 0 at the starts of orbits for P and Q. Returns `None` unless the solution is
-    /// unique and found before the deadline.
+    /// Solves P − cQ = 0 at the starts of orbits for P and Q; c is a coefficient of their
+    /// relations. `None` unless the solution is unique and found before the deadline.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -107,7 +107,8 @@ impl Pencil {
         PolynomialSpace::of_form(&modulus, form, vectors)
     }
 
-    /// Returns the span of relations of two orbits on the space's monomials, if equal to the space.
+    /// Returns the span of the relations of two orbits on the space's monomials, if it is the
+    /// space.
     fn span_at(
         &self,
         map: &impl Stepping,

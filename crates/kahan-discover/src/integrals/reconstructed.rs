@@ -1,4 +1,4 @@
-//! Independent integrals with all unknowns, reconstructed and proved.
+//! Independent integrals over ℚ(parameters, ε), reconstructed and proved.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -21,24 +21,24 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 use crate::orbits::hilbert::Hilbert;
 
-/// Integrals are searched at least up to this degree, if the number of coefficients allows.
+/// Integrals are searched at least up to this degree, if the number of coefficients allows it.
 const HIGHEST: u32 = 8;
 
 /// Up to this number of monomials, all orders of the variables are tried.
 const CHEAP: usize = 100;
 
-/// The goals of a search.
+/// The inputs and limits of a search.
 pub struct Aims<'a> {
     /// Independent integrals that are already proved.
     pub proved: &'a [Formula],
-    /// Polynomial integrals known beforehand.
+    /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Known integrals P/Q with a deadline. Each is accepted once no others are found up to its
-    /// degree; the rest before this deadline.
+    /// Integrals P/Q with a deadline. Each is accepted once the search has passed its degree, and
+    /// the remaining ones before this deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// The number of integrals and their degrees by orbits; without it nothing is searched.
+    /// The number and degrees of integrals that orbits show; `None` prevents a search.
     pub hilbert: Option<&'a Hilbert>,
-    /// Known integrals P/Q, each accepted unless others are found below its degree.
+    /// Integrals P/Q; each is accepted unless the search finds others below its degree.
     pub known: &'a [(Polynomial, Polynomial)],
     /// The limits on the size of formulas.
     pub reach: Reach,
@@ -46,7 +46,7 @@ pub struct Aims<'a> {
     pub tell: &'a dyn Fn(&Formula),
 }
 
-/// Finds and proves independent integrals over ℚ with all unknowns, of least degree first. Stops at
+/// Finds and proves independent integrals over ℚ(parameters, ε), of least degree first. Stops at
 /// the number that orbits show, or at the deadline.
 pub fn integrals(
     searched: &SearchField,
@@ -75,7 +75,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // Known integrals are accepted even beyond the number that orbits show.
+        // Accept known integrals even beyond the number that orbits show.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -126,7 +126,7 @@ impl Accepted<'_> {
         self.take(&spanned, chart, limits, random);
         for degree in 1..=limits.highest.max(HIGHEST) {
             self.offer_known(degree);
-            // The order of the variables determines which entries of the relations are simple.
+            // The order of the variables determines which coefficients of the relations are simple.
             let is_cheap = Monomials::count(map.dimension(), degree) <= CHEAP;
             let orders = if is_cheap { usize::MAX } else { limits.reach.orders };
             for leaf in chart.leaf.orders().take(orders) {
@@ -147,7 +147,6 @@ impl Accepted<'_> {
         }
     }
 
-    /// Reconstructs pencils and keeps their integrals; returns the bases.
     fn take(
         &mut self,
         pencils: &[Pencil],
@@ -206,7 +205,8 @@ impl Accepted<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Keeps the quotients of a basis by its simplest element that is not 0 on the level set.
+    /// Accepts the quotients of a basis by its simplest element that does not vanish on the level
+    /// set.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
@@ -226,7 +226,7 @@ impl Accepted<'_> {
     }
 }
 
-/// Permutes coefficients from a level set's order of variables to the order of the states.
+/// Permutes coefficients from the variable order of a level set to the order of the states.
 fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Vec<u64> {
     let own = |index: usize| {
         let exponents = monomials.exponents(index);
@@ -243,7 +243,6 @@ pub(crate) struct SearchLimits<'a> {
     pub(crate) deadline: &'a Deadline<'a>,
 }
 
-/// Tells whether the polynomial has a term free of states.
 fn has_constant(symbols: &Symbols, polynomial: &Polynomial) -> bool {
     polynomial.terms().any(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 0)
 }

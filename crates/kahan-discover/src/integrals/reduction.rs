@@ -1,4 +1,4 @@
-//! Integrals P/Q simplified by others: a multiple of a known product cancels a factor of Q.
+//! Simplifies integrals P/Q: subtracting a multiple of a known product cancels a factor of Q.
 //!
 //! Two polynomials with equal cofactors have an integral as their quotient. Let M be a product of
 //! factors of known integrals with Q's cofactor. If P and M are proportional on the zeros of a
@@ -13,7 +13,7 @@ use crate::maps::search_field::{SampledStep, SearchField};
 use crate::maps::stepping::Stepping;
 use crate::modular::subspace::tidy;
 
-/// Cancels factors of the denominator as often as possible; `factors` belong to known integrals.
+/// Cancels factors of the denominator as often as possible; `factors` come from known integrals.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,
@@ -48,7 +48,7 @@ fn without_factor(
     let moves = moving_states(searched, step, factors);
     for pole in &poles {
         for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
-            // Returns the polynomial's remainder at pole = 0 and the factor it was multiplied by.
+            // Returns scale · P modulo the factor, and the scale.
             let rest = |polynomial: &Polynomial| {
                 let written = in_powers(symbols, polynomial, pole, variable)?;
                 let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
@@ -57,7 +57,7 @@ fn without_factor(
             let Some((own, own_scale)) = rest(numerator) else { continue };
             for product in &products {
                 let Some((other, other_scale)) = rest(product) else { continue };
-                // For own = α t, other = β t: β own_scale P = α other_scale M at the pole.
+                // For own = α t, other = β t: β own_scale P = α other_scale M where q = 0.
                 let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
                 let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
                 let beta = match (shape == same, shape == -&same) {
@@ -79,7 +79,6 @@ fn without_factor(
     None
 }
 
-/// Returns the states that are no integrals by themselves.
 fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomial]) -> Vec<Variable> {
     let symbols = searched.family().symbols();
     let rests = |variable: Variable| {
@@ -89,7 +88,6 @@ fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomi
     (0..searched.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
 }
 
-/// Returns the common factor of all coefficients of a polynomial in these variables.
 fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     let groups = polynomial.group(|variable| variables.contains(&variable));
     let common = gcd_all(&groups.into_values().collect::<Vec<_>>());

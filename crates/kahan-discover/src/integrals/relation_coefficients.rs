@@ -1,6 +1,6 @@
-//! Integrals among the entries of reduced relations.
+//! Integrals among the coefficients of reduced relations.
 //!
-//! If relations mix several integrals, an entry c of the reduced relations is an integral. The
+//! If relations mix several integrals, a coefficient c of a reduced relation is an integral. The
 //! condition c = P/Q at many starts is a linear system for P and Q.
 
 use kahan_algebra::prime_field::SplitMix64;
@@ -15,7 +15,7 @@ use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// Searches P/Q of one degree for the entries of the relations.
+/// Searches the coefficients of relations for quotients P/Q of one degree.
 pub(crate) fn entries_of_degree<M: Stepping>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
@@ -27,7 +27,7 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
-    // By the signs of the entry, few monomials of high degree remain in P and Q.
+    // Signs under sign changes exclude most monomials of high degree from P and Q.
     let generators = map.sign_changes();
     if Monomials::count(n, degree) > reach.coefficients << generators.len() {
         return;
@@ -50,13 +50,13 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     let invariant = of_sign(0);
     let widest = places.iter().map(|&place| of_sign(sign_of(place)).len()).max().unwrap_or(0);
     let width = invariant.len() + widest;
-    // Without new monomials of these signs, lower degrees have shown all.
+    // Without new monomials of these signs, lower degrees were sufficient.
     let is_new = (unknown.up_to(degree - 1)..unknown.len())
         .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
     if width > reach.coefficients || !is_new {
         return;
     }
-    // All relations of all orbits might exceed the memory, so only the needed ones are kept.
+    // All relations of all orbits may exceed the memory, so drop those not needed.
     let keep_looked_at = |relations: &mut Relations| {
         relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
     };
@@ -92,7 +92,8 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     }
 }
 
-/// Returns varying entries of relations whose leading monomial no other leading one divides.
+/// Returns varying coefficients of relations whose leading monomial is divisible by no other
+/// leading monomial.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {
@@ -114,7 +115,7 @@ fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usiz
     places
 }
 
-/// Joins pencils of one degree whose elements share their cofactor P(φ(x))/P(x).
+/// Merges pencils of one degree whose elements have one cofactor P(φ(x))/P(x).
 fn merge_by_cofactor(
     map: &impl Stepping,
     monomials: &Monomials,

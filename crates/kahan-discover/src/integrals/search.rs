@@ -1,9 +1,9 @@
 //! Rational integrals from the relations of orbits.
 //!
-//! Let all quotients of a space U of polynomials be integrals, so all cofactors are equal. The
-//! elements of U that vanish on an orbit are those that vanish at its start, a subspace of
-//! codimension 1. Conversely, relations of orbits span such a space if their span has one dimension
-//! more than the relations of one orbit.
+//! Let U be a space of polynomials whose quotients are all integrals, so all cofactors are equal.
+//! The elements of U that vanish on an orbit are those that vanish at its start, a subspace of
+//! codimension 1. Conversely, the relations of all orbits span such a space if their span has one
+//! dimension more than the relations of one orbit.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -23,22 +23,22 @@ use crate::orbits::relations::{gradient, monomial_gradients};
 pub struct Reach {
     /// The most unknown coefficients of P and Q together.
     pub coefficients: usize,
-    /// The most terms in the states of the shortest polynomial of a pencil.
+    /// The most monomials in the states of a pencil's shortest polynomial.
     pub terms: usize,
-    /// The most orders of the variables for entries of relations with many monomials.
+    /// The most orders of the variables to try for relations with many monomials.
     pub orders: usize,
 }
 
 impl Reach {
-    /// The full reach of the search.
+    /// The largest limits.
     pub const FULL: Self = Reach { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// Readable formulas, for cases in which bases describe the other integrals.
+    /// Limits for readable formulas, if bases describe the other integrals.
     pub const SHORT: Self = Reach { coefficients: 300, terms: 60, orders: 2 };
 }
 
-/// Finds pencils spanned by relations of orbits, of least degree first up to `relation_degree`.
-/// Stops at `wanted` independent integrals.
+/// Finds pencils spanned by relations of orbits, by ascending degree up to `relation_degree`. Stops
+/// at `wanted` independent integrals.
 pub fn spanned_pencils<M: Stepping>(
     map: &M,
     relation_degree: u32,
@@ -58,11 +58,11 @@ pub fn spanned_pencils<M: Stepping>(
     search.pencils
 }
 
-/// Finds pencils of exactly this degree in which entries of relations are quotients P/Q.
+/// Finds pencils of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
-/// Keeps those with integrals independent of the functions whose gradients `known` returns at a
-/// point. The list is empty if the deadline passes. Cost: for P and Q with N monomials each, 2N
-/// orbits and (2N)³ products for each entry of the relations up to `relation_degree`.
+/// Returns those with integrals independent of the functions whose gradients `known` returns at a
+/// point. Empty if the deadline passes. Cost: for P and Q with N monomials each, 2N orbits and
+/// (2N)³ products for each coefficient of the relations up to `relation_degree`.
 pub fn pencils_of_entries<M: Stepping>(
     map: &M,
     relation_degree: u32,
@@ -81,7 +81,6 @@ pub fn pencils_of_entries<M: Stepping>(
 pub(crate) struct Search<'a, M> {
     pub(crate) map: &'a M,
     pub(crate) random: &'a mut SplitMix64,
-    /// The point at which independence is tested.
     point: Vec<u64>,
     gradients: Vec<Vec<u64>>,
     pencils: Vec<Pencil>,
@@ -97,7 +96,7 @@ impl<'a, M: Stepping> Search<'a, M> {
         Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
     }
 
-    /// Keeps a pencil if it has an integral that is independent of those before.
+    /// Accepts a pencil if it has an integral that is independent of the earlier ones.
     pub(crate) fn offer(&mut self, pencil: Pencil) {
         let before = self.rank();
         let known = self.gradients.len();

@@ -1,9 +1,9 @@
 //! Affine level sets: orbits with linear relations, studied in fewer variables.
 //!
-//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace, and their
-//! varying entries c₁, c₂, … are integrals. On one level set of these entries, which become
-//! unknowns, other integrals are not mixed with multiples of the linear relations. Formulas found
-//! there hold everywhere once each cⱼ is replaced by its own formula.
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace. Their
+//! varying coefficients c₁, c₂, … are integrals and become unknowns. On one level set, other
+//! integrals are not mixed with multiples of the linear relations. Formulas found there hold
+//! everywhere once each cⱼ is replaced by its own formula.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -22,12 +22,12 @@ use crate::modular::subspace::combination;
 use crate::modular::weights::Weights;
 use crate::orbits::hilbert::random_relations;
 
-/// The coordinates on an affine level set, and the entries of the linear relations that define it.
+/// The coordinates on an affine level set, and the coefficients of the linear relations.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
-    /// The varying entries, each with the leading monomial of its relation.
+    /// The varying coefficients, each with the leading monomial of its relation.
     places: Vec<(usize, usize)>,
-    /// The states that serve as coordinates; the lowest in the order of monomials is last.
+    /// The states that serve as coordinates; the last one is lowest in the order of monomials.
     order: Vec<usize>,
 }
 
@@ -50,7 +50,7 @@ pub struct MapOnSubspace {
 }
 
 impl Coordinate {
-    /// Returns the weight of cⱼ.
+    /// Returns the weight of cⱼ under the scaling symmetries.
     #[must_use]
     pub fn weight(&self, weights: &Weights) -> Vec<Rational> {
         let of = |side: &Polynomial| {
@@ -67,8 +67,8 @@ impl AffineSubspace {
         AffineSubspace { places: Vec::new(), order }
     }
 
-    /// Returns the affine level sets of a map. Returns the whole space without linear relations,
-    /// and if their entries can't be chosen independently.
+    /// Returns the affine level sets of a map. Returns the whole space if linear relations are
+    /// missing, or if their coefficients cannot be chosen independently.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());
@@ -93,7 +93,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // Tests that randomly chosen entries come back from an orbit.
+        // Check that randomly chosen coefficients are recovered from an orbit.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
@@ -112,7 +112,7 @@ impl AffineSubspace {
         (found? == chosen).then_some(leaf)
     }
 
-    /// Returns the number of entries that define a level set.
+    /// Returns the number of coefficients cⱼ that define a level set.
     #[must_use]
     pub fn unknowns(&self) -> usize {
         self.places.len()
@@ -134,7 +134,7 @@ impl AffineSubspace {
         &self.order
     }
 
-    /// Returns the map on the level set with these entries; `None` if relations have another form.
+    /// Returns the map on the level set with these cⱼ; `None` if relations have another form.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();
@@ -192,7 +192,7 @@ impl AffineSubspace {
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };
             let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
-            // A common denominator of all entries makes P and Q polynomials.
+            // A common denominator of all coefficients makes P and Q polynomials.
             let (entries, _) = RationalFunction::over_common(&entries);
             let (above, below) = entries.split_at(linear.len());
             let [numerator, denominator] =

@@ -1,4 +1,4 @@
-//! Affine level sets with formulas of their constants, which extend formulas to all states.
+//! Affine level sets with formulas for their constants cⱼ, which extend formulas to all states.
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
@@ -8,15 +8,14 @@ use crate::maps::affine_subspace::{AffineSubspace, Coordinate};
 use crate::maps::search_field::SearchField;
 use crate::modular::subspace::Names;
 
-/// The budget for substituting formulas, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
-/// A level set with the formulas of its constants.
+/// A level set with formulas for its constants.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas in the order of the entries; the value of an integral last, if any.
+    /// The formulas in the order of the constants; last the value of an integral, if any.
     pub coordinates: Vec<Coordinate>,
 }
 

@@ -18,12 +18,12 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 
-/// The polynomial P − cQ as coefficients of monomials, each a polynomial in unknowns.
+/// The polynomial P − cQ: coefficients of monomials, each a polynomial in unknowns.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     monomials: Monomials,
     coefficients: Vec<(Polynomial, Polynomial)>,
-    /// A coordinate in which P and Q are linear, for which starts are solved.
+    /// A coordinate in which P and Q are linear; P − cQ = 0 is solved for it.
     linear: usize,
 }
 
@@ -36,7 +36,7 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// Fixes P/Q, given by coefficients; `None` if no coordinate is linear in both.
+    /// Prepares P/Q, given by coefficients; `None` if no coordinate is linear in both.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -48,7 +48,8 @@ impl Constraint {
         Some(Constraint { monomials, coefficients, linear })
     }
 
-    /// Returns the map with F = `value`; `None` if a coefficient has no value modulo the prime.
+    /// Returns the map on the level set F = `value`; `None` if a coefficient has no value modulo
+    /// the prime.
     #[must_use]
     pub fn on(
         &self,
@@ -86,7 +87,6 @@ impl Stepping for ConstrainedMap<'_> {
         self.base.next(point)
     }
 
-    /// Samples a point with P − cQ = 0, solved for the linear coordinate.
     fn point(&self, random: &mut dyn Random) -> Vec<u64> {
         let modulus = *self.modulus();
         loop {
@@ -95,7 +95,7 @@ impl Stepping for ConstrainedMap<'_> {
             let base = self.residual(&point);
             point[self.constraint.linear] = modulus.one();
             let slope = modulus.minus(self.residual(&point), base);
-            // The slope is a nonzero polynomial, so almost every point succeeds.
+            // Almost every random point succeeds, since the slope is a nonzero polynomial.
             if let Some(inverse) = modulus.inverse(slope) {
                 point[self.constraint.linear] = modulus.opposite(modulus.times(base, inverse));
                 return point;

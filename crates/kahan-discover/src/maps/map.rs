@@ -1,7 +1,7 @@
 //! Kahan's map modulo a prime, at parameters and ε that are residues.
 //!
 //! Made by a [`Family`](crate::maps::parametric_field::Family) at values of the parameters; steps
-//! by elimination on A(x,ε). Removable poles count as poles; random points almost never meet them.
+//! by elimination on A(x,ε). Removable poles count as poles; random points almost never hit one.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::stepping::Stepping;
@@ -134,7 +134,6 @@ impl ModularMap {
         components
     }
 
-    /// Returns the matrix (A | f), row by row.
     fn extended_matrix(&self, point: &[u64], eps: u64) -> Vec<u64> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;
@@ -169,7 +168,7 @@ impl ModularMap {
         let width = n + 1;
         let mut matrix = self.extended_matrix(point, eps);
         let mut is_negative = false;
-        // The number of rows multiplied by each pivot.
+        // The number of rows that each pivot multiplies.
         let mut multiplied = vec![0u32; n];
         for k in 0..n {
             let found = (k..n).find(|&row| matrix[row * width + k] != 0)?;

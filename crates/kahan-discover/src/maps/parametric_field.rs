@@ -8,12 +8,11 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::maps::map::{ModularMap, Term};
 use crate::modular::modulus::Modulus;
 
-/// A field, its coefficients sorted by the monomials of the states.
+/// A field whose coefficients are sorted by the monomials of the states.
 #[derive(Clone, Debug)]
 pub struct Family {
     dimension: usize,
     symbols: Symbols,
-    /// The denominators qᵢ of the components.
     divisors: Vec<Polynomial>,
     terms: Vec<FamilyTerm>,
 }
@@ -26,7 +25,7 @@ struct FamilyTerm {
 }
 
 impl Family {
-    /// Sorts the coefficients of a field.
+    /// Groups the terms of a field by the monomials of its states.
     #[must_use]
     pub fn of(field: &Field) -> Self {
         let mut terms = Vec::new();
@@ -62,8 +61,8 @@ impl Family {
         coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
     }
 
-    /// Tells whether the field has a value at ε = 0 for generic parameters. At special parameters
-    /// it may have none: 1/(a + ε²) at a = 0.
+    /// Returns whether the field has a value at ε = 0 for generic parameters. At special parameters
+    /// it may be undefined: 1/(a + ε²) at a = 0.
     pub(crate) fn has_limit(&self) -> bool {
         let epsilon = self.symbols.epsilon();
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())

@@ -1,4 +1,4 @@
-//! Fields with fixed or generic ε, and their sampled maps.
+//! Fields with fixed or generic ε, and their maps at random values of the unknowns.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -12,7 +12,7 @@ use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::weights::Weights;
 
-/// A field, with ε if it is fixed.
+/// A field, and the value of ε if it is fixed.
 #[derive(Clone, Debug)]
 pub struct SearchField {
     family: Family,
@@ -52,13 +52,12 @@ impl Sample {
 }
 
 impl SampledStep {
-    /// Evaluates a polynomial at both points; `None` if the prime divides a denominator.
     fn values(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<[u64; 2]> {
         let value = |point| searched.evaluate(polynomial, &self.sample, point);
         Some([value(&self.here)?, value(&self.there)?])
     }
 
-    /// Tells whether a polynomial has equal values at both points.
+    /// Returns whether a polynomial has equal values at both points.
     #[must_use]
     pub fn keeps(&self, searched: &SearchField, polynomial: &Polynomial) -> bool {
         self.values(searched, polynomial).is_some_and(|[here, there]| here == there)

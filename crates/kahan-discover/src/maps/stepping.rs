@@ -1,4 +1,4 @@
-//! The interface of maps modulo a prime: a map itself, on a level set, or composed with itself.
+//! The interface of maps modulo a prime.
 
 use kahan_algebra::prime_field::Random;
 

@@ -1,4 +1,4 @@
-//! The ansatz for a reconstructed function: N/D, both sums over equal monomials of the unknowns.
+//! The ansatz N/D for a reconstructed function; N and D have the same monomials in the unknowns.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -8,7 +8,6 @@ use num_integer::Integer;
 
 use crate::modular::modulus::{Modulus, rational_from_residue};
 
-/// The most unknown coefficients of one function.
 const MOST_COEFFICIENTS: usize = 500;
 
 /// The monomials of numerator and denominator, as exponents of the unknowns.
@@ -18,7 +17,8 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    /// Returns all monomials within degrees in each unknown and in total, if they are few.
+    /// Returns all monomials within the degrees in each unknown and in total; `None` if there are
+    /// too many.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {
@@ -39,7 +39,8 @@ impl Shape {
         self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
-    /// Returns the function from coefficients modulo several primes, if they are small rationals.
+    /// Returns the function with these coefficients modulo several primes, if they are small
+    /// rationals.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],

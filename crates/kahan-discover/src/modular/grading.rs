@@ -1,6 +1,6 @@
-//! Rational reconstruction with weights of scaling symmetries.
+//! Rational reconstruction with scaling symmetries.
 //!
-//! Unknowns with independent weights are set to 1; the weight of each term restores its powers.
+//! Unknowns with independent weights are set to 1; the weight of each term restores their powers.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -22,7 +22,7 @@ pub struct Grading {
 }
 
 impl Grading {
-    /// Returns unknowns with independent weights, last one first; they can be scaled to 1.
+    /// Returns unknowns with independent weights, last ones first; they can be scaled to 1.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {
@@ -54,7 +54,6 @@ impl Grading {
         rows[..pivots.len()].iter().map(|row| row[chosen.len()].as_i64()).collect()
     }
 
-    /// Restores the powers of the chosen unknowns in a function.
     fn homogenised(
         &self,
         function: &RationalFunction,
@@ -110,7 +109,7 @@ impl Grading {
     }
 }
 
-/// Runs [`reconstruct`] with some unknowns scaled to 1, and without scaling if that fails.
+/// Runs [`reconstruct`] with some unknowns scaled to 1; without scaling if that fails.
 pub fn reconstruct_graded(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],

@@ -1,8 +1,8 @@
 //! Matrices modulo a prime: reduced row echelon form, rank and null space.
 //!
-//! Rows are equations, columns unknowns. The order of columns matters: a column becomes a pivot if
-//! it is no combination of earlier columns. With monomials in ascending order, every null vector
-//! expresses a monomial by lower ones.
+//! Rows are equations, columns unknowns. A column becomes a pivot if it is no combination of
+//! earlier columns. With monomials in ascending order, every null vector expresses a monomial by
+//! lower ones.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
@@ -12,7 +12,7 @@ use crate::modular::modulus::Modulus;
 pub struct Echelon {
     /// The pivot columns, ascending.
     pub pivots: Vec<usize>,
-    /// One row for each pivot: 1 in its own pivot column, 0 in the others.
+    /// One row for each pivot: 1 in its own pivot column, 0 in the other pivot columns.
     pub rows: Vec<Vec<u64>>,
     columns: usize,
 }
@@ -67,7 +67,6 @@ impl Echelon {
         self.pivots.partition_point(|&pivot| pivot < columns)
     }
 
-    /// Returns a basis of the null space of `rows`; `None` if the deadline passes.
     pub(crate) fn null_vectors(
         modulus: &Modulus,
         rows: Vec<Vec<u64>>,
@@ -78,13 +77,13 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
-    /// Subtracts a combination of the form's rows, so that all pivot columns become 0.
+    /// Reduces `row` by the rows of the echelon form, so that all its pivot columns become 0.
     pub(crate) fn remainder(&self, modulus: &Modulus, row: Vec<u64>) -> Vec<u64> {
         reduced_by(modulus, row, &self.pivots, &self.rows)
     }
 
     /// Returns a basis of the null space. Each vector has 1 in one column without a pivot, and 0 in
-    /// the other columns without one.
+    /// the other columns without a pivot.
     #[must_use]
     pub fn null_space(&self, modulus: &Modulus) -> Vec<NullVector> {
         let mut is_pivot = vec![false; self.columns];
@@ -113,8 +112,8 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
     row.reduced(modulus)
 }
 
-/// Clears the pivot columns of later rows above each pivot. Cleared rows have entries only in their
-/// own pivot column and in columns without a pivot, so only the latter are computed.
+/// Clears the pivot columns of later rows above each pivot (back substitution). Only columns
+/// without a pivot are computed: in pivot columns a cleared row has only its own 1.
 fn cleared(
     modulus: &Modulus,
     pivots: &[usize],
@@ -144,10 +143,10 @@ fn cleared(
     Some(())
 }
 
-/// A row of sums of products, reduced only before they overflow.
+/// A row of sums of products, reduced modulo p only before they overflow.
 struct Sums {
     sums: Vec<u128>,
-    /// The most products in an entry.
+    /// The most products that an entry contains so far.
     products: usize,
 }
 
@@ -156,7 +155,7 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row` from column `from` on, which must never decrease.
+    /// Adds a multiple of `row`, from column `from` on; `from` must not decrease between calls.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -181,7 +180,8 @@ impl Sums {
 /// The number of equations beyond the number of unknowns.
 pub(crate) const SPARE: usize = 6;
 
-/// Returns a basis of the null space of random rows; `None` if a row is missing or time is over.
+/// Returns a basis of the null space of random rows; `None` if a row is missing or the deadline
+/// passes.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,

@@ -1,7 +1,7 @@
-//! Arithmetic modulo a prime, linear algebra there, and the way back to ℚ.
+//! Arithmetic and linear algebra modulo a prime, and reconstruction over ℚ.
 //!
-//! In: functions that can be evaluated modulo primes. Out: null spaces, degrees, and rational
-//! functions with rational coefficients.
+//! Functions that can be evaluated modulo primes come in; null spaces, degrees, and rational
+//! functions over ℚ go out.
 
 pub(crate) mod ansatz;
 pub mod grading;

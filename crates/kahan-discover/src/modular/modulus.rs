@@ -1,8 +1,8 @@
 //! Arithmetic modulo a prime of 61 bits in Montgomery form: a residue a is stored as a·2⁶⁴ mod p.
 //!
-//! In and out: rationals. Residues are below p, so equal residues are equal numbers. Conversions
-//! back to ℚ ([`rational_from_residue`]) are guesses that a proof confirms. Orbits, matrices and
-//! interpolations take millions of products each, and 128-bit remainders would dominate their time.
+//! Residues are below p, so equal residues are equal numbers. Conversions back to ℚ
+//! ([`rational_from_residue`]) are guesses that a proof must confirm. Orbits, matrices and
+//! interpolations take millions of products, where 128-bit remainders would be too slow.
 
 use kahan_algebra::prime_field::{PrimeField, Random};
 use kahan_algebra::rational::Rational;
@@ -36,7 +36,8 @@ impl Modulus {
 
     pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
-        // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p has three.
+        // Newton's iteration for 1/p modulo 2⁶⁴ doubles the number of correct bits; it starts with
+        // three.
         let mut inverse = prime;
         for _ in 0..5 {
             inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
@@ -103,13 +104,13 @@ impl Modulus {
     /// a·2⁶⁴ and eight products are together below 3·2¹²⁶.
     pub(crate) const PRODUCTS: usize = 8;
 
-    /// Starts a sum of products with an element.
+    /// Starts an unreduced sum of products with `a`.
     #[inline]
     pub(crate) fn unreduced(a: u64) -> u128 {
         u128::from(a) << 64
     }
 
-    /// Reduces a sum of products of elements.
+    /// Reduces a sum of products modulo p.
     #[inline]
     pub(crate) fn reduced(&self, sum: u128) -> u64 {
         // s/2⁶⁴ is below p + 8p²/2⁶⁴ < 3p, hence the quotient below 4p.
@@ -128,7 +129,7 @@ impl Modulus {
     /// Returns 1/a; `None` for 0.
     #[must_use]
     pub fn inverse(&self, a: u64) -> Option<u64> {
-        // For the stored ã = a·2⁶⁴, 1/ã must be multiplied by 2¹²⁸.
+        // The stored ã is a·2⁶⁴, so 1/ã must be multiplied by 2¹²⁸.
         let inverse = self.plain.inverse(a)?;
         Some(self.times(self.times(inverse, self.square), self.square))
     }

@@ -7,9 +7,8 @@ use crate::modular::modulus::Modulus;
 pub struct Monomials {
     variables: usize,
     exponents: Vec<Vec<u32>>,
-    /// Each monomial except 1 as an earlier one times a variable.
+    /// Each monomial except 1 as the product of an earlier one and a variable.
     recipes: Vec<(usize, usize)>,
-    /// The number of monomials of degree ≤ 0, ≤ 1, ….
     counts: Vec<usize>,
 }
 
@@ -28,7 +27,7 @@ impl Monomials {
             for variable in (0..variables).rev() {
                 let begin = if end == 1 { 0 } else { monomials.counts[monomials.counts.len() - 2] };
                 for earlier in begin..end {
-                    // Each monomial is made only from its first variable.
+                    // Make each monomial only once, from its first variable.
                     if monomials.exponents[earlier][..variable].iter().all(|&exponent| exponent == 0) {
                         let mut exponents = monomials.exponents[earlier].clone();
                         exponents[variable] += 1;

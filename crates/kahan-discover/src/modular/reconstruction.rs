@@ -1,10 +1,10 @@
-//! Reconstruction of rational functions over ℚ from values modulo primes.
+//! Reconstructs rational functions over ℚ from values modulo primes.
 //!
 //! An [`Oracle`] returns a vector of values at any values of the unknowns (parameters and ε).
-//! Degrees in each unknown and in all together bound an ansatz N/D for each entry, whose
-//! coefficients are a null vector. Coefficients modulo several primes become rationals by the
-//! Chinese remainder theorem. The result agrees with the oracle at a random point modulo an unused
-//! prime: evidence, not a proof.
+//! Degrees in each unknown and in total determine an ansatz N/D for each entry; its coefficients
+//! are a null vector. The Chinese remainder theorem turns coefficients modulo several primes into
+//! rationals. The result must agree with the oracle at a random point modulo an unused prime, which
+//! is evidence but no proof.
 
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
@@ -17,11 +17,11 @@ use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::thiele::{SPARE, degree};
 
-/// A function that returns the values of rational functions at the unknowns; `None` where
-/// undefined. The number of values never changes.
+/// A function that returns the values of rational functions at the unknowns; `None` where they are
+/// undefined. The number of functions is constant.
 pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>> + 'a;
 
-/// The most points on a line, enough for degrees of about twenty in one unknown.
+/// The most points on a line: enough for degrees of about twenty in one unknown.
 const MOST_ON_LINE: usize = 48;
 
 const MOST_PRIMES: usize = 24;
@@ -29,13 +29,13 @@ const MOST_PRIMES: usize = 24;
 /// The most digits of numerators and denominators that `MOST_PRIMES` primes of 61 bits determine.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
-/// The most points tried where the oracle has no value.
+/// The most points to try if the oracle has no value.
 const MOST_SAMPLES: usize = 8;
 
-/// Reconstructs the functions behind an oracle over ℚ; unknown k becomes `variables[k]`.
+/// Reconstructs the oracle's functions over ℚ; unknown k becomes `variables[k]`.
 ///
-/// `None` if degrees or coefficients are out of reach, time is over, or the values are not
-/// rational. Cost: for functions of m coefficients, m + 4 calls for each prime, m³ products for
+/// `None` if degrees or coefficients are too large, the deadline passes, or the values are not
+/// rational. Cost: for functions of m coefficients, m + 4 calls for each prime and m³ products for
 /// each entry.
 pub fn reconstruct(
     oracle: &mut Oracle<'_>,
@@ -77,7 +77,6 @@ impl Reconstruction<'_> {
         (0..self.unknowns).map(|_| modulus.sample(self.random)).collect()
     }
 
-    /// Returns a random point and the oracle's values there.
     fn sample(&mut self, modulus: Modulus) -> Option<(Vec<u64>, Vec<u64>)> {
         (0..MOST_SAMPLES).find_map(|_| {
             if self.deadline.passed() {
@@ -89,7 +88,6 @@ impl Reconstruction<'_> {
         })
     }
 
-    /// Returns the degrees of all entries on the line base + t·direction.
     fn degrees_on_line(&mut self, modulus: Modulus, direction: &[u64]) -> Option<Vec<usize>> {
         let base = self.point(&modulus);
         let (mut points, mut values): (Vec<u64>, Vec<Vec<u64>>) = (Vec::new(), Vec::new());
@@ -147,7 +145,8 @@ impl Reconstruction<'_> {
             .collect()
     }
 
-    /// Returns the coefficients of each entry, numerator first; the last nonzero one is 1.
+    /// Returns the coefficients of each entry, numerator first, scaled so that the last nonzero one
+    /// is 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[Shape]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);
@@ -172,7 +171,7 @@ impl Reconstruction<'_> {
     }
 }
 
-/// Tells whether functions agree with the oracle at a random point modulo a random prime.
+/// Returns whether functions agree with the oracle at a random point modulo a random prime.
 pub fn confirms(
     oracle: &mut Oracle<'_>,
     functions: &[RationalFunction],

@@ -1,4 +1,4 @@
-//! Spaces of polynomials in the states, given by bases in reduced echelon form on fixed monomials.
+//! Spaces of polynomials in the states, with bases in reduced echelon form on fixed monomials.
 //!
 //! If a space depends on parameters and ε, the entries of its reduced basis are rational functions
 //! of them, which can be reconstructed.
@@ -19,20 +19,19 @@ use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
 use crate::modular::weights::Weights;
 
-/// The form of a basis: the monomials that occur, and the leading ones.
+/// The shape of a basis: its monomials, and which of them lead an element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
     /// The indices of the monomials that occur, ascending or descending.
     pub support: Vec<usize>,
-    /// The places in `support` of the leading monomial of each basis element.
+    /// For each element the position in `support` of its leading monomial.
     pub pivots: Vec<usize>,
 }
 
 /// A space of polynomials with a basis in reduced form.
 ///
-/// In the order of the support, each element begins with the monomial of its pivot, with
-/// coefficient
-/// 1. The other elements do not contain that monomial.
+/// Each element begins, in the order of the support, with its leading monomial, whose coefficient
+/// is 1. The other elements do not contain that monomial.
 #[derive(Clone, Debug)]
 pub struct PolynomialSpace {
     /// The form of the basis.
@@ -43,7 +42,7 @@ pub struct PolynomialSpace {
 
 impl PolynomialSpace {
     /// Returns the span of vectors of coefficients of all monomials. The reduced basis begins with
-    /// low or with high monomials, whichever has fewer terms.
+    /// low or with high monomials, whichever yields fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -62,7 +61,7 @@ impl PolynomialSpace {
         if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
     }
 
-    /// Returns the span of vectors on a known support; `None` if it has another form.
+    /// Returns the span of vectors on the support of `form`; `None` if its basis has another form.
     #[must_use]
     pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
         let echelon = Echelon::of(modulus, vectors, form.support.len());
@@ -88,7 +87,7 @@ impl PolynomialSpace {
     }
 }
 
-/// Returns a vector of this length with entries at these places, and zeros elsewhere.
+/// Returns a vector of this length with `entries` at the given indices, and zeros elsewhere.
 pub(crate) fn scattered<'a>(
     places: impl IntoIterator<Item = &'a usize>,
     entries: &[u64],
@@ -126,7 +125,8 @@ impl Names {
         }
     }
 
-    /// Weighs the entries: the coefficient of m after the leading monomial p has the weight of p/m.
+    /// Returns the weights: the coefficient of m after the leading monomial p has the weight of
+    /// p/m.
     fn grading(
         &self,
         weights: &(Weights, Vec<Vec<Rational>>),
@@ -149,7 +149,7 @@ impl Names {
 }
 
 /// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients. `at`
-/// returns the space at any unknowns. `None` for a changing form, and as for [`reconstruct`].
+/// returns the space at any unknowns. `None` if its form changes, or where [`reconstruct`] fails.
 pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,
@@ -184,7 +184,6 @@ pub fn cleared(
     combination(states, monomials, support, &RationalFunction::over_common(coefficients).0).primitive_part()
 }
 
-/// Returns Σ cₘ m over the monomials m of a support, in these states.
 pub(crate) fn combination(
     states: &[Variable],
     monomials: &Monomials,
@@ -197,7 +196,7 @@ pub(crate) fn combination(
     })
 }
 
-/// Divides a polynomial by all factors free of states, and makes its first written term positive.
+/// Divides a polynomial by all state-independent factors; makes its first printed term positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let primitive = symbols.primitive_part(polynomial);

@@ -1,19 +1,19 @@
 //! The degree of a rational function of one variable, from its values.
 //!
-//! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function ends:
-//! after the coefficient with index L all further inverted differences are equal, and the degree is
-//! ⌈L/2⌉. The remaining points verify the result.
+//! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function is
+//! finite: after the coefficient with index L all further inverted differences are equal, and the
+//! degree is ⌈L/2⌉. The remaining points verify the result.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
 
-/// The number of points that must agree with the continued fraction beyond those needed. A wrong
-/// degree passes with a probability below (degree/p)⁴.
+/// The number of points that must agree with the continued fraction beyond those that determine it.
+/// A wrong degree passes with a probability below (degree/p)⁴.
 pub(crate) const SPARE: usize = 4;
 
 /// Returns max(deg P, deg Q) of the function P/Q in lowest terms with `values` at distinct
 /// `points`. `None` if more points are needed or the deadline passes. Cost: 4 products for each
-/// pair of points, up to twice the degree of them.
+/// pair of the first 2·degree points.
 #[must_use]
 pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline<'_>) -> Option<usize> {
     let mut points = points.to_vec();
@@ -27,7 +27,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
         if differences.iter().all(|&difference| difference == 0) {
             return Some(usize::div_ceil(level, 2));
         }
-        // Points with an accidentally equal value are dropped.
+        // Drop points whose value is equal by accident.
         let mut kept = differences.iter().map(|&difference| difference != 0);
         points.retain(|_| kept.next().expect("one for each point"));
         differences.retain(|&difference| difference != 0);
@@ -70,7 +70,6 @@ mod tests {
         assert_eq!(sampled(40, 40, 60), None);
     }
 
-    /// P/Q of degree d is determined by 2d + 1 values; four more must agree.
     #[test]
     fn a_degree_is_told_when_four_points_to_spare_agree() {
         for d in [0, 1, 2, 7, 20] {
@@ -80,7 +79,7 @@ mod tests {
         }
     }
 
-    /// Changes one value of a function of degree 1: the degree is then never 1.
+    /// With one value changed, a function of degree 1 has another degree.
     #[test]
     fn one_spare_point_that_does_not_agree_is_enough() {
         let modulus = Modulus::mersenne_61();

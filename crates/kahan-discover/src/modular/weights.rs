@@ -1,7 +1,7 @@
 //! Scaling symmetries, which reduce the number of unknowns to interpolate.
 //!
-//! Weights of states, parameters and ε under which all equations ε ẋᵢ ~ xᵢ are homogeneous form a
-//! lattice. Coefficients of preserved quantities are homogeneous under each of them.
+//! Weights of states, parameters and ε for which all equations ε ẋᵢ ~ xᵢ are homogeneous form a
+//! vector space. Coefficients of invariants are homogeneous for each of them.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Monomial, Variable};
@@ -10,12 +10,12 @@ use kahan_algebra::rational::Rational;
 /// The weights of variables: one entry for each independent scaling symmetry.
 #[derive(Clone, Debug, Default)]
 pub struct Weights {
-    /// Weights by variable: states, parameters, ε.
     by_variable: Vec<Vec<Rational>>,
 }
 
 impl Weights {
-    /// Returns the scaling symmetries of a field's map; with fixed ε only those that keep ε.
+    /// Returns the scaling symmetries of a field's map; with fixed ε only those that do not scale
+    /// ε.
     #[must_use]
     pub fn of(field: &Field, eps_is_fixed: bool) -> Self {
         let count = usize::from(field.symbols.epsilon().0) + 1;
@@ -35,7 +35,7 @@ impl Weights {
             let Some(divisor) = divisors.next() else { continue };
             equations.extend(divisors.map(|other| difference(&other, &divisor)));
             for (monomial, _) in component.numerator().terms() {
-                // Homogeneity of ε p/q ~ xᵢ.
+                // The condition that ε p/q has the weight of xᵢ.
                 let mut row = difference(&exponents(monomial), &divisor);
                 row[count - 1] = &row[count - 1] + &Rational::one();
                 row[i] = &row[i] - &Rational::one();
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn the_number_of_symmetries_is_known() {
-        // Three coordinates and time scale freely; three coefficients follow.
+        // Three coordinates and time can be scaled freely; this determines three coefficients.
         assert_eq!(rank(&weights("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", false).0), 4);
         assert_eq!(rank(&weights("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;", false).0), 2);
         assert_eq!(rank(&weights("xdot = x*(1 - y); ydot = y*(x - 1);", false).0), 0);

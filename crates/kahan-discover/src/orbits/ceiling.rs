@@ -1,8 +1,8 @@
-//! Upper bounds of the number of integrals, from the fixed points of the map.
+//! Upper bounds on the number of integrals, from the fixed points of the map.
 //!
-//! In: a field. Out: the least bound found, with a zero of the field modulo a prime that proves it.
-//! Zeros are found by trial: the values of some states are sampled, and equations with one unknown
-//! left are solved. The proof stands at [`ceiling`].
+//! A field comes in. The least bound found goes out, with a zero of the field modulo a prime that
+//! proves it ([`ceiling`]). Zeros are found by trial: some states are random, and equations with
+//! one remaining unknown are solved.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -11,7 +11,7 @@ use crate::maps::map::{ModularMap, Term};
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// An upper bound of the number of integrals, with its proof.
+/// An upper bound on the number of integrals, with its proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ceiling {
     /// The most independent rational integrals that the map can have at generic ε.
@@ -24,23 +24,22 @@ pub struct Ceiling {
     pub parameters: Vec<u64>,
 }
 
-/// The primes of the search, all 3 modulo 4, so a square root is a power. Zeros are found by chance
-/// in small fields; in large ones eigenvalues are seldom equal by chance.
+/// The primes of the search, all 3 modulo 4, so that square roots are powers. In small fields
+/// random points are often zeros; in large fields eigenvalues are rarely equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
 /// The most variables; the eigenvalues cost n⁴ products.
 const MOST_VARIABLES: usize = 24;
 
-/// The most trials if the answer shortens no search; the number does not depend on the machine.
+/// The most trials if the bound cannot end a search early; independent of the machine.
 pub const FEW_TRIALS: usize = 24_000;
 
-/// The most trials if the answer may save a long search.
+/// The most trials if the bound may save a long search.
 pub const MANY_TRIALS: usize = 400_000;
 
 /// The most products of all trials; one trial takes about n³.
 const WORK: usize = 100_000_000;
 
-/// The number of trials at equal values of the parameters.
 const TRIALS_A_SAMPLE: usize = 40;
 
 /// Returns the least bound found in `trials` trials, or the first that is at most `enough`.
@@ -72,7 +71,7 @@ pub fn ceiling(
     let trials = trials.min(WORK / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
-        // Multiplicities up to n must not vanish modulo p.
+        // Multiplicities up to n must be nonzero modulo p.
         if prime <= n as u64 {
             continue;
         }
@@ -99,7 +98,6 @@ pub fn ceiling(
     lowest
 }
 
-/// Returns a zero of the field if the sampled states lead to one.
 fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -> Option<Vec<u64>> {
     let components = map.components();
     let mut values: Vec<Option<u64>> = vec![None; components.len()];
@@ -135,7 +133,7 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
     }
 }
 
-/// A component of the field at the known states.
+/// A component of the field after the known states are substituted.
 enum Restricted {
     /// The component depends on no other state.
     Constant(u64),
@@ -170,7 +168,7 @@ fn restricted(terms: &[Term], values: &[Option<u64>], modulus: &Modulus) -> Rest
     }
 }
 
-/// Returns a root of c₀ + c₁x + c₂x², with c₁ and c₂ not both 0; one of two by chance.
+/// Returns a root of c₀ + c₁x + c₂x², with c₁ and c₂ not both 0; of two roots a random one.
 fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> Option<u64> {
     let quotient = |above: u64, below: u64| Some(modulus.times(above, modulus.inverse(below)?));
     if c2 == 0 {
@@ -190,7 +188,7 @@ fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> O
 /// prime must exceed the number n of rows. Cost: n⁴ products.
 fn different_squares(modulus: &Modulus, matrix: &[Vec<u64>]) -> usize {
     let mut polynomial = characteristic(modulus, &product(modulus, matrix, matrix));
-    // Removes eigenvalues 0.
+    // Remove eigenvalues 0.
     polynomial.drain(..polynomial.iter().take_while(|&&coefficient| coefficient == 0).count());
     let slope = (1..polynomial.len())
         .map(|power| modulus.times(modulus.integer(power as u64), polynomial[power]))
@@ -227,7 +225,7 @@ fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     coefficients
 }
 
-/// Returns the degree of the greatest common divisor; constant terms come first, `above` ≠ 0.
+/// Returns the degree of the gcd of two polynomials, constant terms first; `above` is nonzero.
 fn common_degree(modulus: &Modulus, mut above: Vec<u64>, mut below: Vec<u64>) -> usize {
     loop {
         while below.last() == Some(&0) {
@@ -264,7 +262,7 @@ mod tests {
         let modulus = Modulus::of(PrimeField::new(1_000_003).unwrap());
         let count = |values: &[i64]| {
             let n = values.len();
-            // In a triangular matrix, equal eigenvalues make Jordan blocks.
+            // Equal eigenvalues of the triangular matrix form Jordan blocks.
             let entry = |i: usize, j: usize| match j.cmp(&i) {
                 std::cmp::Ordering::Less => 0,
                 std::cmp::Ordering::Equal if values[i] < 0 => {
@@ -284,31 +282,29 @@ mod tests {
         assert_eq!(count(&[0, 1, -1, 2, -2, 5]), 3);
     }
 
-    /// No bound lies below the number of known integrals.
     #[test]
     fn ceilings_of_fields_whose_integrals_are_known() {
-        // The Weierstrass equation, the chains of three and five sites, the Euler top.
         assert_eq!(of("xdot = y; ydot = 6*x^2 - a;", None), Some(1));
         assert_eq!(of("xdot = x*(y - z); ydot = y*(z - x); zdot = z*(x - y);", None), Some(2));
         assert_eq!(of("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", None), Some(2));
         let five = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
             ddot = d*(e + a - b - c); edot = e*(a + b - c - d);";
         assert_eq!(of(five, None), Some(3));
-        // Solutions are powers of exponentials, without rational combinations here.
+        // Solutions are powers of exponentials without rational invariants.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", None), Some(0));
         assert_eq!(of("xdot = x; ydot = -y;", None), Some(1));
         assert_eq!(of("xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;", None), Some(0));
         assert_eq!(of("xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;", None), Some(0));
-        // Fields without a zero, or with eigenvalues 0 there.
+        // Fields without a zero, or with only eigenvalues 0 at their zeros.
         assert_eq!(of("xdot = 1; ydot = x;", None), None);
         assert_eq!(of("xdot = y^2; ydot = 0;", None), Some(2));
         // Zeros of four dense components are found by chance.
         let dense = "xdot = x^2 - 3*x*y + 2*y*z + w^2 - x + 2*y + 1; ydot = 2*x^2 + x*y - 5*y*z + z*w + 3;
             zdot = x*z - 4*y^2 + 7*x - y + 2*w; wdot = w*x - 3*y*z + z^2 - 5;";
         assert_eq!(of(dense, None), Some(0));
-        // For λ₁ = 2/(1 + ε²), λ₂ = 1, μ₁ = μ₂² though the squares differ.
+        // For λ₁ = 2/(1 + ε²), λ₂ = 1, μ₁ = μ₂² although the squares λᵢ² differ.
         assert_eq!(of("xdot = 2*x/(1 + eps^2); ydot = y;", None), None);
-        // A fixed ε may allow more integrals, like Lotka and Volterra's map at ε = 1.
+        // A fixed ε may allow more integrals, as for Lotka and Volterra's map at ε = 1.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", Some(kahan_algebra::rational::Rational::one())), None);
     }
 }

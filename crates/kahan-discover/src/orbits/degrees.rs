@@ -1,9 +1,9 @@
 //! Degrees of the iterates of the map as a projective map, without common factors.
 //!
-//! The n-th iterate is evaluated along a random line, with a random Möbius parameter so that
-//! infinity is not special. A random combination of its components is a rational function of the
-//! parameter, and its degree is that of the iterate: common factors of numerators and denominator
-//! never appear in values. No polynomial is formed.
+//! The n-th iterate is evaluated along a random line, with a random Möbius parameter so that no
+//! point is special. A random combination of its components is a rational function of the parameter
+//! and has the degree of the iterate. Values never contain common factors of numerators and
+//! denominator. No polynomial is formed.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -18,8 +18,8 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 pub struct DegreeLimits<'a> {
     /// The number of iterates.
     pub iterates: usize,
-    /// The degree after which no further iterate is taken; four times as large for the first five
-    /// iterates while growth is undecided.
+    /// The degree after which no further iterate is computed; four times as large for the first
+    /// five iterates while growth is undecided.
     pub degree: usize,
     /// The deadline.
     pub deadline: &'a Deadline<'a>,
@@ -33,7 +33,7 @@ const FEWEST: usize = 6;
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
-    // Enough for one iterate beyond the limit on degrees.
+    // Enough points for one iterate beyond the limit on degrees.
     let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
         let known = degrees.len();
@@ -49,7 +49,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
                 if limits.deadline.has_stopped() {
                     break None;
                 }
-                // No further iterate has a value on the line.
+                // No further iterate has enough values on the line.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
@@ -70,7 +70,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
     degrees
 }
 
-/// Points on a random line that are stepped together.
+/// Points on a random line that are mapped together.
 struct Line<'a> {
     map: &'a ModularMap,
     base: Vec<u64>,
@@ -99,8 +99,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Brings at least `count` samples to the iterate `steps`. Returns `false` if points keep
-    /// ending at poles or the deadline passes.
+    /// Maps at least `count` samples `steps` times. Returns `false` if points keep ending at poles
+    /// or the deadline passes.
     fn prepare(
         &mut self,
         count: usize,
@@ -136,7 +136,7 @@ impl<'a> Line<'a> {
 }
 
 impl Sample {
-    /// Steps the sample; returns `false` at a pole.
+    /// Maps the sample until `steps` steps are done; returns `false` at a pole.
     fn advance(&mut self, map: &ModularMap, steps: usize) -> bool {
         while self.steps < steps {
             match map.next(&self.state) {

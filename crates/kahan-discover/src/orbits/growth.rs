@@ -7,9 +7,9 @@ use crate::orbits::plane::GrowthProof;
 /// The growth of degrees with the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// Constant from some iterate on: the iterates belong to one family.
+    /// Constant from some iterate on: the iterates form one family.
     Bounded,
-    /// dₙ ~ n: curves of genus 0, or a linearisable map.
+    /// dₙ ~ n: level curves of genus 0, or a linearisable map.
     Linear,
     /// dₙ ~ n²: an integrable map on curves of genus 1 or abelian surfaces.
     Quadratic,
@@ -18,7 +18,7 @@ pub enum Growth {
         /// The algebraic entropy s, the logarithm of the ratio of successive degrees.
         entropy: f64,
     },
-    /// Too few iterates, or another growth.
+    /// Too few iterates, or a different growth.
     Undecided,
 }
 
@@ -62,7 +62,8 @@ impl fmt::Display for Growth {
     }
 }
 
-/// The largest relative difference of steady ratios; those of n^k fall like 1 + k/n.
+/// The largest relative difference of ratios that count as steady; ratios of n^k decrease like 1 +
+/// k/n.
 const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
@@ -116,7 +117,8 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// Returns the least k with constant final differences over k steps, and their value and number.
+/// Returns the least k for which the last differences over k steps are constant, with their value
+/// and number.
 fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();
@@ -130,7 +132,6 @@ fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     })
 }
 
-/// Returns the ratio of successive degrees if it is steady.
 fn exponential(values: &[i128]) -> Option<f64> {
     if values.len() < 5 {
         return None;
@@ -156,7 +157,7 @@ mod tests {
         assert_eq!(growth([1, 2, 3, 3, 3, 3, 3]), Growth::Bounded);
         assert_eq!(growth([1, 2, 4, 6, 8, 10, 12]), Growth::Linear);
         assert_eq!(growth((0..12).map(|n| 2 * n * n + 1)), Growth::Quadratic);
-        // Weierstrass: 3n²/8 with a pattern of period 8 at most.
+        // Weierstrass: 3n²/8 plus a pattern of period at most 8.
         let weierstrass = (0..40).map(|n| (3 * n * n + 8) / 8 + usize::from(n % 8 == 1));
         assert_eq!(growth(weierstrass), Growth::Quadratic);
         let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };

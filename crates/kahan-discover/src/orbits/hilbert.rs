@@ -9,13 +9,14 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::relations::Relations;
 
-/// The Hilbert function h(d) of a generic orbit: the number of independent monomials of degree ≤ d.
-/// Without a relation up to degree d, relations of higher degrees may exist.
+/// The Hilbert function h(d) of a generic orbit: the number of monomials of degree ≤ d that are
+/// linearly independent on it. If no relation has degree ≤ d, relations of higher degrees may
+/// exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hilbert {
     /// The values h(1), h(2), ….
     pub values: Vec<usize>,
-    /// The number of monomials of degree ≤ 1, ≤ 2, …, which h equals without relations.
+    /// The number of all monomials of degree ≤ 1, ≤ 2, …, which bounds h.
     pub full: Vec<usize>,
     /// The codimension of the orbit's closure as defined by the observed relations: the number of
     /// independent algebraic integrals visible up to this degree.
@@ -24,11 +25,11 @@ pub struct Hilbert {
     pub relation_degree: Option<u32>,
     /// The number of points of the longest orbit.
     pub points: usize,
-    /// The common period, if every orbit closed.
+    /// The common period, if every orbit is periodic.
     pub period: Option<usize>,
     /// The number of orbits: two primes with two points each, unless time ran out.
     pub orbits: usize,
-    /// Whether all orbits gave equal results.
+    /// Whether all orbits had equal results.
     pub agree: bool,
 }
 
@@ -41,7 +42,7 @@ const MOST_QUADRATIC_MONOMIALS: usize = 900;
 const HIGHEST_DEGREE: u32 = 10;
 
 /// The most monomials for any time limit. Relations on one orbit take several times the square of
-/// this number in words of eight bytes, and its cube in products.
+/// this number in 8-byte integers, and its cube in products.
 pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
 /// The most starts tried whose orbits end at poles.
@@ -78,9 +79,9 @@ pub fn random_relations(
 }
 
 impl Hilbert {
-    /// Follows orbits modulo two primes from two points each, with random unknowns, before the
-    /// deadline. `None` if the map or every orbit has no value, or if time suffices for no orbit.
-    /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
+    /// Follows orbits modulo two primes from two points each, with random unknowns. `None` if the
+    /// map or every orbit has no value, or if the deadline allows no orbit. Cost: with N = C(n +
+    /// degree, n) monomials and h = h(degree), 4 N² h products.
     pub fn of(
         searched: &SearchField,
         degree: u32,
@@ -105,9 +106,9 @@ impl Hilbert {
         found
     }
 
-    /// Follows one orbit up to a higher degree, and all four if it shows more integrals. Ranks on
-    /// an orbit are at most generic, so one orbit without new integrals excludes them. `None` as
-    /// for [`of`](Self::of). Cost: N² h products without new integrals.
+    /// Follows one orbit up to a higher degree, and all four if it shows more integrals. The rank
+    /// of an orbit is at most the generic one, so an orbit without new integrals excludes them.
+    /// `None` as for [`of`](Self::of). Cost: N² h products without new integrals.
     pub fn further(
         &self,
         searched: &SearchField,
@@ -126,7 +127,7 @@ impl Hilbert {
         Self::of(searched, degree, random, deadline)
     }
 
-    /// Summarises one orbit.
+    /// Returns the Hilbert function of one orbit.
     #[must_use]
     pub fn from_relations(relations: &Relations, modulus: &Modulus, monomials: &Monomials) -> Self {
         let full: Vec<usize> = (1..=monomials.degree()).map(|degree| monomials.up_to(degree)).collect();
@@ -144,7 +145,7 @@ impl Hilbert {
         }
     }
 
-    /// Joins two results; different ranks are generic if they are larger.
+    /// Joins two results; if ranks differ, the larger one is generic.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {

@@ -2,9 +2,9 @@
 //!
 //! The values of all monomials up to a degree along an orbit form a matrix. Its null vectors are
 //! the polynomials that vanish on the orbit, hence on its Zariski closure. In reduced form each
-//! expresses one monomial by lower ones, and every entry, as a function of the orbit's start, is an
-//! integral (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations",
-//! 2011).
+//! relation expresses one monomial by lower ones. Its coefficients, as functions of the orbit's
+//! start, are integrals (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type
+//! discretizations", 2011).
 
 use crate::deadline::Deadline;
 use crate::maps::stepping::Stepping;
@@ -12,7 +12,7 @@ use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 
-/// The points beyond the number of monomials, at which accidental relations would fail.
+/// The number of points beyond the number of monomials; accidental relations would fail there.
 const SPARE: usize = 6;
 
 /// The relations on one orbit.

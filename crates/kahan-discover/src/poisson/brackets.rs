@@ -1,4 +1,4 @@
-//! Invariant Poisson brackets: with polynomial entries, of any rank, and of rank 2 from a density
+//! Invariant Poisson brackets: with polynomial entries, of any rank; and of rank 2 from a density
 //! and n − 2 integrals, which are their Casimir functions.
 
 mod constant;
@@ -22,7 +22,6 @@ pub(crate) use constant::of_structure;
 use construct::invariant_tensor;
 pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 
-/// The budget of one bracket, in terms and products of terms.
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -32,7 +31,7 @@ const MOST_BRACKETS: usize = 3;
 
 const MOST_CHARACTERS: usize = 2_500;
 
-/// The most characters of a bracket of rank 2 beside one of full rank in four dimensions.
+/// The most characters of a bracket of rank 2 in four dimensions if one of full rank exists.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.
@@ -49,17 +48,17 @@ pub struct Bracket {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
     pub(crate) proved: Vec<Bracket>,
-    /// The number of brackets with polynomial entries, which come first.
+    /// The number of brackets with polynomial entries, which precede the others.
     pub(crate) polynomial: usize,
-    /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket. Long
-    /// brackets, and those implied by others, are missing among the claims.
+    /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket. Claims
+    /// omit long brackets, and those implied by others.
     pub(crate) structures: Vec<usize>,
 }
 
-/// Proves brackets: those with the given tensors by descending rank and ascending length, then
-/// brackets of rank 2 from the density and n − 2 integrals, the shortest first. Lengths are limited
-/// to 2500 characters, and to 400 for rank 2 beside full rank in four dimensions. In more
-/// dimensions, rank 2 is left out beside full rank.
+/// Proves brackets: first those with the given tensors, by descending rank and ascending length,
+/// then brackets of rank 2 from the density and n − 2 integrals, the shortest first. Lengths are
+/// limited to 2500 characters. If a bracket of full rank exists, brackets of rank 2 are limited to
+/// 400 characters in four dimensions, and omitted in more dimensions.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -128,12 +127,11 @@ pub(crate) fn brackets(
     Brackets { proved, polynomial: count, structures }
 }
 
-/// Returns all choices of `count` indices below `of`, each ascending, lowest indices first.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
-    // Without this test the recursion would go through all smaller sets.
+    // Ends the recursion before it enumerates all smaller sets.
     if of < count {
         return Vec::new();
     }
@@ -146,7 +144,6 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     (0..of).flat_map(with_last).collect()
 }
 
-/// Returns the entries, above the diagonal, of the bracket with the chosen Casimirs.
 fn tensor(
     symbols: &Symbols,
     chosen: &[usize],

@@ -41,7 +41,7 @@ pub struct Hamiltonian {
 
 const MOST_COEFFICIENTS: usize = 400;
 
-/// Tells whether H in n variables is searched: it has at most 400 coefficients.
+/// Returns whether H in n variables has at most 400 coefficients, the limit of the search.
 #[must_use]
 pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
@@ -49,9 +49,9 @@ pub fn is_within_reach(n: usize) -> bool {
 
 /// Finds the K of a reduced basis with f = K∇H, each with its H.
 ///
-/// By linear algebra: f′(x)K is symmetric for all x, which is linear in K; then f = K∇H is linear
-/// in the coefficients of a cubic H. If no K of the basis has an H, the sum of the basis is tried.
-/// The list is empty if that fails, if H has more than 400 coefficients, or if the field is zero.
+/// f′(x)K must be symmetric for all x, which is linear in K; then f = K∇H is linear in the
+/// coefficients of a cubic H. If no K of the basis has an H, the sum of the basis is tried. The
+/// result is empty if that fails, if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -77,7 +77,6 @@ pub fn hamiltonians(
     choices.into_iter().take(MOST_STRUCTURES).filter_map(over_the_rationals).collect()
 }
 
-/// Reconstructs the K of a choice and its H over ℚ with all unknowns.
 fn reconstructed(
     searched: &SearchField,
     monomials: &Monomials,
@@ -162,7 +161,8 @@ fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u
     Some(others.iter().fold(first.clone(), add))
 }
 
-/// Returns the coefficients of a cubic H with K∇H = f, without that of 1; `None` without H or time.
+/// Returns the coefficients of a cubic H with K∇H = f, without the constant term; `None` if no H
+/// exists or the deadline passes.
 fn potential(
     map: &ModularMap,
     monomials: &Monomials,
@@ -247,7 +247,7 @@ impl Hamiltonian {
         let there = sample.map.next(here)?;
         let jacobian = sample.map.jacobian(here, &there)?;
         let symbols = searched.family().symbols();
-        // The denominator of H is free of states, a factor.
+        // The denominator of H is free of states: a constant factor.
         let potential = self.hamiltonian.numerator();
         let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
         let slopes: Vec<u64> =

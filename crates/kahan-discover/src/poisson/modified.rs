@@ -1,4 +1,4 @@
-//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and their form.
+//! The modified Hamiltonians of the map, one for each constant K with f = K∇H.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -15,21 +15,21 @@ use crate::modular::subspace::tidy;
 use crate::poisson::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::report::ModifiedPlace;
 
-/// Above this length in characters, a formula may be replaced by a far shorter compact form.
+/// A formula with more characters may be replaced by a much shorter compact form.
 const LONG: usize = 1000;
 
-/// The least quotient of the lengths.
+/// The least quotient of the lengths for a replacement.
 const FAR_SHORTER: usize = 4;
 
-/// K and H with f = K∇H, and their integral H̃.
 pub(crate) struct Modified {
     pub(crate) found: Hamiltonian,
-    /// The numerator and denominator of H̃, if they are within the budget.
+    /// Numerator and denominator of H̃, if within the budget.
     pub(crate) written: Option<(Polynomial, Polynomial)>,
 }
 
 impl Modified {
-    /// Finds the modified Hamiltonians by ascending number of terms; last those beyond the budget.
+    /// Finds the modified Hamiltonians by ascending number of terms; those beyond the budget come
+    /// last.
     pub(crate) fn all(
         searched: &SearchField,
         field: &Field,
@@ -50,7 +50,8 @@ impl Modified {
     }
 }
 
-/// Adds modified Hamiltonians that are proved and independent; tells for each whether proved.
+/// Adds modified Hamiltonians that are proved and independent; returns for each whether it is
+/// proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -87,17 +88,15 @@ fn add_if_independent(
 }
 
 pub(crate) struct Gradients<'a> {
-    /// The gradient of each formula, up to a factor.
     pub(crate) formulas: Vec<Option<Vec<u64>>>,
     pub(crate) in_bases: Vec<Vec<u64>>,
     pub(crate) modified: &'a [Option<Vec<u64>>],
-    /// The rank of gradients.
     pub(crate) rank: &'a dyn Fn(&[Vec<u64>]) -> usize,
 }
 
 impl Gradients<'_> {
-    /// Chooses the form of each modified Hamiltonian. An independent one stands alone, another may
-    /// replace the longest formula that it can, or is left out.
+    /// Chooses the form of each modified Hamiltonian. An independent one is reported on its own.
+    /// Another one may replace the longest formula that it implies, or is omitted.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -108,7 +107,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of kept formulas except one, bases, compact forms, perhaps H̃.
+            // Returns the rank of the formulas without `but`, the bases, and the compact forms;
+            // with `with_own` also of H̃.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

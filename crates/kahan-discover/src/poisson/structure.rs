@@ -1,4 +1,5 @@
-//! Structure of the field: divergence, linear and quadratic integrals, parity of det(I − t f′).
+//! Structure of the field: divergence, linear and quadratic integrals, and whether det(I − t f′) is
+//! even.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
@@ -26,8 +27,8 @@ pub fn divergence(field: &Field) -> RationalFunction {
     })
 }
 
-/// Tells whether det(I − t f′(x)) is even in t at three random points modulo a prime. If so, dx/det
-/// A(x,ε) is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
+/// Returns whether det(I − t f′(x)) is even in t, at three random points modulo a prime. If so,
+/// dx/det A(x,ε) is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -38,16 +39,16 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     })
 }
 
-/// The most variables in which the search finds all integrals of degree 2 within seconds.
+/// Up to this number of variables the search finds all integrals of degree 2 within seconds.
 const FEW_VARIABLES: usize = 10;
 
-/// Integrals P/Q of the map that linear algebra on the field yields.
+/// Integrals P/Q of the map that follow from the field by linear algebra.
 #[derive(Default)]
 pub(crate) struct ByRules {
-    /// Integrals that are taken before all others.
+    /// Integrals that are accepted before the search.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Integrals by rotation in few variables, and of linear fields. Others of their degree come
-    /// before them, as they may share one denominator.
+    /// Integrals that the search may replace by others of equal degree with a common denominator:
+    /// those by rotation in few variables, and those of linear fields.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 
@@ -69,7 +70,6 @@ pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
 }
 
 impl ByRules {
-    /// Returns the independent and proved ones of `at_once`.
     pub(crate) fn proved(
         &self,
         searched: &SearchField,
@@ -102,8 +102,8 @@ pub struct FlowIntegrals {
 }
 
 impl FlowIntegrals {
-    /// Returns the integrals that the map keeps unchanged, as observed at one point modulo a prime.
-    /// Linear integrals are kept; of a linear field, all are.
+    /// Returns the integrals of the flow that the map preserves unchanged, tested at one point
+    /// modulo a prime. Linear integrals are preserved; for a linear field, all are.
     #[must_use]
     pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
         let Some(step) = searched.step(random) else { return Vec::new() };
@@ -139,7 +139,6 @@ pub fn flow_integrals(
     integrals
 }
 
-/// Returns a basis of the polynomial integrals of the flow up to a degree, without constants.
 fn flow_space(
     searched: &SearchField,
     degree: u32,
@@ -156,7 +155,6 @@ fn flow_space(
     if vectors.is_empty() {
         return Some(Vec::new());
     }
-    // Restores the column of the constant 1.
     let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
     let form = PolynomialSpace::spanned(sample.map.modulus(), spread).form;
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
@@ -167,7 +165,6 @@ fn flow_space(
     reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)
 }
 
-/// Returns the null vectors of ∇P·f on some monomials; `None` if the deadline passes.
 fn flow_null_vectors(
     map: &ModularMap,
     monomials: &Monomials,

@@ -1,5 +1,5 @@
-//! Curves (surfaces in three variables) that a map may send to infinity or blow down: factors of
-//! its denominator and of its Jacobian determinant, in lowest terms.
+//! Curves (surfaces in three variables) that a map may send to infinity or contract: factors of its
+//! denominator and of its Jacobian determinant in lowest terms.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, maximal_minors};
@@ -8,17 +8,15 @@ use kahan_algebra::poly::{Budget, Polynomial, gcd_all};
 use crate::claims::writing::state_factors;
 use crate::maps::search_field::SearchField;
 
-/// The budget for expanding the Jacobian determinant.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
 /// The map in lowest terms, possibly at a fixed ε, and the curves to follow.
 pub(crate) struct Curves {
-    /// The components N₁ … Nₙ, D of the map x̃ᵢ = Nᵢ/D.
     pub(crate) components: Vec<Polynomial>,
-    /// The irreducible factors that contain states.
     pub(crate) factors: Vec<Polynomial>,
-    /// Whether the factors of the Jacobian determinant are included; it may be too long to expand.
+    /// Whether the factors of the Jacobian determinant are included; `false` if it is too long to
+    /// expand.
     pub(crate) has_jacobian: bool,
 }
 
@@ -46,7 +44,7 @@ pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Po
     components.push(reduced.denominator);
     let mut components: Vec<Polynomial> =
         components.into_iter().map(|component| searched.at_eps(component)).collect();
-    // A value of ε may bring a common factor.
+    // At special values of ε a common factor may appear.
     let common = gcd_all(&components);
     components.iter_mut().for_each(|one| *one = one.checked_div(&common).unwrap_or_default());
     Some(components)

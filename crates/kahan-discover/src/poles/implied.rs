@@ -1,18 +1,18 @@
-//! Degrees of iterates implied by singularity patterns, without confinement.
+//! Degrees of iterates implied by singularity patterns; they need not be confined.
 //!
-//! The n-th iterate runs along a generic line. Zₙ(C) counts points of the line that reach the curve
-//! C at step n as their first followed curve; later arrivals follow from the patterns: (degree of
-//! C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order to which B meets C after k steps). The next step divides common
-//! factors out: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power of δ shared in B's step after k). (Halburd, Proc. R.
-//! Soc. A 473, 2017, for mappings of second order.)
+//! The n-th iterate is restricted to a generic line. Zₙ(C) counts points of the line that reach the
+//! curve C at step n, before any other followed curve. Later arrivals follow from the patterns:
+//! (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order to which B meets C after k steps). Common factors
+//! are then divided out: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power of δ shared in B's step after k). (Halburd,
+//! Proc. R. Soc. A 473, 2017, for mappings of second order.)
 
 use super::jet::Image;
 
-/// Returns d₀, d₁, … for a map of this degree and curves (degrees and images), as far as images go.
+/// Returns d₀, d₁, … for a map of this degree and curves, each given by its degree and images; as
+/// many as the images determine.
 pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
     let steps = curves.iter().map(|(_, images)| images.len()).min()?;
     let mut degrees = vec![1usize];
-    // Counts Zₙ(C) by step, then by curve.
     let mut first_times: Vec<Vec<usize>> = Vec::new();
     for n in 0..steps {
         let last = degrees[n];

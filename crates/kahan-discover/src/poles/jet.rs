@@ -1,9 +1,10 @@
-//! A piece of a curve (or surface), moved by δ and followed through poles modulo a prime.
+//! Jets of a curve (or surface): a point moved by δ off the curve, followed through poles modulo a
+//! prime.
 //!
 //! A generic point of the curve is moved by δ in a random direction. The map acts on homogeneous
 //! coordinates [X : W], power series in δ; shared powers of δ are divided out after every step. At
-//! δ = 0 this is the image of the point. The rank of the image and its derivatives along the curve
-//! is one more than the dimension of the curve's image.
+//! δ = 0 this is the image of the point. The image and its derivatives along the curve span a space
+//! whose dimension is one more than that of the curve's image.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -22,7 +23,7 @@ pub(crate) struct Homogeneous {
     degree: u32,
 }
 
-/// A point of a curve in homogeneous coordinates, W last, with a basis of its tangents.
+/// A point of a curve in homogeneous coordinates, W last, with a basis of its tangent vectors.
 pub(crate) struct Place {
     point: Vec<u64>,
     tangents: Vec<Vec<u64>>,
@@ -31,22 +32,21 @@ pub(crate) struct Place {
 /// The image of a curve after some steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// The dimension; one less than the number of variables if the image is a curve again.
+    /// The dimension of the image; one less than the number of variables if it is a curve again.
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
     /// The power of δ that all homogeneous coordinates shared after the last step.
     pub shared: usize,
-    /// The order in δ to which the moved image meets each followed curve.
+    /// For each followed curve the order in δ to which the moved image meets it.
     pub contacts: Vec<usize>,
 }
 
-/// The reason why no image is known.
+/// The reason why the image is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Lost {
     /// All known coefficients of the series vanish; longer series may decide.
     TooShort,
-    /// The point is special on its curve.
     SpecialPoint,
 }
 
@@ -81,7 +81,7 @@ impl Homogeneous {
         Self::of(modulus, components, values, |_| degree)
     }
 
-    /// Makes curves, each of its own degree, followed by W, which vanishes at infinity.
+    /// Makes curves, each of its own degree, followed by W, whose zeros are the points at infinity.
     pub(crate) fn curves(modulus: Modulus, curves: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let mut all = Self::of(modulus, curves, values, |curve| values.symbols.degree(curve))?;
         let exponents = (0..=values.symbols.dimension()).map(|i| u32::from(i == values.symbols.dimension()));
@@ -133,7 +133,7 @@ impl Homogeneous {
         Ok(images)
     }
 
-    /// Adds δ times a random direction to the point with its slopes.
+    /// Moves the point, with its tangent vectors, by δ in a random direction.
     fn moved(&self, place: &Place, length: usize, random: &mut SplitMix64) -> Vec<Series> {
         let series = |(i, value): (usize, &u64)| {
             let slopes: Vec<u64> = place.tangents.iter().map(|tangent| tangent[i]).collect();

@@ -1,9 +1,9 @@
-//! Maps at their poles: curves (surfaces in three variables) sent to infinity or blown down.
+//! Maps at their poles: curves (surfaces in three variables) sent to infinity or contracted.
 //!
-//! In: a system. Out: a [`Pattern`] for each curve. A curve is *blown down* if its image has a
-//! lower dimension. The singularity is *confined* after k steps if the k-th image is a curve again.
-//! Results must agree modulo two primes at random parameters, ε and points. Confinement alone
-//! proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998) confines and is
+//! A system comes in, a [`Pattern`] for each curve goes out. A curve is *blown down* if its image
+//! has a lower dimension. The singularity is *confined* after k steps if the k-th image is a curve
+//! again. Results must agree modulo two primes at random parameters, ε and points. Confinement
+//! alone proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998) confines and is
 //! chaotic. So the degrees of iterates are reported, too.
 
 pub(crate) mod curves;
@@ -52,7 +52,7 @@ pub struct Poles {
     pub patterns: Vec<Pattern>,
     /// The number of steps followed.
     pub bound: usize,
-    /// Whether all blown down curves are listed; some Jacobians are too long to factor.
+    /// Whether all curves that are blown down are listed; some Jacobians are too long to factor.
     pub is_complete: bool,
     /// The measured degrees d₀, d₁, … of the iterates.
     pub degrees: Vec<usize>,
@@ -61,7 +61,7 @@ pub struct Poles {
 }
 
 impl Pattern {
-    /// Tells whether the first step already loses dimension.
+    /// Returns whether the first image has a lower dimension than the curve.
     #[must_use]
     pub fn is_blown_down(&self) -> bool {
         self.confined != Some(true) || self.steps > 1
@@ -78,15 +78,16 @@ impl Pattern {
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// The most samples of parameters, ε and a point; some lines miss their curve modulo the prime.
+/// The most samples of parameters, ε and a point; some lines do not meet the curve modulo the
+/// prime.
 const MOST_SAMPLES: usize = 40;
 
-/// The share of the time for the degrees of iterates.
+/// The share of the time for degrees of iterates.
 const FOR_DEGREES: f64 = 0.4;
 
 /// Follows the curves of a system's map through its poles, for a number of steps. Of the options,
-/// fixed values and the bounds on degrees and time apply. `watch` hears of every curve before it is
-/// followed. Equal fields and options give equal results, unless time runs out.
+/// fixed values and the bounds on degrees and time apply. `watch` is told of every curve before it
+/// is followed. Equal fields and options give equal results, unless time runs out.
 ///
 /// # Errors
 /// If the field has no invertible map, or its closed form is beyond the budget of terms.
@@ -134,7 +135,7 @@ pub fn poles(
     let degree = curves.components.iter().map(|component| symbols.degree(component)).max().unwrap_or(0);
     let is_decided = is_complete && patterns.iter().all(|pattern| pattern.confined.is_some());
     let implied_degrees = if is_decided { implied::degrees(degree as usize, &with_degrees) } else { None };
-    // Points at infinity concern every map, so they are listed only if blown down.
+    // Every map has points at infinity, so they are listed only if blown down.
     patterns.retain(|pattern| pattern.curve.is_some() || pattern.is_blown_down());
     Ok(Poles { symbols, patterns, bound: steps, is_complete, degrees, implied_degrees })
 }
@@ -147,7 +148,7 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    /// Returns the pattern if two primes agree.
+    /// Returns the pattern if two primes agree on it.
     fn pattern(&self, curve: Option<Polynomial>, random: &mut SplitMix64) -> Pattern {
         let first = self.images(curve.as_ref(), random);
         let second = self.images(curve.as_ref(), random);
@@ -160,8 +161,9 @@ impl Follower<'_> {
         Pattern { curve, images: decided.unwrap_or_default(), steps, confined }
     }
 
-    /// Returns the images modulo one prime; `None` if the series were too short or time ran out.
-    /// Curves may split over a larger field and lack points, so every sample has its own prime.
+    /// Returns the images modulo one prime; `None` if the series were too short or the deadline
+    /// passed. A curve may split over a larger field and have no points, so every sample has its
+    /// own prime.
     fn images(&self, curve: Option<&Polynomial>, random: &mut SplitMix64) -> Option<Vec<Image>> {
         let mut length = SHORTEST;
         for _ in 0..MOST_SAMPLES {

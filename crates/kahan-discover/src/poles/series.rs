@@ -1,7 +1,7 @@
-//! Truncated power series in δ modulo a prime, with their slopes along a curve or surface.
+//! Truncated power series in δ modulo a prime, with their derivatives along a curve or surface.
 //!
-//! A series represents a family, one for each point of the curve near a chosen one: row 0 holds the
-//! coefficients at the chosen point, each further row their derivatives along one tangent.
+//! A series depends on a point of the curve. Row 0 holds the coefficients at a chosen point, each
+//! further row their derivatives along one tangent vector.
 
 use crate::modular::modulus::Modulus;
 
@@ -38,7 +38,7 @@ impl Series {
         }
     }
 
-    /// Multiplies series of equal length; slopes follow the product rule.
+    /// Multiplies series of equal length; derivatives follow the product rule.
     pub(crate) fn times(&self, modulus: &Modulus, other: &Series) -> Series {
         let (a, b) = (&self.rows[0], &other.rows[0]);
         let mut rows = vec![product(modulus, a, b)];
@@ -49,7 +49,8 @@ impl Series {
         Series { rows }
     }
 
-    /// Divides by δ^power; `None` at a special point, where a lower coefficient has a slope.
+    /// Divides by δ^power; `None` at a special point, where a lower coefficient has a nonzero
+    /// derivative.
     pub(crate) fn divided(mut self, power: usize) -> Option<Series> {
         for row in &mut self.rows {
             if row.drain(..power).any(|coefficient| coefficient != 0) {

@@ -19,7 +19,7 @@ use crate::orbits::hilbert::default_degree;
 use crate::report::Options;
 use crate::stages::discover_within;
 
-/// A relation between scanned quantities at which all points of the grid are special.
+/// A relation between scanned parameters at which all points of the grid are special.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proposal {
     /// The relation as in a `when` clause: `c = -a - b`.
@@ -28,7 +28,7 @@ pub struct Proposal {
     pub points: usize,
     /// The most frequent observation among those with the fewest integrals.
     pub sight: Sight,
-    /// Proved claims, ready to paste, that do not hold without the relation.
+    /// Proved claims, ready to paste, that hold only at the relation.
     pub claims: Vec<String>,
 }
 
@@ -41,7 +41,7 @@ pub(super) fn proposals(
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
-    // Without observation, and at ε = 0 (the identity), points carry no information.
+    // Points without observation, and with ε = 0 (the identity), carry no information.
     let zero_step = |values: &[Rational]| {
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
@@ -81,8 +81,8 @@ fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// Writes the polynomial as an equation. A name with coefficient ±1 is isolated on the left, else a
-/// number on the right, else negative terms go right.
+/// Writes the polynomial as an equation. Prefers a name with coefficient ±1 on the left, then a
+/// number on the right, then negative terms on the right.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();
@@ -108,7 +108,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// A search for formulas at relations, which proves them for the given field.
+/// A search for formulas at relations, which proves them as claims about the given field.
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
@@ -132,7 +132,7 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// Proves claims where the polynomial vanishes that do not hold elsewhere, within `seconds`.
+    /// Proves claims that hold where the polynomial vanishes and not elsewhere, within `seconds`.
     fn prove(&mut self, polynomial: &Polynomial, relation: &str, seconds: f64) -> Vec<String> {
         let Some((system, options)) = self.restricted(polynomial, seconds) else { return Vec::new() };
         let found = discover_within(&system, &options, self.work, &|_, _| ());
@@ -144,7 +144,7 @@ impl<'a> Prover<'a> {
     /// Restricts the system to zeros of the polynomial: eliminates a parameter, or fixes ε.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        // A given degree ends each search early, as a scan has many relations to prove.
+        // A fixed degree ends each search early, since a scan has many relations to prove.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
         let mut options = Options { seconds, degree, ..self.options.clone() };
         let mut relations = Relations::default();
@@ -161,7 +161,7 @@ impl<'a> Prover<'a> {
         Some((system, options))
     }
 
-    /// Claims the formula `when` the relation holds; `None` if unproved, or true without it.
+    /// Claims the formula under the relation; `None` if it is unproved, or holds in general.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
         let ClaimBody::Function(value) = &formula.claim.body else { return None };
         let value = Text.expression(value);

@@ -1,8 +1,8 @@
-//! Polynomials of low degree in the scanned quantities that vanish at special grid points only.
+//! Polynomials of low degree in the scanned parameters that vanish at special grid points only.
 //!
-//! Simple ones come first: a single value, linear polynomials, two monomials. Special points on an
-//! earlier polynomial are no evidence for later ones. Numbers are residues modulo a prime of 61
-//! bits, where small numbers do not collide.
+//! Simple polynomials come first: a single value, linear polynomials, two monomials. Special points
+//! on an earlier polynomial are no evidence for later ones. Numbers are residues modulo a prime of
+//! 61 bits, where small rationals remain distinct.
 
 use std::collections::BTreeSet;
 
@@ -15,14 +15,14 @@ use crate::modular::modulus::{Modulus, rational_from_residue};
 use crate::modular::monomials::Monomials;
 
 pub(super) struct Grid {
-    /// The values of the quantities, one row for each point.
+    /// The values of the parameters, one row for each point.
     pub(super) points: Vec<Vec<Rational>>,
     pub(super) special: Vec<bool>,
 }
 
 /// A polynomial that vanishes at special points only.
 pub(super) struct Shape {
-    /// The polynomial; variable k is quantity k.
+    /// The polynomial; variable k is scanned parameter k.
     pub(super) polynomial: Polynomial,
     /// The special points at which it vanishes.
     pub(super) points: Vec<usize>,
@@ -30,7 +30,7 @@ pub(super) struct Shape {
 
 /// The number of zeros required beyond the number of coefficients.
 const SPARE_POINTS: usize = 2;
-/// The largest probability of a coincidence: (share of special points)^(zeros − coefficients).
+/// The highest probability of a coincidence: (share of special points)^(zeros − coefficients).
 const CHANCE: f64 = 0.01;
 /// The number of random choices of points for linear polynomials.
 const SAMPLES: usize = 3000;
@@ -38,10 +38,10 @@ const MOST_NAMES: usize = 4;
 /// The highest degree of a monomial, and the largest numerator and denominator of a coefficient.
 const HIGHEST_DEGREE: u32 = 3;
 const LARGEST: u64 = 1000;
-/// The most special points from which candidates are made; all points must confirm them.
+/// The most special points from which candidates are made; candidates are checked at all points.
 const MOST_POINTS: usize = 600;
 
-/// Finds polynomials that explain special points beyond the known ones, the simplest first.
+/// Finds polynomials that explain special points beyond those of `known`, the simplest first.
 pub(super) fn shapes(grid: &Grid, known: &[Shape]) -> Vec<Shape> {
     let mut search = Search::new(grid);
     search.open.retain(|at| known.iter().all(|shape| !shape.points.contains(at)));
@@ -55,7 +55,7 @@ struct Search<'a> {
     grid: &'a Grid,
     modulus: Modulus,
     residues: Vec<Vec<u64>>,
-    /// The quantities with more than one value.
+    /// The parameters with more than one value.
     names: Vec<usize>,
     /// The special points that no polynomial explains.
     open: Vec<usize>,
@@ -85,7 +85,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Tries linear polynomials through random open points, in few quantities first.
+    /// Tries linear polynomials through random unexplained points, in few parameters first.
     fn linear(&mut self) {
         let mut random = SplitMix64::new(0);
         for size in 2..=self.names.len().min(MOST_NAMES) {
@@ -108,14 +108,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns the unique linear equation in 1 and all of the names through these points.
     fn plane(&self, names: &[usize], points: &[usize]) -> Option<Vec<u64>> {
         let echelon = self.affine(names, points);
         let [vector] = &echelon.null_space(&self.modulus)[..] else { return None };
         vector.entries[1..].iter().all(|entry| *entry != 0).then(|| vector.entries.clone())
     }
 
-    /// Returns the linear equations in 1 and the names that hold at points.
+    /// Returns the linear equations in 1 and these parameters that hold at all points.
     fn affine(&self, names: &[usize], points: &[usize]) -> Echelon {
         let row = |&at: &usize| {
             let values = names.iter().map(|&name| self.residues[at][name]);
@@ -131,7 +130,8 @@ impl<'a> Search<'a> {
         Some(Polynomial::from_terms(monomials.zip(coefficients)).primitive_part())
     }
 
-    /// Tries m = c m′ for coprime monomials, with the most frequent quotient c at open points.
+    /// Tries m = c m′ for coprime monomials, with the most frequent quotient c at unexplained
+    /// points.
     fn two_monomials(&mut self) {
         let monomials = Monomials::new(self.names.len(), HIGHEST_DEGREE);
         let mut pairs: Vec<(usize, usize)> = (0..monomials.len())
@@ -181,7 +181,7 @@ impl<'a> Search<'a> {
         value.to_string().split('/').all(is_small).then_some(value)
     }
 
-    /// Accepts a polynomial with enough open points, no ordinary points, and full rank.
+    /// Accepts a polynomial that vanishes at enough unexplained points and at no ordinary point.
     fn admit(&mut self, polynomial: Polynomial, coefficients: usize) {
         let modulus = self.modulus;
         let terms: Vec<(Monomial, u64)> = polynomial

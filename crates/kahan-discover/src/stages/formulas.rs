@@ -1,4 +1,4 @@
-//! Formulas of integrals, and bases and compact forms for the others.
+//! Formulas of integrals; bases and compact forms for integrals without formulas.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -26,7 +26,7 @@ pub(super) struct Integrals {
     /// All proved formulas, including long ones that bases replace.
     pub(super) all: Vec<Formula>,
     pub(super) bases: Vec<Basis>,
-    /// The number of independent integrals, including those that only orbits show.
+    /// The number of independent integrals, including those without a formula.
     pub(super) independent: usize,
     /// For each modified Hamiltonian, whether it is proved as a claim, and its form.
     pub(super) modified: Vec<(bool, ModifiedPlace)>,
@@ -52,14 +52,14 @@ impl Search<'_> {
         let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
         let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let in_compact_forms = self.rank(&own.iter().flatten().cloned().collect::<Vec<_>>());
-        // If bases or compact forms give all integrals, only short formulas are searched.
+        // If bases or compact forms give all integrals, search only short formulas.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let in_bases = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>();
         let are_enough = in_bases.max(in_compact_forms) >= shown;
         let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
         let until_formulas = if in_compact_forms >= shown { &for_formulas } else { &until.integrals };
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
-        // A long formula is left out if bases or compact forms give all integrals.
+        // If bases or compact forms give all integrals, omit long formulas.
         let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_READABLE;
         let tell = |formula: &Formula| (self.tell)(&formula.claim, &formula.text);
         let tell_if_short = |formula: &Formula| {
@@ -103,7 +103,8 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Tells whether a formula depends on formulas and modified Hamiltonians only together.
+        // Returns whether a formula depends on the modified Hamiltonians and formulas, but not on
+        // the formulas only.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);
@@ -147,7 +148,7 @@ impl Search<'_> {
         Echelon::of(modulus, gradients.to_vec(), self.searched.dimension()).rank()
     }
 
-    /// Adds a gradient if it is independent of those before, and tells whether.
+    /// Adds a gradient if it is independent of those before; returns whether it was added.
     fn extends(&self, gradients: &mut Vec<Vec<u64>>, gradient: Vec<u64>) -> bool {
         gradients.push(gradient);
         let is_independent = self.rank(gradients) == gradients.len();
@@ -157,8 +158,8 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns normals of the relations on the orbit through the place: gradients of integrals
-    /// there. The list is empty after the deadline.
+    /// Returns gradients of the integrals at `place`, from the relations on the orbit through it;
+    /// empty after the deadline.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

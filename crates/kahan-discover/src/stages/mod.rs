@@ -1,4 +1,4 @@
-//! The search as a whole, stage by stage.
+//! The search, stage by stage.
 
 mod formulas;
 mod search;
@@ -29,11 +29,11 @@ use kahan_algebra::system::{Claim, System};
 
 /// Finds what the Kahan map of a system's field preserves, from its equations; claims are ignored.
 ///
-/// `watch` hears of every stage as it begins, and of each claim of the report as soon as it is
-/// proved. If relations of higher degrees show more, a claim may be rewritten and reported again.
+/// `watch` is told of every stage as it begins, and of each claim as soon as it is proved. If
+/// relations of higher degrees show more, a claim may be rewritten and reported again.
 ///
 /// Equal fields and options give equal results, unless time runs out. Without a given degree, the
-/// search goes on to higher degrees while integrals may be missing and time is left.
+/// search continues to higher degrees while integrals may be missing and time is left;
 /// [`Report::bound`] tells why it ended. Results of the default degree do not depend on the
 /// machine.
 ///
@@ -45,7 +45,7 @@ pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result
     discover_within(system, options, &work, &|claim, text| work.found(claim, text))
 }
 
-/// Does the work of [`discover`] as a part of other work; `tell` hears each claim and its line.
+/// Runs [`discover`] as part of another computation; calls `tell` with each claim and its line.
 pub(crate) fn discover_within(
     system: &System,
     options: &Options,
@@ -87,7 +87,7 @@ pub(crate) fn discover_within(
     let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
-    // A lower degree, the default or half of it, takes a fraction of the work.
+    // A lower degree, the default or half of it, takes a fraction of the time.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&searched, lower, random, &for_structure);
@@ -168,7 +168,7 @@ pub(crate) fn discover_within(
             let until = Until::shares_of(work, end.left());
             let next = search.found(hilbert.as_ref(), Some(&found), random, &until);
             is_stopped |= until.has_stopped();
-            // If time ran out, the earlier formulas may be more.
+            // If time ran out, the earlier search may have found more formulas.
             found = if next.said() < found.said() {
                 Found { of: Integrals { independent: next.of.independent, ..found.of }, ..found }
             } else {
@@ -232,7 +232,7 @@ struct Until<'a> {
 }
 
 impl<'a> Until<'a> {
-    /// Returns deadlines within the remaining time, in the proportions of the first search.
+    /// Divides the remaining time in the proportions of the first search.
     fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
         let after = |share: f64| Deadline::after(work, share * left);
         Until { integrals: after(0.7), densities: after(0.9), end: after(1.0) }

@@ -17,7 +17,7 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, 
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The share of time for formulas if compact forms give all integrals or a bracket the density.
+/// The share of time for formulas if compact forms give all integrals, or a bracket the density.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -28,7 +28,7 @@ pub(super) struct Search<'a> {
     pub(super) modified: &'a [Modified],
     /// Proved integrals of the map that follow from the field by linear algebra.
     pub(super) proved: &'a [Formula],
-    /// Integrals of the flow that the map keeps.
+    /// Integrals of the flow that the map preserves.
     pub(super) kept: &'a [Polynomial],
     /// Integrals of the map by the rotation rule.
     pub(super) further: &'a [(Polynomial, Polynomial)],
@@ -50,7 +50,6 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Returns the number of integrals with a formula, a compact form, or a basis.
     pub(super) fn said(&self) -> usize {
         let Integrals { integrals, bases, modified, .. } = &self.of;
         let in_bases: usize = bases.iter().map(|basis| basis.integrals.len()).sum();
@@ -60,7 +59,7 @@ impl Found {
 }
 
 impl Search<'_> {
-    /// Searches formulas, bases, densities and brackets, except densities found `before`.
+    /// Searches formulas, bases, densities and brackets; reuses the densities found `before`.
     pub(super) fn found(
         &self,
         hilbert: Option<&Hilbert>,
@@ -97,7 +96,7 @@ impl Search<'_> {
         until: &Deadline<'_>,
     ) -> Vec<PoissonTensor> {
         let searched = self.searched;
-        // In two and three variables the density and the integrals give all brackets. In three
+        // In two and three variables the density and the integrals yield all brackets. In three
         // variables a search up to degree 2 may find shorter ones.
         let is_said = searched.dimension() < 4 && integrals + 2 >= searched.dimension();
         let highest = if is_said { 2 } else { u32::MAX };
@@ -113,7 +112,7 @@ impl Search<'_> {
         }
     }
 
-    /// Searches an invariant density, unless one was found `before` or a bracket gives it.
+    /// Searches an invariant density, unless one was found `before` or a bracket implies it.
     fn densities(
         &self,
         before: Option<&Found>,
@@ -126,7 +125,7 @@ impl Search<'_> {
         let of_tensor =
             tensors.iter().find_map(|tensor| pfaffian_density(tensor, self.claims, symbols, all_integrals));
         let known = before.filter(|before| !before.densities.is_empty());
-        // A bracket of full rank implies a density. If none was found from it, the formula is long.
+        // A bracket of full rank implies a density; if none was found from it, its formula is long.
         let is_implied = tensors.first().is_some_and(|tensor| tensor.rank == searched.dimension());
         let for_formulas = until.after_share(SHARE_FOR_FORMULAS);
         let until_densities = if is_implied { &for_formulas } else { until };

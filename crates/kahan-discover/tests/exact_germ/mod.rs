@@ -1,4 +1,5 @@
-//! A point of a curve, moved by δ and followed over ℚ(δ), as a reference for the modular search.
+//! Jets of a curve over ℚ(δ), a reference for the modular computation: a point moved by δ off the
+//! curve and followed exactly.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;
@@ -27,7 +28,7 @@ impl ExactGerm {
         let map: Vec<Polynomial> = map.iter().map(|one| one.substitute(symbols.epsilon(), eps)).collect();
         let degree = map.iter().map(|one| symbols.degree(one)).max()?;
         let solved = (0..n).find(|&i| curve.degree_in(states[i]) == 1)?;
-        // Solves P = below·x + above for the remaining coordinate.
+        // Solve P = below·x + above for the remaining coordinate x.
         let mut point: Vec<Rational> = (0..n).map(|i| Rational::new(seed + 3 * i as i64, 7)).collect();
         let at = |polynomial: &Polynomial, point: &[Rational]| {
             let free = (0..n).filter(|&i| i != solved);
@@ -36,7 +37,7 @@ impl ExactGerm {
         let below = at(&curve.derivative(states[solved]), &point).as_constant()?;
         let above = at(&curve.substitute(states[solved], &Rational::zero()), &point).as_constant()?;
         point[solved] = -above.checked_div(&below)?;
-        // The variable of the solved state represents δ, the others the curve's parameters.
+        // The variable of the solved state stands for δ, the others for the curve's parameters.
         let (delta, slopes): (Variable, Vec<Variable>) =
             (states[solved], (0..n).filter(|&i| i != solved).map(|i| states[i]).collect());
         let value = |polynomial: &Polynomial| {
@@ -92,7 +93,7 @@ impl ExactGerm {
             next.iter().map(|one| one.div_monomial(&divisor).expect("a common power")).collect();
     }
 
-    /// Returns the coordinates at δ = 0, each with its slopes.
+    /// Returns the coordinates at δ = 0, each with its derivatives along the curve.
     fn leading(&self) -> Vec<Vec<Rational>> {
         let at_zero = |one: &Polynomial| {
             let here = one.substitute(self.delta, &Rational::zero());
@@ -114,7 +115,8 @@ impl ExactGerm {
         self.place().last().is_some_and(Rational::is_zero)
     }
 
-    /// Returns the dimension of the curve's image: the rank of the limit and its slopes, minus 1.
+    /// Returns the dimension of the curve's image: the rank of the limit and its derivatives, minus
+    /// 1.
     pub(crate) fn dimension(&self) -> usize {
         let mut rows = self.leading();
         let mut rank = 0;

@@ -10,13 +10,13 @@ pub(crate) fn options() -> Options {
     Options { iterates: 8, iterate_degree: 100, seconds: 3600.0, ..Options::default() }
 }
 
-/// Searches up to the degree in `options`, else the default one, as higher ones take too long.
+/// Searches up to the degree in `options`, or else the default degree; higher ones take too long.
 pub(crate) fn report(text: &str, options: &Options) -> Report {
     let usual = default_degree(system(text).field.dimension());
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
 }
 
-/// Searches without limit on degrees if none is given; the watch must hear each claim once.
+/// Searches without a limit on degrees if none is given; checks that each claim is reported once.
 pub(crate) fn searched(text: &str, options: &Options) -> Report {
     let watch = Recording::with_a_clock();
     let report = discover(&system(text), options, &watch).expect("there is a map");

@@ -1,4 +1,4 @@
-//! Effects of the budget, measured in counts that are equal on every machine.
+//! Work of factorisations, in counts that are equal on every machine.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -26,7 +26,6 @@ fn an_exhausted_budget_leaves_square_free_parts() {
     assert!(!factors(&polynomial, &mut Budget::new(100_000, 0)).is_complete);
 }
 
-/// The coefficients of x share the squares, so they are decomposed separately.
 #[test]
 fn an_exhausted_budget_leaves_square_free_contents() {
     let given = [(p("u^2 + v"), 2), (p("v^2*w^2 + u^3 + 1"), 3), (p("x*w + y^2"), 1)];
@@ -56,7 +55,6 @@ fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: us
     u64::MAX - budget.work_left()
 }
 
-/// A budget of ten million lasts a few seconds at most.
 #[test]
 fn sparse_products_and_irreducible_ones_are_cheap() {
     let mut rng = SplitMix64::new(13);
@@ -86,7 +84,6 @@ fn one_irreducible_image_is_enough() {
     assert!(factors.is_complete && factors.factors.len() == 1);
 }
 
-/// Few terms of high degree produce no huge value or dense form.
 #[test]
 fn tall_polynomials_keep_to_the_budget() {
     for text in

@@ -6,7 +6,6 @@ use kahan_algebra::rational::Rational;
 
 use super::{all_factors, p, product};
 
-/// Returns a random polynomial of at most these terms and degree, without a content.
 pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u64) -> Polynomial {
     let mut factor = Polynomial::from_terms((0..terms).map(|_| {
         let powers =
@@ -55,7 +54,6 @@ fn irreducible_factors_stay_so_in_other_variables() {
     for _ in 0..40 {
         let whole = &random_factor(&mut rng, 4, 5, 4) * &random_factor(&mut rng, 4, 5, 3);
         let turned = whole.map_variables(|variable| Variable(9 - variable.0));
-        // x₀ ↦ x₀ + 1
         let mut moved = Polynomial::zero();
         for (exponent, coefficient) in whole.coefficients_in(Variable(0)) {
             moved = &moved + &(&coefficient * &product(&[(p("a + 1"), exponent)]));
@@ -66,10 +64,10 @@ fn irreducible_factors_stay_so_in_other_variables() {
     }
 }
 
-/// Returns lead·x^d + q·(… + rest), irreducible by Eisenstein's criterion at the prime q.
+/// Returns lead·x^d + q·(…), irreducible by Eisenstein's criterion at the prime q.
 ///
-/// The prime q divides all coefficients but the leading one. The last coefficient is ±q, so q² does
-/// not divide it and it is coprime to the leading one.
+/// q divides all coefficients except the leading one. The last coefficient is ±q: it is not
+/// divisible by q², and it is coprime to the leading one.
 pub(super) fn random_irreducible(
     rng: &mut SplitMix64,
     variables: u16,
@@ -82,7 +80,6 @@ pub(super) fn random_irreducible(
     let mut sum = Polynomial::constant(Rational::from(if rng.below(2) == 0 { prime } else { -prime }));
     for _ in 2..terms {
         let term = random_term(rng, variables, degree);
-        // A power of the main variable between 1 and the leading one.
         let (_, others) = term.split(|variable| variable == main);
         if height > 1 {
             let power = 1 + rng.below(u64::from(height) - 1) as u32;
@@ -124,7 +121,6 @@ fn products_of_irreducible_factors_come_back_exactly() {
     }
 }
 
-/// An image in another variable at other points has one factor of full degree.
 #[test]
 fn factors_have_irreducible_images_elsewhere() {
     let mut rng = SplitMix64::new(16);

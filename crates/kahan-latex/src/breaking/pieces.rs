@@ -38,7 +38,7 @@ pub(super) fn closing(text: &str, start: usize) -> usize {
     text.len()
 }
 
-/// The nesting depth at a place: braces, `\left … \right` and environments.
+/// The nesting depth: braces, `\left … \right` and environments.
 #[derive(Default)]
 struct Depth(i32, bool);
 
@@ -50,7 +50,6 @@ impl Depth {
     /// Advances over the first character of `rest`.
     fn pass(&mut self, rest: &str) {
         if std::mem::take(&mut self.1) {
-            // `\{` is a character and opens no group.
             return;
         }
         self.1 = rest.starts_with("\\{") || rest.starts_with("\\}") || rest.starts_with("\\\\");
@@ -63,7 +62,7 @@ impl Depth {
     }
 }
 
-/// Says whether a command with exactly this name begins here.
+/// Returns whether a command with exactly this name begins here.
 fn is_command(rest: &str, name: &str) -> bool {
     rest.strip_prefix(name).is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
@@ -76,8 +75,8 @@ pub(super) fn terms(formula: &str) -> Vec<&str> {
 /// Returns the factors of a product; the first keeps its sign.
 pub(super) fn factors(term: &str) -> Vec<&str> {
     let glued = |before: &str, rest: &str| {
-        // Keeps accents and functions with arguments, dots with the next factor, and explicit
-        // spaces.
+        // Keeps together accents or functions with their arguments, dots with the next factor, and
+        // explicit spaces.
         let last = before.rsplit(' ').next().unwrap_or_default();
         matches!(last, "+" | "-" | "\\cdot" | "\\,")
             || last.starts_with("\\operatorname")

@@ -1,7 +1,8 @@
-//! Transcendental functions as independent variables. For independent names v, w, … the functions
-//! v, w, exp v, exp w, log v, v^w, tan(v/2), … are algebraically independent over ℚ. An identity
-//! between rational functions of them holds exactly if it holds with a fresh name for each
-//! function, and is then proved like a rational identity.
+//! Replaces transcendental functions by independent variables.
+//!
+//! For independent names v, w, … the functions v, w, exp v, exp w, log v, v^w, tan(v/2), … are
+//! algebraically independent over ℚ. An identity between rational functions of them therefore holds
+//! exactly if it holds with a new variable for each function.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +10,7 @@ use kahan_algebra::rational::Rational;
 
 use super::Formula;
 
-/// Replaces functions by rational expressions in fresh names; `None` if a function remains.
+/// Replaces functions by rational expressions in new variables; `None` if a function remains.
 pub(crate) fn rationalise(formula: &Formula) -> Option<Formula> {
     match formula {
         Formula::Name(name) if name == "pi" => None,
@@ -45,7 +46,8 @@ fn call(name: &str, arguments: &[Formula]) -> Option<Formula> {
             };
             Some(above.over(below))
         }
-        // The argument is evaluated at another point, where its functions would need other names.
+        // The formula is evaluated at another point, where its functions would need other
+        // variables.
         ("next" | "back", [.., inner]) => {
             (!has_functions(inner)).then(|| Formula::call(name, arguments.to_vec()))
         }
@@ -62,7 +64,7 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
     rationalise(formula).is_none_or(|rational| rational != *formula)
 }
 
-/// Rewrites base^exponent: exponents with names give monomials in fresh names.
+/// Rewrites base^exponent: an exponent with names yields a monomial in new variables.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     let rational_base = rationalise(base)?;
     if exponent.as_number().is_some() {
@@ -84,9 +86,9 @@ fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     Some(if factors.is_empty() { Formula::integer(1) } else { Formula::Product(factors) })
 }
 
-/// Rewrites exp(u): an integer combination u of monomials gives a monomial in fresh names, other u
-/// a fresh name. Fresh names for arguments such as y/x and 2y/x are dependent: a proof with
-/// independent names remains valid, but a failure proves nothing.
+/// Rewrites exp(u) as a monomial in new variables if u is an integer combination of monomials, or
+/// else as one new variable. Variables for arguments such as y/x and 2y/x are dependent, so a proof
+/// with independent variables is valid, but a failure proves nothing.
 fn exponential(u: &Formula) -> Option<Formula> {
     let Some(form) = expand(u) else { return Some(whole_exponential(u)) };
     let mut factors = Vec::new();

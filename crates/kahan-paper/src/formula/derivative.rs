@@ -2,8 +2,8 @@
 
 use super::Formula;
 
-/// Returns ∂formula/∂variable without trivial terms and factors. Fails if a call with unknown
-/// derivative (`next`, `sum`, …) depends on the variable.
+/// Returns ∂formula/∂variable, simplified. Fails if a call with unknown derivative (`next`, `sum`,
+/// …) depends on the variable.
 pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, String> {
     if !depends_on(formula, variable) {
         return Ok(Formula::integer(0));
@@ -28,7 +28,7 @@ pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, S
                 let mut term = factors.clone();
                 let slope = derivative(factor, variable)?;
                 if *divides {
-                    // (a/b)′ = −a b′/b² for the factor b.
+                    // The factor 1/b contributes −b′/b².
                     term.push((true, factor.clone()));
                     term.push((false, slope));
                 } else {

@@ -20,8 +20,8 @@ pub struct LatexItem {
     pub right: String,
 }
 
-/// Returns a statement in LaTeX, item by item, so that tables can show the right-hand sides of
-/// definitions. Fails with a message if the text is no statement.
+/// Returns a statement in LaTeX, item by item; tables show the right-hand sides of definitions.
+/// Fails with a message if the text is not a statement.
 pub fn latex_of(text: &str) -> Result<Vec<LatexItem>, String> {
     Ok(parse(text)?.items.iter().map(item).collect())
 }
@@ -73,7 +73,7 @@ fn name(text: &str) -> String {
         (_, Some(stem), _) => format!("\\widehat{{{}}}", written(stem)),
         (.., Some(matrix @ ("A" | "J"))) => format!("\\det {matrix}"),
         _ => match text.split_once('_') {
-            // A quantity of one system: `C1_e7`.
+            // `C1_e7` is C₁ of the system E7.
             Some((stem, system)) if stem.ends_with(|c: char| c.is_ascii_digit()) => {
                 format!("{{{}}}^{{\\text{{{system}}}}}", name(stem))
             }
@@ -83,7 +83,6 @@ fn name(text: &str) -> String {
     }
 }
 
-/// Encloses a formula in parentheses that grow with its height.
 fn enclosed(text: &str) -> String {
     let is_high = ["\\frac", "\\sum", "\\left", "\\begin"].iter().any(|high| text.contains(high));
     if is_high { format!("\\left({text}\\right)") } else { format!("({text})") }
@@ -125,7 +124,6 @@ fn write(formula: &Formula) -> (String, Level) {
                     .filter(|(divides, _)| *divides == wanted)
                     .map(|(_, factor)| factor)
                     .collect();
-                // Writes 1/2*a as a/2.
                 if chosen.len() > 1 {
                     chosen.retain(|factor| !factor.is_number(1));
                 }
@@ -151,7 +149,7 @@ fn write(formula: &Formula) -> (String, Level) {
             (joined(written.collect()), level)
         }
         Formula::Power(base, exponent) => match &**base {
-            // sin²θ instead of (sin θ)².
+            // Writes sin²θ instead of (sin θ)².
             Formula::Call(function, arguments) if FUNCTIONS.contains(&function.as_str()) => {
                 (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Level::Power)
             }
@@ -165,7 +163,6 @@ fn write(formula: &Formula) -> (String, Level) {
     }
 }
 
-/// Joins factors, with a dot between adjacent numbers.
 fn joined(factors: Vec<String>) -> String {
     let mut text = String::new();
     for factor in factors {

@@ -1,7 +1,7 @@
 //! The language of the paper's formulas. A [`Statement`] is a list of items between semicolons:
-//! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations
-//! `left != right` (different functions), and measured equations `left ~ right` (equal in the
-//! written digits). Expressions have the operators of `kahan!`, any exponent, and these calls:
+//! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations `left
+//! != right` (different functions), and approximate equations `left ~ right` (equal in the written
+//! digits). Expressions have the operators of `kahan!`, any exponent, and these calls:
 //!
 //! | call | meaning |
 //! |---|---|
@@ -136,7 +136,6 @@ impl Formula {
         value.map_or_else(|| self.of_parts(&|part| part.replaced(number)), |value| Ok(Formula::Number(value)))
     }
 
-    /// Returns the operands: terms, factors, base and exponent, or arguments.
     pub(crate) fn parts(&self) -> Vec<&Formula> {
         match self {
             Formula::Number(_) | Formula::Name(_) => Vec::new(),
@@ -147,7 +146,7 @@ impl Formula {
         }
     }
 
-    /// Rebuilds the formula from the images of its operands under `new`.
+    /// Rebuilds the formula with `new` applied to each operand.
     pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
         let boxed = |part: &Formula| new(part).map(Box::new);
         let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {
@@ -169,7 +168,6 @@ impl Formula {
         matches!(self, Formula::Number(value) if *value == Rational::from(n))
     }
 
-    /// Evaluates a formula that contains only numbers.
     pub(crate) fn as_number(&self) -> Option<Rational> {
         match self {
             Formula::Number(value) => Some(value.clone()),

@@ -1,13 +1,13 @@
-//! Mutations: texts with one coefficient or sign changed. They work on tokens, so they apply to
-//! statements and to `kahan!` blocks.
+//! Mutations: texts with one coefficient or sign changed, token by token; for statements and
+//! `kahan!` blocks.
 
 use std::ops::Range;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::{Token, TokenKind};
 
-/// Returns all mutations: a number increased by one in its last place, a sign flipped, a right-hand
-/// side doubled, or `*` and `/` exchanged; in this order.
+/// Returns all mutations in this order: a number increased by one in its last place, a sign
+/// flipped, a right-hand side doubled, `*` and `/` exchanged.
 #[must_use]
 pub fn mutations(text: &str) -> Vec<String> {
     let lexed = lex(text);

@@ -1,4 +1,4 @@
-//! Parsing of statements; the parser of `kahan!` reads their formulas.
+//! Parses statements; the parser of `kahan!` reads their formulas.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse_formula;
@@ -17,7 +17,7 @@ pub(crate) fn parse(text: &str) -> Result<Statement, String> {
 }
 
 fn item(tokens: &[Token]) -> Result<Item, String> {
-    // Formulas contain none of these signs.
+    // Separators of items; no formula contains them.
     let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
     let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
     let sign = |index: usize| rest.get(index).map_or("", |token| &*token.text);
@@ -66,7 +66,6 @@ impl From<Expr<InFormula>> for Formula {
     }
 }
 
-/// Reads the left-hand side of a definition.
 fn signature(left: Formula) -> Result<(String, Vec<String>), String> {
     let wrong =
         || Err("a definition needs a name, or a name with names in parentheses, before `:=`".to_owned());

@@ -11,7 +11,7 @@ pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     let own: BTreeSet<String> = statement.split(';').filter_map(defined).collect();
     let mut used = identifiers(statement);
     let mut kept = vec![false; pieces.len()];
-    // Every pass but the last adds names, so the loop ends.
+    // Every pass except the last one adds a name, so the loop ends.
     loop {
         let before = used.len();
         for (piece, kept) in pieces.iter().zip(&mut kept) {

@@ -1,4 +1,4 @@
-//! Checks of a relation: over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
+//! Checks relations: over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
 
 mod names;
 mod numerical;
@@ -59,7 +59,7 @@ impl Identity<'_> {
     /// Checks the relation and returns the evidence. Fails with the reason.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Fresh names may be dependent, so different names don't prove different functions.
+        // New variables for functions may be dependent, so they cannot prove that functions differ.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,
@@ -76,8 +76,8 @@ impl Identity<'_> {
         self.numerical()
     }
 
-    /// Evaluates both sides at exact values of the names, and says whether the relation holds
-    /// there. Fails if a side has no value.
+    /// Evaluates both sides at exact values of the names; returns whether the relation holds there.
+    /// Fails if a side has no value.
     pub(super) fn at_point(
         &self,
         point: &BTreeMap<String, Rational>,

@@ -1,4 +1,4 @@
-//! The names for which a relation needs values.
+//! The names that need values in a relation.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,6 @@ use super::super::formula::Formula;
 use super::Identity;
 
 impl Identity<'_> {
-    /// Returns all names that need a value, sorted.
     pub(super) fn names(&self, sides: [&Formula; 2]) -> Vec<String> {
         let mut names = BTreeSet::new();
         sides.iter().for_each(|side| collect_names(side, self.models, &mut names));
@@ -30,7 +29,7 @@ fn collect_names(formula: &Formula, models: &Models, names: &mut BTreeSet<String
         (Formula::Name(name), _) => {
             names.insert(name.clone());
         }
-        // A first argument that names a system stands for its variables.
+        // A system's name as first argument stands for its variables.
         (Formula::Call(..), Some(Formula::Name(first))) if models.contains_key(first.as_str()) => {
             names.extend(models[first.as_str()].names());
             parts.remove(0);

@@ -1,4 +1,5 @@
-//! Rational relations: modulo primes, then by normal forms, or at exact points if too large.
+//! Rational relations: proved modulo primes and by expansion over ℚ, or checked at exact points if
+//! too large.
 
 use std::collections::BTreeMap;
 
@@ -25,7 +26,7 @@ type Point = BTreeMap<String, Rational>;
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
-        // The seed depends on the formulas, so that no formula can be fitted to the points.
+        // Seeding by the formulas prevents fitting a formula to the points.
         let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
         let sizes = names.iter().map(|name| (name.clone(), Size::variable())).collect();
         let points = match self.sides(&Sizes, left, right, sizes).map_err(|trouble| words(&trouble)) {
@@ -41,7 +42,7 @@ impl Identity<'_> {
                 Relation::Equal if left != right => {
                     return Err(self.refutation(left, right, &names, &mut random));
                 }
-                // One point of difference proves that the functions differ.
+                // One point where both sides differ proves that the functions differ.
                 Relation::Different if left != right => return Ok(Evidence::NormalForm),
                 _ => {}
             }
@@ -77,7 +78,6 @@ impl Identity<'_> {
     }
 
     fn normal_form(&self, left: &Formula, right: &Formula, names: &[String]) -> Option<bool> {
-        // An unexpanded map cannot be composed with formulas.
         if !self.model.is_expanded() && (uses_map(left) || uses_map(right)) {
             return None;
         }
@@ -106,7 +106,6 @@ impl Identity<'_> {
         Ok(Evidence::Exact(EXACT_POINTS))
     }
 
-    /// Evaluates both sides at a point of small rationals.
     fn exact_point(
         &self,
         left: &Formula,
@@ -124,7 +123,7 @@ impl Identity<'_> {
         Err("it divides by zero".to_owned())
     }
 
-    /// Describes an exact point at which both sides differ.
+    /// Describes an exact point where both sides differ.
     fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut dyn Random) -> String {
         if let (Some(a), Some(b)) = (rationalise(self.left), rationalise(self.right)) {
             for _ in 0..MOST_DRAWS {

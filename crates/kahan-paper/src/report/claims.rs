@@ -6,7 +6,7 @@ use kahan_systems::registry::find;
 use crate::claim::Outcome;
 use crate::verdict::{Open, Verdict, Verdicts};
 
-/// The shortest useful statement, in characters; shorter excerpts are omitted.
+/// The shortest statement that is excerpted, in characters.
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {
@@ -27,7 +27,6 @@ impl Verdicts {
         let mut is_whole = true;
         for (row, mut cells) in self.claims.iter().zip(cells) {
             let is_failed = row.outcome == Outcome::Failed;
-            // The lines below show failures in full.
             let statement = if is_failed { "" } else { &row.statement };
             let whole = if row.source.is_empty() { statement } else { &row.source };
             let about = if room < LEAST_SEEN { String::new() } else { shorten(whole, room) };

@@ -6,7 +6,6 @@ use crate::claim::{Claim, Outcome};
 use crate::section::Section;
 use crate::verdict::{Verdict, Verdicts};
 
-/// The height of the screen.
 const MOST_LINES: usize = 40;
 
 /// The column headings, in the order of [`Outcome::place`].
@@ -54,7 +53,7 @@ fn sections(verdicts: &Verdicts) -> Vec<String> {
     aligned(&[vec![headings.collect()], Section::ALL.map(of_section).to_vec(), vec![all]].concat())
 }
 
-/// Describes the failures that fit.
+/// Describes failures on at most `room` lines.
 fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     let mut text = vec!["What failed".to_owned()];
     let failed = verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
@@ -63,7 +62,7 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
         let said = [format!("{}: {}", row.source, row.statement), row.detail.clone()];
         let said = said.iter().flat_map(|line| lines(line, width - 2)).map(|line| format!("  {line}"));
         let full: Vec<String> = std::iter::once(row.id.clone()).chain(said).collect();
-        // The last line is reserved for the number of further failures.
+        // Reserve the last line for the number of further failures.
         if text.len() + full.len() + 1 > room {
             text.push(format!("and {} more, which --all shows", failed.len() - index));
             break;
@@ -122,7 +121,6 @@ mod tests {
     use super::{MOST_LINES, replaced};
     use crate::{Claim, Outcome, Paper, Verdict, Verdicts};
 
-    /// Returns the summary for given outcomes.
     fn screen(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
         let claims = paper.claims().iter().map(|claim| Verdict {
             id: claim.id.to_string(),

@@ -76,7 +76,7 @@ integral | the integral of the first kind: sn is its inverse |
     d(sn(u, k), u)^2 = (1 - sn(u, k)^2)*(1 - k^2*sn(u, k)^2); F(atan2(sn(u, k), cn(u, k)), k) = u
 ";
 
-/// The integrals for δ and κ.
+/// Integrals expressed by δ and κ.
 const PARAMETERS: &str = "
     k := sqrt((g - h)*(1 + h)/((g + h)*(1 - h))); s := sqrt((g + h)/(1 + h));
     delta := F(atan2(s, sqrt(1 - s^2)), k);

@@ -7,7 +7,7 @@ use super::super::figures::Figure;
 use super::super::section::Section;
 use super::text::read;
 
-/// Growth of heights, by Theorem 4 and for the other maps; the orbit precedes the name.
+/// Growth of heights, by Theorem 4 and for the other maps. Each name is preceded by its orbit.
 const GROWTH: &str = "
 DE1 growth | growth of the heights, Theorem 4 | growth(x) = logarithmic; growth(z) = logarithmic
 DE2 growth | growth of the heights, Theorem 4 | growth(x) = logarithmic; growth(z) = logarithmic
@@ -39,7 +39,7 @@ DE6 digits | dE6, addition | digits(x, 125) = 114682
 DE6 limit | dE6: h(x_n)/n^2, addition | (h(x, 125) - 2*h(x, 75) + h(x, 25))/(2*50^2) ~ 16.89
 ";
 
-/// The limits C1, whose names begin with the system, are computed instead of measured.
+/// The limits C1 are computed instead of measured; their names begin with the system.
 const TRANSCENDENTAL_MAPS: &str = "
 DE7 height_x | figure of 400 iterates: h(x_n) grows like log n only | logslope(x, 500, 1000) ~ 1.0
     explains B5
@@ -80,7 +80,6 @@ pub(super) fn claims() -> Vec<Claim> {
     [GROWTH, INTEGRABLE_MAPS, TRANSCENDENTAL_MAPS, CHAOTIC_MAPS].map(|text| read(text, claim)).concat()
 }
 
-/// Makes a claim that is measured on an orbit, or computed for a system.
 fn claim(subject_and_id: &str, place: &str, statement: &str) -> Claim {
     let (subject, id) = subject_and_id.split_once(' ').expect("an orbit or a system, and a name");
     let figure = Figure::all().find(|figure| figure.name == subject);

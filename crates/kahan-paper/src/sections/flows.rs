@@ -12,7 +12,6 @@ struct Row {
     system: &'static str,
     /// The components x, y and z as functions of T.
     solution: [&'static str; 3],
-    /// The values of H and K along the solution.
     values: [&'static str; 2],
 }
 
@@ -64,7 +63,6 @@ pub(super) fn claims() -> Vec<Claim> {
     ROWS.iter().flat_map(row).chain(other_tops()).collect()
 }
 
-/// Makes the claims of a row: each component solves its equation; H and K have the stated values.
 fn row(row: &Row) -> Vec<Claim> {
     let Row { system, solution, values } = row;
     let orbit: String =

@@ -4,7 +4,7 @@ use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// Component i at a point, Fᵢ(u,v,w), with its parts Qᵢ, Bᵢ, Cᵢ of degrees 2, 1, 0; δᵢⱼ.
+/// Component i at a point, Fᵢ(u,v,w), its homogeneous parts Qᵢ, Bᵢ, Cᵢ of degrees 2, 1, 0, and δᵢⱼ.
 const PARTS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);
@@ -18,8 +18,8 @@ const PARTS: &str = "
     delta31 := 0; delta32 := 0; delta33 := 1;
 ";
 
-/// Identities for generic fields. `{i}`, `{x}` and `{X}` are a row, its state and its next state,
-/// three statements in all; with the column `{j}` there are nine.
+/// Identities for generic fields. `{i}`, `{x}` and `{X}` stand for a row, its state and its next
+/// state, which makes three statements; with the column `{j}`, nine.
 const METHOD: &str = "
 scheme | definition of the map |
     ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2
@@ -41,7 +41,6 @@ jacobian | A(x,eps) J = A(x~,-eps) |
 det_jacobian | det J | detA*detJ = on(at(detA, eps, -eps), X, Y, Z)
 ";
 
-/// Identities for homogeneous fields.
 const HOMOGENEOUS: &str = "
 homogeneous | homogeneous fields: A x~ = x | A({i},1)*X + A({i},2)*Y + A({i},3)*Z = {x}
 reversed | (df56), homogeneous fields: x~ = A(x~,-eps) x |
@@ -84,7 +83,6 @@ fn each(pattern: &str) -> String {
     (0..columns).flat_map(column).collect::<Vec<_>>().join("; ")
 }
 
-/// Returns a generic quadratic function with coefficients `name`0 … `name`9.
 fn generic_function(name: &str) -> String {
     let monomials = ["1", "x", "y", "z", "x^2", "y^2", "z^2", "x*y", "y*z", "z*x"];
     let terms: Vec<String> =

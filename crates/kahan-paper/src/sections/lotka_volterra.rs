@@ -17,8 +17,8 @@ const ITERATES: &str = "
 ";
 
 /// The flow, the map, and the map at ε = ±1. For other ε, Ĥ is not an integral: its increments at
-/// two points have only the zeros 0, 1 and −1 in common, as u a + v b = 48 for their other factors
-/// a, b.
+/// two points have factors a and b with u a + v b = 48, so they vanish together only at ε = 0, 1
+/// and −1.
 const CLAIMS: &str = "
 field | the Lotka-Volterra flow | f1 = x*(1 - y); f2 = y*(x - 1)
 hamilton | Hamilton's equations with {x,y} = x y |

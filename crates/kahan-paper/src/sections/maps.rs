@@ -187,7 +187,6 @@ pub(super) fn claims() -> Vec<Claim> {
     texts.iter().flat_map(|text| read(text, claim)).collect()
 }
 
-/// Makes a claim about the system named in its identifier, in the section of its place.
 fn claim(id: &str, place: &str, statement: &str) -> Claim {
     let system = id.split('.').find_map(find).expect("a system in the name").command;
     let section = match place.split(',').next() {

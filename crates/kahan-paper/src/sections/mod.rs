@@ -71,7 +71,6 @@ pub const OPEN: &[Open] = &[
     },
 ];
 
-/// Returns all claims in the order of the paper, then those of further systems.
 pub(super) fn claims(models: &Models) -> Vec<Claim> {
     [
         general::claims(),
@@ -89,7 +88,6 @@ pub(super) fn claims(models: &Models) -> Vec<Claim> {
     .concat()
 }
 
-/// Systems with a section of their own.
 const TREATED_AS_A_WHOLE: [(&str, Section); 5] = [
     ("lv", Section::Method),
     ("euler", Section::Brackets),
@@ -107,7 +105,6 @@ fn in_the_paper(system: &str, kind: ClaimKind) -> Section {
     )
 }
 
-/// Returns the claims of the systems' own blocks.
 fn block_claims(
     models: &Models,
     systems: &[Entry],

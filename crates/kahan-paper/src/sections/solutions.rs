@@ -12,11 +12,9 @@ use super::text::read;
 
 /// A solution of a map; one step increases n by 1.
 pub(super) struct Solution {
-    /// The command name of the system, such as `e1`.
     system: &'static str,
-    /// Abbreviations, as definitions.
+    /// Abbreviations used in the solution, as definitions.
     given: &'static str,
-    /// x_n, y_n and z_n.
     components: [&'static str; 3],
     /// The values of H(ε) and K(ε).
     values: [&'static str; 2],
@@ -95,7 +93,6 @@ pub(super) fn claims() -> Vec<Claim> {
 }
 
 impl Solution {
-    /// Returns x_n, y_n, z_n and the map's integrals as definitions.
     fn definitions(&self) -> String {
         let components = FUNCTIONS.iter().zip(self.components);
         let components: String = components.map(|(name, value)| format!("{name}(n) := {value}; ")).collect();
@@ -103,7 +100,7 @@ impl Solution {
         format!("{}{components}{integrals}", self.given)
     }
 
-    /// Makes the claims: each component solves its equation, and the integrals have the stated
+    /// Makes the claims that each component solves its equation and the integrals have the stated
     /// values. The sign `-` marks components with an additional factor (−1)ⁿ.
     fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
         let system = self.system;
@@ -182,13 +179,12 @@ theorem3.e6.solution | Theorem 3, addition: the solution of dE6 |
     step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)
 ";
 
-/// Makes a claim about the system named in its identifier.
 fn claim(id: &str, place: &str, statement: &str) -> Claim {
     let system = id.split('.').find_map(find).expect("a system in the name").command;
     Claim::new(Section::MapSolutions, [id], system, place, statement)
 }
 
-/// Makes a claim that may use the map's solution.
+/// Makes a claim that may use the solution of the map.
 fn solved(id: &str, place: &str, statement: &str) -> Claim {
     let claim = claim(id, place, statement);
     let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);

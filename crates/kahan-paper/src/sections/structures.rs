@@ -130,7 +130,7 @@ pub fn structure(system: &str) -> Option<&'static Structure> {
 }
 
 impl Structure {
-    /// Says whether the map's integrals and pair are rational, and therefore in Tables 2 to 4.
+    /// Returns whether the map's integrals and pair are rational, and therefore in Tables 2 to 4.
     #[must_use]
     pub fn has_map(&self) -> bool {
         self.value("H_eps").is_some()
@@ -142,7 +142,6 @@ impl Structure {
         self.pairs().find(|(defined, _)| *defined == name).map(|(_, value)| value)
     }
 
-    /// Iterates over names and their definitions.
     pub(super) fn pairs(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let pairs = self.definitions.split(';').filter_map(|definition| definition.split_once(":="));
         pairs.map(|(name, value)| (name.trim(), value.trim()))

@@ -1,6 +1,7 @@
-//! Tables 1 to 4 and Theorems 1 and 2, cell by cell, with equal claims for all rows. `{P12}` stands
-//! for the row's definition of `P12`, so that a cell is shown, checked and mutated with its claim;
-//! `{e}` is the system, `{i}` its number.
+//! Tables 1 to 4 and Theorems 1 and 2, cell by cell; all rows make the same claims.
+//!
+//! In the texts, `{P12}` stands for the row's definition of `P12`, so that a cell is shown, checked
+//! and mutated with its claim; `{e}` is the system, `{i}` its number.
 
 use super::super::claim::Claim;
 use super::super::id::Id;
@@ -106,7 +107,6 @@ table4.e3.Q31
     refuted: eps := 1/2; x := 1; y := 2; z := 3; H*K/(H_eps*K_eps)*d(K_eps, y) = -10/9
 ";
 
-/// The claims of Tables 1 to 4.
 pub(super) fn claims() -> Vec<Claim> {
     let misprints = Written::all(MISPRINTS);
     let claims = STRUCTURES.iter().flat_map(row).map(|claim| {
@@ -116,10 +116,9 @@ pub(super) fn claims() -> Vec<Claim> {
     claims.collect()
 }
 
-/// All that is claimed of one system.
 fn row(s: &Structure) -> Vec<Claim> {
     let index = &s.system[1..];
-    // Table 1 has the systems whose maps are in Tables 2 to 4.
+    // Table 1 contains the systems whose maps are in Tables 2 to 4.
     let (section, table) = if s.has_map() {
         ("3", format!("Table 1, i = {index}"))
     } else {
@@ -154,7 +153,6 @@ fn row(s: &Structure) -> Vec<Claim> {
     read(&text, claim)
 }
 
-/// Fills an algebra's basis and brackets into a text.
 fn of_algebra(tensor: &str, algebra: Algebra, text: &str) -> String {
     let (basis, brackets) = (algebra.basis, algebra.brackets);
     let values =

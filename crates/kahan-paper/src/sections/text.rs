@@ -20,13 +20,11 @@ use super::super::erratum::Erratum;
 
 /// A claim's text: a line without indentation, and its notes.
 pub(super) struct Written {
-    /// The line with its continuations.
     pub(super) head: String,
     notes: Vec<String>,
 }
 
 impl Written {
-    /// Splits a text into claims.
     pub(super) fn all(text: &str) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         for line in text.lines().filter(|line| !line.trim().is_empty()) {
@@ -46,7 +44,8 @@ impl Written {
         all
     }
 
-    /// Adds the notes to a claim. Panics if a note, a constant read by tests, is malformed.
+    /// Adds the notes to a claim. Panics if a note is malformed; notes are constants, checked by
+    /// tests.
     pub(super) fn annotate(&self, claim: Claim) -> Claim {
         let annotated = self.notes.iter().try_fold(claim, |claim, note| {
             let (word, rest) = note.split_once([' ', ':'])?;
@@ -68,8 +67,8 @@ impl Written {
     }
 }
 
-/// Reads claims; `claim` makes one of a name, a place and a statement. Panics if a line lacks one
-/// of these parts; lines are constants, which tests read.
+/// Reads claims; `claim` makes one from a name, a place and a statement. Panics if a line lacks one
+/// of these; lines are constants, checked by tests.
 pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
     let one = |written: Written| {
         let mut parts = written.head.splitn(3, " | ");

@@ -95,7 +95,6 @@ fn every_erratum_of_a_formula_is_refuted_as_printed() {
     }
 }
 
-/// Checks the misprinted item and its correction for the first claim on each erratum.
 #[test]
 fn a_correction_sets_what_is_printed_beside_what_is_right() {
     let paper = paper();
@@ -104,7 +103,7 @@ fn a_correction_sets_what_is_printed_beside_what_is_right() {
         paper.claims().iter().find(corrects).and_then(Claim::correction).expect("a correction")
     };
     let pair = |printed: &str, right: &str| (printed.to_owned(), right.to_owned());
-    // Paired by the defined name, by the least difference, and by the common end.
+    // Pairs found by the defined name, by the least difference, and by the common end.
     assert_eq!(correction(Erratum::A(3)), pair("Z(n) := solution(n, 2)", "Z(n) := solution(n, 4)"));
     assert_eq!(
         correction(Erratum::A(6)),
@@ -136,14 +135,14 @@ fn what_is_false_fails() {
         assert_eq!(established.outcome, Outcome::Failed, "{statement}");
         established.detail
     };
-    // Different at generic points, equal at one point only, or equal despite `!=`.
+    // False relations: different at generic points, equal at one point only, or equal despite `!=`.
     assert!(fails("field.e1", "f1 = x^2").contains("on the left"));
     fails("field.e1", "f1 = -x^2 + eps*x");
     fails("field.e1", "f1 != -x^2");
     // Transcendental: exponentials, and functions compared in 256-bit arithmetic.
     fails("table1.e8.H", "exp(x + y) = exp(x)*exp(2*y)");
     fails("table1.e8.H", "gamma(x + 1) = gamma(x)");
-    // Measured: the last digit counts.
+    // Approximate values are checked to the last digit.
     fails("table1.e8.H", "sqrt(2) ~ 1.416");
     // Vacuous or malformed statements.
     assert!(fails("field.e1", "u := 1").contains("says nothing"));

@@ -24,7 +24,6 @@ fn expected() -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// Returns numbers written as strings, from a list or an object.
 fn texts(value: &Value) -> Vec<&str> {
     let values: Vec<&Value> = match value {
         Value::Object(entries) => entries.values().collect(),
@@ -33,7 +32,6 @@ fn texts(value: &Value) -> Vec<&str> {
     values.into_iter().filter_map(Value::as_str).collect()
 }
 
-/// Returns the figure with the system and data of the file.
 fn figure(system: &str, data: &Value) -> &'static Figure {
     let are = |numbers: &[(i64, i64)], texts: &[&str]| {
         let numbers = numbers.iter().map(|&(p, q)| Rational::new(p, q));
@@ -49,7 +47,6 @@ fn figure(system: &str, data: &Value) -> &'static Figure {
     Figure::all().find(has_data).unwrap_or_else(|| panic!("no figure has the data of {system}"))
 }
 
-/// Returns one unit of the fifteenth significant digit.
 fn fifteenth_digit(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { 10_f64.powi(value.abs().log10().floor() as i32 - 14) }
 }
@@ -67,7 +64,7 @@ fn check(system: &str, data: &Value) {
         for (n, text) in listed.zip(texts(&data["h"][variable])) {
             let wanted: f64 = text.parse().expect("a number");
             let found = survey.heights[n as usize].logarithms[component];
-            // Half a unit for the file's rounding, and an ulp for the double's.
+            // The file rounds to half a unit, and the double by an ulp.
             let tolerance = 0.5 * fifteenth_digit(wanted) + wanted * f64::EPSILON;
             assert!((found - wanted).abs() <= tolerance, "{name}: h({variable}_{n}) = {found:e}, not {text}");
             compared += 1;

@@ -7,7 +7,6 @@ use std::sync::LazyLock;
 
 use kahan_paper::Paper;
 
-/// Returns one instance for all tests, which measures each orbit once.
 fn paper() -> &'static Paper {
     static PAPER: LazyLock<Paper> = LazyLock::new(Paper::new);
     &PAPER

@@ -14,7 +14,7 @@ use crate::special::Real;
 ///   z = coth δ coth T/ε, with K̂ = coth² δ/(2ε²).
 ///
 /// On both branches Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of
-/// the point's norm times (1 + |T|) max(1, |ε| norm), the condition of the formula.
+/// the point's norm times the condition of the formula, (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.
@@ -31,8 +31,7 @@ pub struct Solution<T> {
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x² + y² = 0 (a fixed point) or
-    /// ε²z² = 1: the step from εz = 1 ends in the fixed point (0, 0, 1/ε), and det A = 0 for εz =
-    /// −1.
+    /// ε²z² = 1. At εz = 1 the step ends in the fixed point (0, 0, 1/ε); at εz = −1, det A = 0.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();

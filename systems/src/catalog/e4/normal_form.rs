@@ -1,20 +1,17 @@
-//! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z). They move any
-//! point to the quarter where the elliptic functions are real, in the coordinates s = x + y and d =
-//! x − y, and back.
+//! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z). They map every
+//! point to a quarter of space where the elliptic functions of s = x + y and d = x − y are real.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
 use crate::special::Real;
 
-/// A point in s = x + y, d = x − y, z, after a [`Symmetry`] has given x and y the required signs.
+/// A point as s = x + y, d = x − y, z and |xy|, after a [`Symmetry`] has given x and y the required
+/// signs.
 pub(super) struct NormalForm<T> {
-    /// s = x + y.
     pub(super) sum: T,
-    /// d = x − y.
     pub(super) difference: T,
     pub(super) height: T,
-    /// |xy|.
     pub(super) product: T,
 }
 
@@ -25,7 +22,7 @@ pub struct Symmetry {
     pub flip_x: bool,
     /// Whether y changes its sign.
     pub flip_y: bool,
-    /// Whether (x, y, z) becomes (y, x, −z), before signs change; used if x = 0.
+    /// Whether (x, y, z) becomes (y, x, −z) before the sign changes; needed if x = 0.
     pub swap: bool,
 }
 
@@ -40,12 +37,12 @@ impl Symmetry {
 }
 
 impl<T: Real> NormalForm<T> {
-    /// Moves a point to x, y ≥ 0.
+    /// Maps a point to x, y ≥ 0.
     pub(super) fn same_signs(point: &SVector<T, 3>) -> (Self, Symmetry) {
         Self::with_signs(point, |_| (false, false))
     }
 
-    /// Moves a point so that x has the sign of εz, and y the opposite sign.
+    /// Maps a point so that x has the sign of εz, and y the opposite sign.
     pub(super) fn opposite_signs(point: &SVector<T, 3>, eps: &T) -> (Self, Symmetry) {
         Self::with_signs(point, |height| {
             let negative = height.is_negative() != eps.is_negative();
@@ -53,8 +50,9 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Moves a point so that x and y are negative as `wanted` says for z. A zero coordinate becomes
-    /// y, because at modulus 1 the curve has no point with x = 0.
+    /// Maps a point so that x and y have the signs that `wanted` returns for z (`true` is
+    /// negative). If one coordinate is zero it becomes y, because at modulus 1 the curve contains
+    /// no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();
@@ -66,7 +64,7 @@ impl<T: Real> NormalForm<T> {
         let second = if flip_second { -second } else { second };
         let form =
             Self { sum: first + second, difference: first - second, height, product: (first * second).abs() };
-        // After swapping back, the first coordinate is y.
+        // Signs are stored by original coordinate; before the swap, the first coordinate was y.
         let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
         (form, Symmetry { flip_x, flip_y, swap })
     }

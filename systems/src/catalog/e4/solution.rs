@@ -14,10 +14,10 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 ///
 /// Both hold up to the map's symmetries: signs of x and y, and the swap (x, y, z) → (y, x, −z). The
 /// inner formula has xy > 0, the outer one xy < 0. If xy = 0, k is 1 and the functions are
-/// hyperbolic. Only orbits through fixed points (0, 0, z) or through |εz| = 1 have neither form.
+/// hyperbolic. Only orbits through fixed points (0, 0, z) or through |εz| = 1 are excluded.
 ///
-/// In `f64` the error at n is at most 6 ulp of the point's norm times (1 + |v|) max(1, |ε| norm),
-/// the condition of the formula. On the inner branch with xy > 0:
+/// In `f64` the error at n is at most 6 ulp of the point's norm times the condition of the
+/// formula, (1 + |v|) max(1, |ε| norm). On the inner branch with xy > 0:
 ///
 /// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +117,7 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// The positive sums in terms of which all parameters are expressed.
+/// Positive expressions from which all parameters are computed.
 struct Squares<T> {
     /// 1 + ε²s²
     sum: T,

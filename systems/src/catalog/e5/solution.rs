@@ -14,8 +14,8 @@ use crate::special::Real;
 ///   z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²),
 ///   K̂ = μ cosh δ/ε + coth² δ/ε².
 ///
-/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times (1 +
-/// |T|) max(1, |ε| norm), the condition of the formula.
+/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times the
+/// condition of the formula, (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.

@@ -1,7 +1,7 @@
-//! Orbits and trajectories of E6, an Euler top in other coordinates, and therefore E4 in others. In
-//! (x − z, x + z, y), E6 is the Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3
-//! (x − z), x + z), the map of E6 is that of E4 with ε → −ε. The code uses −(x + z) in the third
-//! place and an unchanged ε, because (x, ε) → (−x, −ε) is a symmetry of homogeneous fields.
+//! Orbits and trajectories of E6, which is E4 in other coordinates. In (x − z, x + z, y), E6 is the
+//! Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x + z), the map of E6
+//! becomes that of E4 at −ε. The code uses −(x + z) as third coordinate and keeps ε, because (x, ε)
+//! → (−x, −ε) is a symmetry of homogeneous fields.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -20,9 +20,9 @@ pub struct Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, (x, y, z) is a multiple of (1,
-    /// 0, 1), or ε²(x + z)² = 1: the cases of
-    /// [`e4::Solution::through`](crate::e4::Solution::through) in the coordinates of E4.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if (x, y, z) is a multiple of
+    /// (1, 0, 1), or if ε²(x + z)² = 1. These are the exceptions of
+    /// [`e4::Solution::through`](crate::e4::Solution::through) in the coordinates of E6.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let top = euler::Solution::through(&coefficients(), &to_top(point), eps)?;
         Ok(Self { top })
@@ -42,8 +42,8 @@ pub struct FlowSolution<T> {
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails for multiples of (1, 0, 1), fixed
-    /// points.
+    /// Returns the trajectory through `point` at t = 0. Fails for multiples of (1, 0, 1), which are
+    /// fixed points.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         Ok(Self { top: euler::FlowSolution::through(&coefficients(), &to_top(point))? })
     }

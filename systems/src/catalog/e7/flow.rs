@@ -40,7 +40,7 @@ impl<T: Real> FlowSolution<T> {
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
         let time = *t + *alpha;
-        // Negative beyond the pole, where most powers are undefined.
+        // Becomes negative beyond the pole, where most powers are undefined.
         let size = time * alpha.sign();
         let y = *beta * size.power_real(&-*xi);
         let x = T::one() / time;

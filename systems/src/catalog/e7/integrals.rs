@@ -12,7 +12,7 @@ fn level<T: Real>(x: &T, eps: &T) -> T {
     T::one() / (T::from_int(2) * *eps * *x)
 }
 
-/// Returns σ = (ξ − 1)/2, which centres the ratio Γ(u + ξ/2)/Γ(u + 1 − ξ/2).
+/// Returns σ = (ξ − 1)/2, the offset in the centred ratio Γ(u + ξ/2)/Γ(u + 1 − ξ/2).
 fn sigma<T: Real>(xi: &T) -> T {
     (*xi - T::one()) * T::half()
 }
@@ -39,12 +39,12 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
 /// Returns K̂₇, the second integral of dE7, for ξ > 0. The paper doesn't state it as a function of
 /// the point (erratum B7). With N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2):
 ///
-///   ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
+/// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
 /// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ (78 + 4ξ for
-/// [`Precise`](crate::special::Precise)) are summed; an asymptotic expansion gives the rest in full
-/// precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if ξ ≤ 0, where the series
-/// diverges, or εx = 0.
+/// [`Precise`](crate::special::Precise)) are summed; an asymptotic expansion sums the remaining
+/// terms in full precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if ξ ≤ 0, where the
+/// series diverges, or εx = 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     require(xi.is_positive(), "xi > 0")?;

@@ -15,11 +15,11 @@ pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
 /// Returns K̂₈, the second integral of dE8. The paper doesn't state it as a function of the point
 /// (erratum B7). With N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j − 1/(N+j+1/2):
 ///
-///   ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
+/// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///
 /// Terms up to N + j ≈ 22 (78 for [`Precise`](crate::special::Precise)) are summed; an asymptotic
-/// expansion gives the rest in full precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if
-/// εx = 0.
+/// expansion sums the remaining terms in full precision. For x < 0 this takes about 1/(2ε|x|)
+/// terms. Fails if εx = 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     let scaled = T::from_int(2) * *eps * x;

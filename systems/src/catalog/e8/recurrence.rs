@@ -36,7 +36,7 @@ impl<T: Scalar> Recurrence<T> {
         let half = T::one() / integer(2);
         let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());
         for j in if n < 0 { n..0 } else { 0..n } {
-            // Backwards, the last step comes first.
+            // Backward steps invert the recurrence, the last step first.
             let index = if n < 0 { n - 1 - j } else { j };
             let shifted = integer::<T>(index) + self.tau.clone();
             let step = T::one() / (shifted.clone() + half.clone());

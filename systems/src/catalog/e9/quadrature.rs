@@ -60,12 +60,12 @@ impl<T: Real> Quadrature<T> {
         let c = y * x.power_real(&-*xi);
         let turning = Turning { xi, radius: &radius, c: &c };
         if xi.is_positive() {
-            // z² decreases for x > 0, so its zero lies between the point's x and r.
+            // z² decreases with x > 0, so its zero lies between the point's x and r.
             let largest = turning.zero(x, radius);
             return Ok(Self { xi: *xi, largest, smallest: None, radius, c });
         }
-        // x² + c²x^{2ξ} is least at the middle, where x^{2−2ξ} = −ξc². One zero lies above, at most
-        // at r, the other below, at least where c²x^{2ξ} = r².
+        // x² + c²x^{2ξ} is least at x_m with x_m^{2−2ξ} = −ξc². One zero of z² lies between x_m and
+        // r, the other between x_m and the x with c²x^{2ξ} = r².
         let base = (-*xi) * c.square();
         let middle = base.power_real(&(T::half() / (T::one() - *xi)));
         require(turning.height_square(&middle).is_positive(), "not a fixed point")?;
@@ -82,7 +82,7 @@ impl<T: Real> Quadrature<T> {
         vector![*x, y, turning.height_square(x).sqrt()]
     }
 
-    /// Returns the time from the turning point at the largest x to this x, on the side z > 0 where
+    /// Returns the time from the turning point at the largest x to this x, on the half z > 0, where
     /// x decreases. NaN beyond a turning point; infinite as x → 0 for ξ > 0. With x = x_max e^(−s²)
     /// the integrand is analytic, and `exp_m1` keeps the digits of z² near the turning point. Near
     /// a fixed point for ξ < 0, where z² is small throughout, the relative error is about the
@@ -94,7 +94,7 @@ impl<T: Real> Quadrature<T> {
     /// Returns the period of a closed trajectory; `None` for ξ > 0.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Each half starts at its own turning point, to avoid the other's singularity.
+        // Starts each half at its own turning point, which avoids the other's singularity.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
@@ -129,8 +129,8 @@ impl<T: Real> Turning<'_, T> {
         self.radius.square() - x.square() - y.square()
     }
 
-    /// Finds the zero of z² between points with z² ≥ 0 and z² ≤ 0, by Newton's method and
-    /// bisection.
+    /// Finds the zero of z² between two points, with z² ≥ 0 at the first and z² ≤ 0 at the second,
+    /// by Newton's method and bisection.
     fn zero(&self, inside: T, outside: T) -> T {
         let (mut inside, mut outside) = (inside, outside);
         let mut x = (inside + outside) * T::half();

@@ -1,6 +1,6 @@
 //! Orbits and trajectories of the Euler top, from those of E4. In (x − y, x + y, z), E4 is the
 //! Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of variables, so
-//! permutations and scalings of the axes carry the solutions over.
+//! permutations and scalings of the axes map solutions to solutions.
 
 use kahan_core::nalgebra::SVector;
 
@@ -14,15 +14,15 @@ use crate::special::Real;
 /// differs in sign to the third place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
-    /// The axes of the top in the first, second and third place.
+    /// The axes of the top that become the first, second and third coordinate.
     pub axes: [usize; 3],
-    /// The scalings c of the axes in these places.
+    /// The scaling cᵢ of each axis, in this order.
     pub scaling: [T; 3],
 }
 
 impl<T: Real> Reduction<T> {
-    /// Returns the change of variables for α₁, α₂, α₃. Fails if a coefficient is zero, or all have
-    /// one sign; such tops differ from E4 over the reals.
+    /// Returns the change of variables for α₁, α₂, α₃. Fails if a coefficient is zero or all have
+    /// one sign: over the reals, no change of variables maps such a top to E4.
     pub fn of(coefficients: &[T; 3]) -> Result<Self, OutOfDomain> {
         let nonzero = coefficients.iter().all(|a| a.is_positive() || a.is_negative());
         require(nonzero, "a1, a2, a3 != 0")?;
@@ -41,7 +41,6 @@ impl<T: Real> Reduction<T> {
         Ok(Self { axes, scaling })
     }
 
-    /// Converts a point of the top to E4's coordinates.
     fn to_e4(&self, point: &SVector<T, 3>) -> SVector<T, 3> {
         let [difference, sum, height] =
             core::array::from_fn(|place| point[self.axes[place]] / self.scaling[place]);
@@ -49,7 +48,6 @@ impl<T: Real> Reduction<T> {
         SVector::from([(sum + difference) * half, (sum - difference) * half, height])
     }
 
-    /// Converts a point of E4 to the top's coordinates.
     fn back_from_e4(&self, point: &SVector<T, 3>) -> SVector<T, 3> {
         let [x, y, z] = (*point).into();
         let mut result = SVector::from([T::zero(), T::zero(), T::zero()]);

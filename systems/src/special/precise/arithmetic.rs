@@ -64,7 +64,7 @@ impl Scalar for Precise {
         Self::from_rational(&c.to_ratio())
     }
 
-    /// Compares magnitudes, as for floats; an undefined value is never better.
+    /// Compares magnitudes, as for floats; an undefined value is never the better pivot.
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.magnitude_exceeds(than)
     }

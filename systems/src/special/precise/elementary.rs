@@ -1,4 +1,4 @@
-//! Elementary functions of [`Precise`], rounded once by the library, and special functions.
+//! Elementary functions of [`Precise`], correctly rounded by the library, and special functions.
 
 use std::sync::OnceLock;
 
@@ -83,7 +83,7 @@ impl Real for Precise {
         if repr.exponent() >= 0 {
             return *self;
         }
-        // Right shifts of negative integers round towards minus infinity.
+        // The right shift rounds negative integers towards minus infinity, as `floor` requires.
         Self::from_repr(Repr::new(repr.significand() >> repr.exponent().unsigned_abs(), 0))
     }
 

@@ -41,7 +41,7 @@ pub struct Precise(Option<Number>);
 #[derive(Clone, Copy, PartialEq)]
 struct Number {
     sign: Sign,
-    /// The words from the lowest. The library's rounded results may be a few bits longer than
+    /// The 64-bit words, lowest first. Rounded results of the library may be a few bits longer than
     /// `BITS`.
     words: [Word; BITS / Word::BITS as usize + 1],
     exponent: isize,
@@ -65,7 +65,7 @@ impl Precise {
     /// The number of bits of the significand.
     pub const BITS: usize = BITS;
 
-    /// Says whether the number is defined.
+    /// Returns whether the value is a number.
     pub fn is_defined(&self) -> bool {
         self.0.is_some()
     }
@@ -94,7 +94,6 @@ impl Precise {
         Some(Repr::new(IBig::from_parts(sign, UBig::from_words(&words)), exponent))
     }
 
-    /// Converts a result of the library.
     fn from_outcome(outcome: Outcome) -> Self {
         match outcome {
             Ok(value) => Self::from_repr(value.value().into_repr()),
@@ -111,7 +110,7 @@ impl Precise {
         let (sign, digits) = significand.as_sign_words();
         let mut words = [0; _];
         words[..digits.len()].copy_from_slice(digits);
-        // A single zero, so that equal numbers have equal representations.
+        // Zero has a unique representation, so equal numbers are equal as data.
         Self(Some(Number { sign, words, exponent: if significand.is_zero() { 0 } else { exponent } }))
     }
 }
@@ -127,7 +126,7 @@ fn quotient(p: &IBig, q: &IBig) -> Precise {
         return Precise::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // Two extra bits and a sticky bit for the remainder make the rounding below the only one.
+    // Two extra bits and a sticky bit for the remainder ensure that the division rounds only once.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();
     let (whole, rest) = (p.abs() << shift).div_rem(q.abs());

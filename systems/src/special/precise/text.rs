@@ -1,4 +1,4 @@
-//! [`Precise`] as text: decimals of any length, rounded once in each direction.
+//! [`Precise`] as text: decimals of any length, rounded once when read or written.
 
 use core::fmt;
 use core::str::FromStr;
@@ -62,7 +62,8 @@ impl Precise {
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
         let (sign, figures) = text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-        // The number is d.ddd × 10^scale; restores trailing zeros that the base conversion dropped.
+        // The number is d.ddd × 10^scale; trailing zeros that the base conversion dropped are
+        // restored.
         let scale = exponent + figures.len() as isize - 1;
         let figures = format!("{figures:0<digits$}");
         if !(-5..digits as isize).contains(&scale) {

@@ -1,12 +1,11 @@
 //! The compile-error cases as data: each file's `kahan!` blocks as text, and rustc's expected
-//! output. Blocks are found by their brackets, so comments and strings of the cases hold no
-//! brackets.
+//! output. Blocks are found by matching brackets, so comments and strings of the cases must not
+//! contain any.
 
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The folder of the cases, relative to this package.
 const FOLDER: &str = "macro/tests/compile_errors";
 
 pub(super) struct CompileCase {
@@ -38,7 +37,6 @@ pub(super) fn compile_cases() -> Vec<CompileCase> {
 }
 
 impl CompileCase {
-    /// Returns the line and column of a byte, counted from 1.
     pub(super) fn line_and_column(&self, byte: usize) -> (usize, usize) {
         let before = &self.source[..byte];
         let line = before.rsplit('\n').next().unwrap_or_default();
@@ -46,13 +44,11 @@ impl CompileCase {
     }
 }
 
-/// Returns the byte range inside the brackets of each `kahan! {`.
 fn blocks(source: &str) -> Vec<Range<usize>> {
     let starts = source.match_indices("kahan! {").map(|(at, opening)| at + opening.len());
     starts.map(|start| start..start + end_of_group(&source[start..])).collect()
 }
 
-/// Returns the offset of the bracket that closes a group opened before `text`.
 fn end_of_group(text: &str) -> usize {
     let mut depth = 1;
     for (place, c) in text.char_indices() {

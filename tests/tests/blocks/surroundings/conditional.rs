@@ -1,4 +1,4 @@
-//! Claims with `when`, evaluated with the values that the condition fixes.
+//! Claims with `when`, evaluated at the values fixed by their conditions.
 
 use kahan_core::prelude::*;
 use kahan_systems::E7;
@@ -6,7 +6,7 @@ use kahan_systems::E7;
 use crate::blocks::surroundings::{DeterminantByRows, assert_kahan, ratio};
 
 kahan! {
-    /// Growth of three that keeps their sum where c says so.
+    /// Three growing states; their sum is an integral if c = −a − b.
     pub(super) struct Three { a, b, c }
     xdot = a*x*y;
     ydot = b*x*y;
@@ -41,10 +41,10 @@ fn the_names_that_conditions_are_solved_for_have_their_values() {
     let (x, next) = assert_kahan(&kept);
     let eps = || ratio(EPS.0, EPS.1);
     assert_eq!(kept.total(&x, eps()), kept.total(&next, eps()));
-    // The values of c and ε that are passed are irrelevant.
+    // The accessor ignores the passed values of c and ε.
     let other = three(ratio(7, 1));
     assert_eq!(other.total(&x, eps()), kept.total(&x, eps()));
     assert_eq!(other.total(&x, eps()), ratio(-5, 6) * x.sum());
-    // The claim is not confused with the map's method of that name.
+    // The claim is not confused with the map's method of this name.
     assert_eq!(other.integral_step(&x, eps()), ratio(-5, 6) * x.sum());
 }

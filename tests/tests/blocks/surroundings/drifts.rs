@@ -1,11 +1,11 @@
-//! Drifts, functions whose next value depends on their value only, and `drift` and `by` as names.
+//! Drifts, and the keywords `drift` and `by` used as names.
 
 use kahan_core::prelude::*;
 
 use crate::blocks::surroundings::{assert_kahan, ratio};
 
 kahan! {
-    /// A field whose names are those of the claim.
+    /// A field with a parameter and a state named like the keywords of a drift.
     pub(super) struct Contextual { drift }
     bydot = by^2 + 2*drift*by;
     xdot = drift*x;
@@ -15,7 +15,7 @@ kahan! {
 }
 
 kahan! {
-    /// A logarithm in steps: F advances by a multiple of an integral.
+    /// A drift that increases by a multiple of an integral in each step.
     pub(super) struct Shear;
     xdot = 0;
     ydot = x^2;

@@ -1,4 +1,4 @@
-//! Parts of a header besides the name: attributes, documentation and all visibilities.
+//! Optional parts of a header: attributes, documentation and all visibilities.
 
 use std::fmt::Debug;
 
@@ -7,7 +7,7 @@ use kahan_core::prelude::*;
 use crate::blocks::surroundings::{assert_kahan, ratio};
 
 kahan! {
-    /// The user derives what the macro derives, and more.
+    /// A type for which the user derives more than the macro does.
     #[derive(Debug, Default, Clone, PartialEq, PartialOrd)]
     #[must_use]
     pub(crate) struct Derived {

@@ -1,4 +1,4 @@
-//! Blocks in included files, equal to blocks in place.
+//! Blocks in included files equal blocks written in place.
 
 use kahan_core::prelude::*;
 

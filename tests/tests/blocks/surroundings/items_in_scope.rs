@@ -1,4 +1,4 @@
-//! Scopes in which names used by generated code, and names of the states, have other meanings.
+//! Scopes in which names of generated code, and names of the states, have other meanings.
 
 #[allow(
     dead_code,
@@ -43,7 +43,7 @@ mod crowd {
     pub(super) fn vector() {}
 
     ::kahan_core::kahan! {
-        /// Every name of it is taken.
+        /// A system whose names have other meanings in this scope.
         pub(super) struct E7 { mu }
         xdot = -x^2;
         ydot = -mu*x*y;

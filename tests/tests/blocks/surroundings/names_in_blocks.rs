@@ -1,11 +1,11 @@
-//! Blocks with names of the prelude, of keywords, and of items in generated code.
+//! Blocks with names of the prelude, names that are keywords, and names of generated items.
 
 use kahan_core::prelude::*;
 
 use crate::blocks::surroundings::{assert_kahan, ratio};
 
 kahan! {
-    /// States with short names, a type with the shortest.
+    /// A type and parameters with the names of common type parameters; short names of states.
     pub(super) struct T { N, S }
     tdot = h + eps_;
     hdot = -N*t*x_;
@@ -14,7 +14,7 @@ kahan! {
 }
 
 kahan! {
-    /// States that are keywords.
+    /// States with the names of keywords.
     pub(super) struct Keywords;
     indot = as*in;
     asdot = self - type;
@@ -41,7 +41,7 @@ kahan! {
 }
 
 kahan! {
-    /// Names of what is generated.
+    /// Names of generated items.
     pub(super) struct U { convert, prepared }
     xdot = convert*x*y;
     ydot = prepared*x^2;
@@ -51,7 +51,7 @@ kahan! {
 #[allow(non_camel_case_types, reason = "a name to be in the way")]
 pub(super) mod argument {
     kahan_core::kahan! {
-        /// Without parameters.
+        /// A system without parameters, with the name of an argument.
         pub(in super::super) struct x;
         ydot = x;
         xdot = -y;
@@ -60,7 +60,7 @@ pub(super) mod argument {
 }
 
 kahan! {
-    /// Letters beyond ASCII, and capitals beside small letters.
+    /// Names with non-ASCII letters, and names that differ by case only.
     pub(super) struct Größe { größe, Größe }
     Xdot = größe*x*X;
     xdot = Größe*X - x;
@@ -124,7 +124,7 @@ fn claims_may_have_the_names_of_methods() {
     let (x, next) = assert_kahan(&Claims { k: ratio(3, 2) });
     let claims = Claims { k: ratio(3, 2) };
     assert_eq!(claims.integrals(&x, ratio(1, 2)), claims.integrals(&next, ratio(1, 2)));
-    // Claims by their own names, where no other item has that name.
+    // Claims under their own names, where no other item has that name.
     let own = [
         claims.integral_step(&x, ratio(1, 2)),
         claims.integral_VARIABLES(&x, ratio(1, 2)),
@@ -140,7 +140,7 @@ fn claims_may_have_the_names_of_methods() {
 }
 
 kahan! {
-    /// Another state, an integral and a list of the type take the constants of some states.
+    /// States whose constants would collide with those of other states, an integral or a list.
     struct Places { mu }
     xdot = y;
     ydot = -mu*x;
@@ -154,11 +154,9 @@ kahan! {
 
 #[test]
 fn a_state_has_a_constant_of_its_name() {
-    // The constants need no type argument.
     assert_eq!([Places::X, Places::Y, Places::SS], [0, 1, 6]);
     let point = vector![1, 2, 3, 4, 5, 6, 7].map(|state| ratio(state, 1));
     assert_eq!(Places { mu: ratio(3, 1) }.H(&point, ratio(1, 9)), ratio(3, 1) + point[Places::Y].pow(2));
     assert_eq!(Places::<f32>::VARIABLES[Places::SS], "ß");
-    // A type without parameters.
     assert_eq!(argument::x::Y + argument::x::X, 1);
 }

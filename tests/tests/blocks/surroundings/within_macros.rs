@@ -1,4 +1,4 @@
-//! Blocks written by a user's macro, with all kinds of fragments that formulas can hold.
+//! Blocks written by a user's macro, with all kinds of fragments that formulas can contain.
 
 use kahan_core::prelude::*;
 
@@ -7,7 +7,7 @@ use crate::blocks::surroundings::{assert_kahan, ratio};
 macro_rules! system {
     ($name:ident, $parameter:ident, $factor:expr, $number:literal, $rest:tt) => {
         kahan! {
-            /// Written by a macro.
+            /// A system written by a macro.
             pub(crate) struct $name { $parameter }
             xdot = $factor*y - $number*$parameter*x;
             ydot = $rest^2 - $factor^2;
@@ -29,7 +29,7 @@ mod in_one_piece {
     }
 }
 
-/// Steps a system made of an expression and a name of the caller.
+/// Defines a map from an expression and a name of the caller, and takes a step.
 macro_rules! decay {
     ($rate:ident, $x:expr) => {{
         let x = $x;
@@ -37,13 +37,12 @@ macro_rules! decay {
     }};
 }
 
-/// Passes a whole block on.
 macro_rules! pass_on {
     ($($tokens:tt)*) => { kahan! { $($tokens)* } };
 }
 
 pass_on! {
-    /// Passed on.
+    /// A system in a block that a macro passes on.
     pub(super) struct PassedOn;
     xdot = y;
     ydot = -x;

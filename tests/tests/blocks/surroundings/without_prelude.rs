@@ -1,10 +1,10 @@
-//! Scopes without the prelude, so even `Option` and `Clone` have no names.
+//! Scopes without the prelude, where even `Option` and `Clone` are unknown.
 
 mod bare {
     #![no_implicit_prelude]
 
     ::kahan_core::kahan! {
-        /// Nothing is in scope here.
+        /// A system in a scope without names.
         pub(super) struct E1;
         xdot = -x^2;
         ydot = -x*y;
@@ -15,7 +15,7 @@ mod bare {
     }
 
     ::kahan_core::kahan! {
-        /// Nor here, with a parameter and a constant that fits no float.
+        /// A system with a parameter and a constant that no float represents exactly.
         pub(super) struct Damped { mu }
         xdot = y/(1 + mu^2);
         ydot = -mu*x - 12345678901234567890.123456789*y;

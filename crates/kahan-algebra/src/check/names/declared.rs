@@ -104,7 +104,7 @@ impl Scope {
         }
     }
 
-    /// Declares the free names of the equations as parameters, for a block without header.
+    /// Declares every undeclared name in the equations as a parameter, for a block without header.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
@@ -120,7 +120,7 @@ impl Scope {
                 continue;
             }
             if is_never_free(text, |name| self.is_state_name(name)) {
-                // The later lookup reports it as undeclared.
+                // Skips the name: its later lookup reports it as undeclared.
                 continue;
             }
             if is_keyword(text) {
@@ -140,7 +140,6 @@ fn written_in(block: &Block) -> impl Fn(&str) -> String {
     move |state| format!("{state}{index}")
 }
 
-/// Returns the names in equations, and in claims of a family, with their places.
 pub(in crate::check) fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
     let mut references = Vec::new();
     let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());

@@ -18,7 +18,6 @@ pub(super) fn short(value: f64) -> f64 {
 
 pub(super) struct FloatPlan<'a> {
     plan: &'a Plan,
-    /// Initial values of all operations, with those of constants filled in.
     start: Vec<f64>,
 }
 
@@ -31,7 +30,7 @@ impl<'a> FloatPlan<'a> {
         FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// Returns the outputs, rounded by `round` (twice in a multiply-add); `inputs` by variable.
+    /// Returns the outputs. `round` applies to each result, in a multiply-add also to the product.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         for (value, operation) in values.iter_mut().zip(&self.plan.operations) {
@@ -51,7 +50,6 @@ impl<'a> FloatPlan<'a> {
     }
 }
 
-/// Double arithmetic with an additional rounding of each result.
 struct Rounded<R>(R);
 
 impl<R: Fn(f64) -> f64> Arithmetic for Rounded<R> {

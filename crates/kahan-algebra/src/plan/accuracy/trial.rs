@@ -10,7 +10,6 @@ use super::float_plan::{FloatPlan, SHORT_UNIT, short};
 
 #[derive(Debug)]
 pub(super) struct Trial {
-    /// States, parameters and ε, in the order of variables.
     pub(super) inputs: Vec<f64>,
     /// x̃
     pub(super) next: Vec<f64>,
@@ -26,8 +25,8 @@ pub(super) struct Elimination<'a> {
 }
 
 impl Trial {
-    /// Draws a point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰,
-    /// parameters of absolute value 1/2 to 2. `None` if f′ or det A vanishes.
+    /// Draws a point with ‖εf′‖∞ near `size`. States lie in cubes of half widths 2⁻³ to 2¹⁰,
+    /// parameters have absolute values 1/2 to 2. `None` if f′ or det A vanishes.
     pub(super) fn draw(elimination: &Elimination<'_>, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
         let width = 2_f64.powi(random.below(14) as i32 - 3);
@@ -49,7 +48,7 @@ impl Trial {
             }
             norm = norm.max(sum);
         }
-        // ε is not exactly size/‖f′‖∞: if f′ has one entry, that is a pole.
+        // ε is randomised: at exactly size/‖f′‖∞ a Jacobian with one entry has a pole at size 1.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;
@@ -90,7 +89,6 @@ impl<'a> Elimination<'a> {
         Elimination { states, parameters, values: FloatPlan::of(plan) }
     }
 
-    /// Returns the rows of f′ with f as last column.
     fn rows(&self, round: impl Fn(f64) -> f64 + Copy, inputs: &[f64]) -> Vec<f64> {
         let (n, width) = (self.states, self.states + 1);
         let values: &[f64] = &self.values.run(round, inputs, &[]);
@@ -131,7 +129,6 @@ fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f
     next
 }
 
-/// Solves A d = f for n rows of A with f as last column.
 fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<f64> {
     let width = n + 1;
     for k in 0..n {
@@ -165,7 +162,7 @@ fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<
     all
 }
 
-/// Exchanges row k with the row of the largest entry in column k from k on.
+/// Exchanges row k with the row whose entry in column k is largest, among rows from k on.
 fn bring_up_pivot(rows: &mut [f64], k: usize, width: usize) {
     let (mut pivot, mut i) = (k, k + 1);
     while i * width < rows.len() {

@@ -1,5 +1,5 @@
-//! Solves for the step block by block without expanding det A: an independent set of states by its
-//! pivots, which are 1, the others by Cramer's rule.
+//! Solves for x̃ block by block without expanding det A. In a block, independent states are
+//! eliminated by their pivots, which are 1; Cramer's rule solves for the others.
 //!
 //! For a block K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃), P being the polarised field with x for x̃ in K.
 //! With an independent set S of K and the others R, A_SS = I, so
@@ -27,21 +27,22 @@ use crate::plan::forms::structure::Structure;
 
 const ENTRY_TERMS: usize = 40;
 
-/// Data shared by all orders of rows and scalings of one field.
+/// Data shared by all row orders and scalings.
 pub(in crate::plan) struct Blocks<'a> {
     field: &'a Field,
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
-    /// The index of the first state to solve for; earlier states are known at both points.
+    /// The first state to solve for; earlier states are known at both points.
     first: usize,
 }
 
-/// A block: states R by minors of `rows`, then independent states S, which move by 2ε·`moved`.
+/// A block: states R solved by minors of `rows`, then independent states S with increments
+/// 2ε·`moved`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
-    /// A_RR − A_RS·A_SR with the right-hand side appended, in order of expansion.
+    /// A_RR − A_RS·A_SR with the right-hand side appended, rows in order of expansion.
     rows: Vec<Vec<Polynomial>>,
     independent: Vec<usize>,
     moved: Vec<Polynomial>,
@@ -62,10 +63,10 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// Prepares the tangent vector v of a variational field, where x and x̃ are known.
+    /// Prepares the map of the tangent vector v in a variational field, where x and x̃ are known.
     ///
-    /// Second states stand for x + x̃ and ṽ − v. Then half of the terms of the polarised field
-    /// cancel, and doubling removes the factors ½ that polarisation introduced.
+    /// Second states stand for x + x̃ and ṽ − v. With them half of the terms of the polarised field
+    /// cancel, and doubling removes the factors ½ of polarisation.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -75,7 +76,7 @@ impl<'a> Blocks<'a> {
                 let [state, second] = [Symbol::State(i), Symbol::SecondState(i)]
                     .map(|symbol| Polynomial::variable(field.symbols.variable(symbol)));
                 let shifted = if i < first { &second - &state } else { &second + &state };
-                // Second states have degree 1 at most.
+                // Each second state has degree at most 1.
                 let parts = polarized.coefficients_in(field.symbols.variable(Symbol::SecondState(i)));
                 *polarized = parts.iter().fold(Polynomial::zero(), |sum, (degree, part)| match degree {
                     0 => &sum + part,
@@ -90,7 +91,7 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// Eliminates independent sets by pivots, other states by minors; `None` for too large blocks.
+    /// Eliminates independent states by pivots, others by minors; `None` if a block is too large.
     pub(in crate::plan) fn eliminating(&self) -> Option<Arrangement> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
@@ -99,7 +100,8 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(Arrangement)
     }
 
-    /// Solves by minors of at most `operations` operations, in up to `orders` cheap row orders.
+    /// Solves each block by minors, with at most `operations` operations, in up to `orders` row
+    /// orders.
     pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
@@ -146,7 +148,7 @@ impl<'a> Blocks<'a> {
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // For a tangent vector the reciprocal contains ε.
+        // For a tangent vector the factor ε is in the reciprocal.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),
@@ -166,8 +168,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// Returns the polarised field with x for x̃ in the block's states that are not `known`; for a
-    /// tangent vector, with 0 for their increments.
+    /// Returns the polarised field with x̃ replaced by x in the block's states outside `known`. For
+    /// a tangent vector, replaces their increments by 0.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         if self.is_tangent() {

@@ -14,7 +14,7 @@ pub(in crate::plan) struct Candidate {
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
     pub(in crate::plan) price: u64,
-    /// Operations from a state to the next, which limit the throughput of many orbits.
+    /// Operations from a state to the next, the cost when many orbits run in lanes.
     pub(in crate::plan) operations: usize,
     derived: usize,
 }
@@ -30,8 +30,8 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Makes a form from numerators, each with its reciprocal and with whether the product changes
-    /// its sign. A numerator that is 0 gets no reciprocal.
+    /// Builds a form from numerators, each with its reciprocal and a flag for a negated product. A
+    /// zero numerator gets no reciprocal.
     pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
@@ -45,14 +45,13 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether every prepared constant is rounded once, where that matters.
+    /// Returns whether every prepared constant is rounded only once, unless the writer `folds`.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
 }
 
 impl Writer {
-    /// Returns the kernel, and the number of constants rounded more than once.
     fn kernel(&self, outputs: &[Node]) -> (Plan, usize) {
         let plan = self.draft.builder.finish(outputs);
         let epsilon = self.scaling.epsilon();
@@ -60,8 +59,8 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether every prepared constant that `step` needs is rounded once, where that
-    /// matters. A form that contains `step` needs at least these constants.
+    /// Returns whether every prepared constant that `step` needs is rounded only once, unless the
+    /// writer `folds`. Every form that contains `step` needs these constants.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }
@@ -72,7 +71,7 @@ fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
     let cost = kernel.cost();
-    // A negated numerator becomes a subtraction at the end.
+    // A negated numerator costs nothing: it is subtracted in the last operation.
     let operations = cost.operations() - negated.len() + DERIVED * derived;
     Goal::Early.price(operations, cost.critical_path)
 }

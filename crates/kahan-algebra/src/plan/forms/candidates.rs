@@ -19,7 +19,6 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::numerators::{Power, Products};
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// A writer that contains the denominator, and possibly the numerators.
 struct WithDenominator {
     writer: Writer,
     denominator: Signed,
@@ -28,12 +27,12 @@ struct WithDenominator {
 
 /// Number of cheapest denominators whose numerators are written as products of factors.
 const TRIED: usize = 2;
-/// Products are compared with determinants if their factors have at most this many terms in total.
+/// The most terms of all factors together for which products are compared with determinants.
 const FACTOR_TERMS: usize = 32;
 
 /// Number of row orders compared for blocks of a field with few terms.
 const ROTATIONS: usize = 3;
-/// Blocks of a field with more terms are written in one order only.
+/// Blocks of a field with more terms use a single row order.
 const COMPARED_TERMS: usize = 60;
 /// Maximal number of terms of a reduced map that is written out beside another form.
 const WRITTEN_TERMS: usize = 120;
@@ -47,7 +46,8 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms that may have a shorter recurrence: with two divisions, or over the time step.
+    /// Returns forms that may have a shorter recurrence: with two divisions, or divided by the time
+    /// step.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -55,8 +55,9 @@ impl Forms<'_> {
     }
 }
 
-/// Returns the forms of a field's step: from `kept` sums only, if given; otherwise from the reduced
-/// map (if within the budget) and from A. `None` if the field is too large for straight-line code.
+/// Returns the forms of a field's step, from `kept` sums only, if given. Otherwise from A and from
+/// the reduced map, if it is within the budget. `None` if the field is too large for straight-line
+/// code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&Kept>,
@@ -82,14 +83,14 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether the step may be made from A: the map is beyond the budget, or has more than
-/// three variables and a constant common factor.
+/// Returns whether the step may solve A: if the map is beyond the budget, or if it has more than
+/// three variables and only a constant common factor.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
 
-/// Returns forms that may keep more digits in long steps than `best`, the cheapest first: blocks
-/// solved whole. Each costs at most 3/2 of `best`.
+/// Returns forms that may lose fewer digits in long steps than `best`, cheapest first. They solve
+/// blocks whole, and each costs at most 3/2 of `best`.
 pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
@@ -143,7 +144,7 @@ impl FactoredMap<'_> {
         factors.map(|(factor, _)| factor.len()).sum()
     }
 
-    /// Writes the denominator nested, as a product, and as determinants.
+    /// Writes the denominator in each way: nested, as a product, and as a determinant of A.
     fn denominators(&self, empty: &Writer) -> Vec<WithDenominator> {
         let mut starts = Vec::new();
         let polynomial = &self.map.reduced.denominator;
@@ -162,7 +163,8 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes determinants of A if nothing was divided out: entries are shorter than the expansion.
+    /// Writes determinants of A, whose entries are shorter than the expansion. Requires that no
+    /// common factor was divided out.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -170,16 +172,16 @@ impl FactoredMap<'_> {
         }
         let matrix = scaled_matrix(self.field);
         let mut starts = Vec::new();
-        // The row of the last expansion; for two rows both choices are equal.
+        // The row that is expanded last; with two rows both choices are equal.
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // D̂ may differ from d by a constant, and then its numerators differ, too.
+            // If D̂ differs from d by a constant, so do the numerators.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
             }
-            // Gathered coefficients make the written denominator shorter than the determinant.
+            // With gathered coefficients the written denominator is shorter than the determinant.
             if map_is_unscaled(self.map) && empty.scaling.folds {
                 let mut writer = empty.clone();
                 let denominator = writer.write_scaled(&self.map.reduced.denominator, Goal::Early);
@@ -191,7 +193,6 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes the determinants with the last expansion along row `last`.
     fn expanded(&self, writer: &mut Writer, matrix: &[Vec<Polynomial>], last: usize) -> Determinants {
         let eps = Polynomial::variable(self.field.symbols.epsilon());
         let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
@@ -199,7 +200,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
         };
         let mut rows: Vec<Vec<Entry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A cyclic permutation of three rows keeps the sign.
+        // A cyclic permutation of three rows is even.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }
@@ -213,15 +214,16 @@ impl FactoredMap<'_> {
         Candidate::over(writer, numerators.into_iter().map(over))
     }
 
-    /// Returns a form with two divisions if the denominator has [two factors](Self::two_factors).
-    /// The cycle of an orbit then contains a shorter denominator.
+    /// Returns the form with two divisions, if the denominator has [two
+    /// factors](Self::two_factors). It shortens the recurrence, which then contains only one
+    /// factor.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
     }
 }
 
-/// Returns whether the determinants are d and εn themselves, not multiples of them.
+/// Returns whether the determinants equal d and εn exactly, not up to a constant.
 fn map_is_unscaled(map: &RationalMap) -> bool {
     map.denominator == map.reduced.denominator
 }

@@ -18,7 +18,6 @@ pub(in crate::plan) struct FactoredMap<'a> {
     pub(in crate::plan) map: &'a RationalMap,
     pub(in crate::plan) numerators: Vec<Factored>,
     pub(in crate::plan) denominator: Factored,
-    /// Empty writers, one for each way to distribute ε.
     pub(in crate::plan) empty: Vec<Writer>,
 }
 
@@ -41,7 +40,7 @@ impl<'a> FactoredMap<'a> {
         self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
-    /// Writes all numerators times their power of ε, divided by the factor `without`.
+    /// Writes each numerator, divided by the factor `without`, times a power of ε.
     pub(in crate::plan) fn written_numerators(
         &self,
         writer: &mut Writer,
@@ -56,7 +55,8 @@ impl<'a> FactoredMap<'a> {
         products.finish(writer)
     }
 
-    /// Returns (p, q) for a denominator p·q if all components need p but not all need q (E1, E5).
+    /// Returns the factors (p, q) of a denominator p·q where every component divides by p and some
+    /// do not divide by q (E1, E5).
     pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
@@ -72,8 +72,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Writes short numerators over one factor and long ones over both. Short numerators contain
-    /// the factor `other`; `powers` are of short and long numerators, c/d is the first reciprocal.
+    /// Writes increments n/p and n/(p·q). Numerators that contain q = `other` divide only by p;
+    /// `short` and `long` are their powers of ε. The first reciprocal is c/p.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],
@@ -84,13 +84,13 @@ impl<'a> FactoredMap<'a> {
         let mut writer = self.empty.last()?.clone();
         let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
-        // Divide in sequence: compilers pack two parallel divisions into a slower vector division.
+        // Divides in sequence: compilers pack two parallel divisions into a slower vector division.
         let both = writer.draft.builder.divide(reciprocal, partner.node);
         let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
         let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
         let numerators = self.written_numerators(&mut writer, power, Some(other));
         let constant_flips = self.denominator.coefficient.is_negative();
-        // A short quotient divides by one written factor, a long one by both, each with its sign.
+        // Each written factor contributes its sign.
         let over = |(numerator, product): (Signed, &Factored)| {
             let flips = constant_flips ^ needed.negative;
             match is_short(product) {

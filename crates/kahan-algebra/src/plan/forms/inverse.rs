@@ -1,10 +1,9 @@
 //! Forms divided by the time step: with the inverse time step h = 1/(2ε), 1 + 2εx becomes h + x.
 //!
-//! Up to a constant d = 1 + O(ε), and the factors of ε lie on the path from state to state.
-//! Division by a power of ε moves them to a prepared constant: E1's 1/(h + x) waits for one
-//! addition. If only h is left, as for homogeneous fields of degree 2 in ε, it is the only rounded
-//! constant: the step is Kahan's map at ε = 1/(2h), half an ulp from the given ε. The step has no
-//! value at ε = 0 and overflows earlier, so it needs another form besides.
+//! Up to a constant d = 1 + O(ε), and multiplications by ε delay each step. Dividing by a power of
+//! ε moves them into prepared constants; E1's 1/(h + x) waits for a single addition. If h is the
+//! only rounded constant, the step is exactly Kahan's map at ε = 1/(2h), half an ulp from the given
+//! ε. The form is undefined at ε = 0 and overflows earlier, so another form must accompany it.
 
 use kahan_syntax::rational::Rational;
 
@@ -23,11 +22,12 @@ use crate::plan::writing::writer::Writer;
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// Returns the forms over ε and ε², and the one with two divisions, with constants rounded once
-    /// and a possible [recurrence](crate::plan::StepPlan::recurrence) below this one.
+    /// Returns forms divided by ε or ε², with one or two divisions. Their constants are rounded
+    /// once, and their [recurrence](crate::plan::StepPlan::recurrence) may be below `recurrence`.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // Constants are one product anyway, so division gains nothing.
+            // With folded constants each term has one prepared constant, so division by ε saves
+            // nothing.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -53,13 +53,14 @@ impl FactoredMap<'_> {
         forms
     }
 
-    /// Returns whether a product of states has a sum as coefficient, one constant with its ε.
+    /// Returns whether a product of states has a sum as coefficient, which can be prepared with its
+    /// ε.
     fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
     }
 
-    /// Writes a polynomial with all coefficients prepared, so that a common factor costs nothing.
+    /// Writes a polynomial with one prepared constant for each product of states.
     fn with_coefficients(&self, writer: &mut Writer, polynomial: &Polynomial) -> Signed {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         let terms = groups.into_iter().map(|(states, coefficient)| {
@@ -70,8 +71,8 @@ impl FactoredMap<'_> {
         writer.write(&gathered, Goal::Early)
     }
 
-    /// Returns x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) from the written denominator and its reciprocal c/(d/εᵏ);
-    /// `None` if the denominator shows that the form is useless.
+    /// Returns x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) from the written denominator d/εᵏ and the dividend c.
+    /// `None` if its recurrence cannot be short enough, or a constant is rounded twice.
     fn over_power(
         &self,
         power: u32,
@@ -96,7 +97,7 @@ impl FactoredMap<'_> {
         moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
-    /// Returns 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators over p, 2(n/εᵏ)/(p/εᵏ)/(q/ε) over both.
+    /// Returns 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators over p, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for those over p·q.
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();
@@ -110,7 +111,7 @@ impl FactoredMap<'_> {
         powers.filter_map(form).collect()
     }
 
-    /// Returns p/εᵏ without a power of two, and the dividend that yields 2/(p/εᵏ).
+    /// Returns q = p/εᵏ without a common power of two, and c with c/q = 2/(p/εᵏ).
     fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
         let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
         let two = Rational::from(2);

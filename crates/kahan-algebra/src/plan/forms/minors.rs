@@ -1,6 +1,6 @@
-//! Cramer's rule on operations, without a division: det A, and the determinants with one column
-//! replaced by the right-hand side. Row by row, minors of every set of columns follow from those of
-//! one row less, so all determinants share them. Zero entries cost nothing.
+//! Cramer's rule as operations, without divisions: det A, and its variants with one column replaced
+//! by the right-hand side. Minors of k rows follow from those of k − 1 rows and are shared by all
+//! determinants. Zero entries cost nothing.
 
 use kahan_syntax::table::{Table, sorted_by_key};
 
@@ -42,7 +42,7 @@ fn single(draft: &Draft, row: &[Entry]) -> Table<u64, Signed> {
     entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
 }
 
-/// Returns the minors of two rows; some may be operations already.
+/// Returns the 2×2 minors of two rows, reusing existing operations.
 fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, Signed> {
     let mut minors = Table::new();
     for j in 1..first.len() {
@@ -67,7 +67,7 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, S
     minors
 }
 
-/// Returns ab − cd if the polynomials of all entries are known.
+/// Returns ab − cd, if all four polynomials are known.
 fn minor_of(a: &Entry, b: &Entry, c: &Entry, d: &Entry) -> Option<Polynomial> {
     let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
     Some(&(a? * b?) - &(c? * d?))
@@ -77,7 +77,6 @@ fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
     Signed { node: draft.multiply(a.node, b.node), negative: a.negative != b.negative }
 }
 
-/// Extends the minors by one row.
 fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Table<u64, Signed> {
     let mut terms: Table<u64, Vec<Signed>> = Table::new();
     for (&chosen, minor) in minors.iter() {
@@ -85,7 +84,7 @@ fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Ta
             if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
                 continue;
             }
-            // The entry moves past the chosen columns to its right.
+            // The entry moves past the chosen columns to its right, with one sign change for each.
             let odd = (chosen >> column).count_ones() % 2 == 1;
             let product = times(draft, *minor, *entry).flipped(odd);
             terms.or_default(chosen | 1 << column).push(product);
@@ -94,7 +93,7 @@ fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Ta
     terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
 }
 
-/// Returns an upper bound on the operations of [`determinants`] from the nonzero pattern.
+/// Returns an upper bound on the operations of [`determinants`], from the nonzero pattern.
 pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     let mut known: Vec<u64> = vec![0];
     let mut count = 0;
@@ -116,8 +115,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// Returns the row order of the given rank by [operations], among rotations of the given order, of
-/// sparse rows first, and of dense rows first.
+/// Returns the row order with the given rank by number of [operations]. Compares rotations of three
+/// orders: the given one, sparse rows first, dense rows first.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();

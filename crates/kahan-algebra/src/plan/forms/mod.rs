@@ -1,9 +1,9 @@
-//! The forms of a step, and their comparison.
+//! Forms of a step: different ways to write its operations.
 //!
 //! - `structure` finds blocks of the field and independent states in them.
 //! - `factored_map` writes the reduced map as products over one base of factors.
 //! - `minors` writes determinants of A, `blocks` solves A block by block, `products` solves with f
-//!   as written, `inverse` divides by the time step, `tangent` carries tangent vectors.
+//!   as written, `inverse` divides by the time step, `tangent` maps tangent vectors.
 //! - `candidate` prices a finished form, `candidates` compares forms.
 
 pub(in crate::plan) mod blocks;

@@ -16,7 +16,8 @@ use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, op
 use crate::plan::writing::draft::Signed;
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// Returns one form for each row that can be expanded last; none if there are too many operations.
+/// Returns one form for each choice of the row expanded last; none if there are too many
+/// operations.
 pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();

@@ -1,4 +1,4 @@
-//! The structure of a field: blocks in which A is triangular, and independent states.
+//! The structure of a field: blocks that make A block triangular, and independent states.
 
 use kahan_syntax::table::{distinct, sorted_by_key};
 
@@ -6,10 +6,9 @@ use crate::field::Field;
 use crate::kahan::{field_jacobian, pattern};
 use crate::poly::Polynomial;
 
-/// The pattern of nonzero entries of f′, and components without denominator.
+/// The nonzero pattern of f′, and the components without denominator.
 pub(in crate::plan) struct Structure {
     depends: Vec<Vec<bool>>,
-    /// Whether the component has denominator 1.
     is_whole: Vec<bool>,
 }
 
@@ -29,8 +28,8 @@ impl Structure {
         blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// Returns independent states of a block: they act neither on each other nor on themselves, so
-    /// their rows and columns of A are those of the identity. Chosen greedily.
+    /// Returns independent states of a block, chosen greedily: none depends on itself or on another
+    /// one. Their rows and columns of A are those of the identity.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -45,16 +44,17 @@ impl Structure {
     }
 }
 
-/// Returns the strongly connected components of the graph with edges from i to `depends[i]`, the
-/// states that fᵢ depends on, each after those that it depends on: A is block triangular in this
-/// order. Components that depend on fewer states come first, ties by first state.
+/// Returns the strongly connected components of the dependency graph, each after those that it
+/// depends on; `depends[i]` lists the states in fᵢ. In this order A is block triangular. Components
+/// that depend on fewer states come first, ties by first state.
 pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut blocks = components(depends);
     let mut block_of = vec![0; depends.len()];
     for (number, block) in blocks.iter().enumerate() {
         block.iter().for_each(|&i| block_of[i] = number);
     }
-    // Count the other states that each block depends on, 64 states at a time, one bit each.
+    // Counts the other states that each block depends on, with one bit for each of 64 states at a
+    // time.
     let mut weights = vec![0; blocks.len()];
     let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
     for group in 0..groups {
@@ -78,7 +78,7 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
 fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut components: Vec<Vec<usize>> = Vec::new();
     let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];
-    // The least number known to be reachable from a state inside its component.
+    // Tarjan's low-links: the least number known to be reachable within the component.
     let mut lowest = vec![0; depends.len()];
     let mut is_open = vec![false; depends.len()];
     let (mut open, mut path, mut count) = (Vec::new(), Vec::new(), 0);

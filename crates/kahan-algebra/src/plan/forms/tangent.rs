@@ -1,11 +1,11 @@
-//! Carries a tangent vector v from a point to the next one, both known: v solves
+//! Plans the map of a tangent vector, v ↦ ṽ, where x and x̃ are known:
 //!
 //! ```text
 //! A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v,
 //! ```
 //!
-//! the second half of the variational field's map, written by
-//! [`blocks`](crate::plan::forms::blocks).
+//! the second half of the variational field's map. [`blocks`](crate::plan::forms::blocks) writes
+//! it.
 
 use kahan_syntax::table::sorted_by_key;
 
@@ -20,12 +20,12 @@ use crate::plan::{Node, Plan};
 
 /// Number of row orders compared for a block.
 const ORDERS: usize = 3;
-/// The most operations of Cramer's rule in one block; beyond, numbers along a line take no more.
+/// The most operations of Cramer's rule in one block; beyond, a step over x + δv is as cheap.
 const MOST_OPERATIONS: usize = 300;
 
-/// Returns the plan of ṽ from x, v and x̃, one output for each component. The first half of the
-/// second states holds x̃. Chooses the fewest operations among forms that keep their digits in long
-/// steps; `None` if every form loses digits.
+/// Returns the plan of ṽ from x, v and x̃, one output for each component. x̃ is the first half of
+/// the second states. Chooses the cheapest form that is accurate in long steps; `None` if there is
+/// none.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);

@@ -3,13 +3,13 @@
 use crate::plan::{Node, Plan};
 
 /// The plan from states and prepared constants ([`Input::Prepared`](crate::plan::Input::Prepared))
-/// to the factors of the increments: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// to the increments x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// The outputs are the numerators, one for each component, then the distinct reciprocals, each
-    /// ±c/d or ±c/d/d′ with a power of two c.
+    /// The outputs: one numerator for each component, then the distinct reciprocals, each ±c/d or
+    /// ±c/d/d′ with a power of two c.
     pub plan: Plan,
-    /// For each component the index of its reciprocal; `None` without a division.
+    /// For each component the index of its reciprocal; `None` for an increment without a division.
     pub reciprocal_of: Vec<Option<usize>>,
 }
 

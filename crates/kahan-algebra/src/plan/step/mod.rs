@@ -1,8 +1,8 @@
-//! The plan of a step: constants prepared once for ε and the parameters, and the kernel for each
+//! The plan of a step: constants prepared once for ε and the parameters, and a kernel run at each
 //! state.
 //!
 //! - `split` separates prepared constants from the `kernel`.
-//! - `signs` and `reciprocals` rewrite the kernel after the fusion of multiply-adds.
+//! - `signs` and `reciprocals` choose signs in the kernel after the fusion of multiply-adds.
 //! - `recurrence` measures the cycles from a state to the next.
 
 pub(in crate::plan) mod kernel;
@@ -23,12 +23,12 @@ use crate::plan::{Input, Kernel, Node, Operation, Plan, PlanBuilder};
 /// The largest ‖εf′‖∞ at which the planner measures the accuracy of a step.
 pub const LARGEST_SIZE: u32 = 1000;
 
-/// The cost of a step, carried by a prepared step.
+/// The cost of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
     /// Operations from a state to the next; a multiply-add counts twice.
     pub operations: u32,
-    /// The divisions among them.
+    /// The number of divisions among the operations.
     pub divisions: u32,
     /// Cycles from one state to the next in a long orbit.
     pub critical_path: u32,
@@ -37,18 +37,19 @@ pub struct StepCost {
 /// A straight-line step: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepPlan {
-    /// The prepared constants in order, from ε and the parameters; no states.
+    /// The prepared constants in order, computed from ε and the parameters.
     pub constants: Plan,
-    /// The operations for each state.
+    /// The operations repeated for each state.
     pub kernel: Kernel,
-    /// Whether preparation divides by ε: then the step serves only floats and ε away from zero.
+    /// Whether preparation divides by ε. The plan then serves only floats, and only ε away from
+    /// zero.
     pub has_inverse_step: bool,
-    /// The plan for lanes, if it differs: a second division can shorten the recurrence of one
-    /// orbit, but the divider bounds many orbits at once. If this plan [divides by
-    /// ε](Self::has_inverse_step), `general` also serves all other scalars and ε near zero.
+    /// The plan for lanes, if it differs. A second division can shorten the recurrence of one
+    /// orbit, but many orbits wait for the divider. If `self` [divides by
+    /// ε](Self::has_inverse_step), `general` also serves all other scalars, and ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest size ‖εf′‖∞ among 1, 10, 100, 1000 up to which the step loses about as little as
-    /// elimination with partial pivoting, measured at seeded points. At most [`LARGEST_SIZE`].
+    /// The largest ‖εf′‖∞ among 1, 10, 100 and 1000 up to which the step loses about as few digits
+    /// as elimination with partial pivoting, measured at seeded points; 0 if it loses more at 1.
     pub holds_to: u32,
 }
 
@@ -85,9 +86,7 @@ impl StepPlan {
     }
 
     /// Returns the plan of x̃ from x and the prepared constants: the kernel, then one multiply-add
-    /// for each component.
-    ///
-    /// A numerator −n is subtracted rather than negated, as compilers do.
+    /// for each component. A numerator −n is subtracted rather than negated, as compilers do.
     #[must_use]
     pub fn next(&self, symbols: &Symbols) -> Plan {
         let mut operations = self.kernel.plan.operations.clone();
@@ -113,17 +112,16 @@ impl StepPlan {
         Plan::together([&Plan { operations, outputs }])
     }
 
-    /// Returns whether named values must be kept out of vector registers (three components only).
+    /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// With three components one is left over from every pair, and shuffles cost up to an eighth of
-    /// a step. Two components fill one vector. For more, the fences would make steps too large for
-    /// compilers to inline into loops.
+    /// True for three components only: one is left over from every pair, and shuffles cost up to an
+    /// eighth of a step. Two components fill a vector. For more, the fences would make steps too
+    /// large to be inlined into loops.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3
     }
 
-    /// Separates the constants from the kernel.
     pub(in crate::plan) fn new(
         builder: &PlanBuilder,
         field: &Field,
@@ -153,8 +151,8 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are still inputs here and substituted later by `mapped`. So
-        // every division found now is one by ε.
+        // Reciprocals of parameters are still inputs at this stage; `mapped` substitutes them
+        // later. Hence every division found here is one by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
@@ -168,10 +166,10 @@ impl StepPlan {
 }
 
 impl PlanBuilder {
-    /// Divides the increment of a single variable directly, x̃ = x ± 2εn/d: returns the numerator
-    /// over the divisor of a reciprocal ±1/d or ±2/d; `None` for other reciprocals.
+    /// Divides the increment of a single variable directly: x̃ = x ± 2εn/d. Returns the quotient
+    /// for a reciprocal ±1/d or ±2/d; `None` for other reciprocals.
     ///
-    /// A shared reciprocal saves divisions for several components. For one, its multiplication
+    /// A shared reciprocal saves divisions for several components. For one component, the product
     /// would lengthen the recurrence and round once more, and an orbit might miss a pole.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };

@@ -1,7 +1,6 @@
-//! Chooses the sign of each reciprocal, c/d or −c/d, so that most of its numerators need no
-//! negation.
+//! Chooses the sign of each reciprocal, c/d or −c/d, to minimise negated numerators.
 //!
-//! Rounding is symmetric, so no bit of x̃ changes. Floats fold a negation into the last
+//! Rounding is symmetric, so no bit of x̃ changes. Floats merge a negation with the last
 //! subtraction, but other scalars (error bounds, lanes, double-doubles) would execute it.
 
 use kahan_syntax::rational::Rational;
@@ -12,7 +11,7 @@ use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 #[must_use]
 pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     let plan = &kernel.plan;
-    // For each component the division of a literal at the start of its reciprocal.
+    // For each component the first division of its reciprocal.
     let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
     let bases: Vec<Option<Node>> =
         kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
@@ -53,12 +52,11 @@ pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     Kernel { plan: builder.finish(&outputs), ..kernel }
 }
 
-/// Returns whether an operation is a literal divided one or more times.
 pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
     base(plan, node).is_some()
 }
 
-/// Returns the division of a literal at the start of a reciprocal c/d/d′.
+/// Returns the first division, c/d, of a reciprocal c/d/d′.
 fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);
@@ -77,7 +75,7 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     }
 }
 
-/// Returns whether only divisions use a quotient; eliminated components also use reciprocals.
+/// Returns whether a quotient is used only as the dividend of further divisions.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
     let uses = |user: &Operation| user.operands().any(|operand| operand == quotient);
     kernel.operations.iter().enumerate().filter(|(_, user)| uses(user)).all(|(index, user)| {

@@ -1,7 +1,8 @@
 //! The time of a step in an orbit, where each step waits for the previous one.
 //!
 //! The relevant path is the longest dependency cycle from a state through several steps back to
-//! itself, not the longest path through one step: a component absent from denominators may be late.
+//! itself. The longest path through one step would overestimate it: components that no denominator
+//! contains may finish later.
 
 use crate::poly::Variable;
 
@@ -15,8 +16,8 @@ impl StepPlan {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Returns the largest mean of cycles over dependency cycles of up to n steps, in units of 1/60
-    /// cycle. Means over seven or more steps are rounded down.
+    /// Returns the largest mean cycles per step over dependency cycles of up to n steps, in units
+    /// of 1/60 cycle. Means over seven or more steps are rounded down.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
@@ -60,23 +61,22 @@ impl StepPlan {
     }
 }
 
-/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of steps that move these states
-/// by multiples of one reciprocal, for all multiples and all fusions of sums.
+/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of all steps that move the
+/// states `moving` by multiples of one reciprocal.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // A single component is divided directly.
+    // A single component divides directly and needs no product.
     let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
 }
 
-/// Returns the least cycles from a variable to an operation; `None` if independent.
 pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
     let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
     for operation in &operations[..=node.0] {
         let ready = match *operation {
             Operation::Input(Input::Variable(input)) => (input == variable).then_some(0),
-            // Signs move elsewhere.
+            // Negations are moved elsewhere and cost nothing.
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {
                 let summand = |summand: Node| match operations[summand.0] {
@@ -96,10 +96,10 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// Units in a cycle: a multiple of 1 to 6, so that means over up to six steps are integers.
+/// Time units in a cycle. A multiple of 1 to 6 keeps means over up to six steps integral.
 const UNIT: u64 = 60;
 
-/// Returns the longest paths through one step after another.
+/// Returns the longest paths through two steps in sequence.
 fn composed(first: &[Vec<Option<u32>>], second: &[Vec<Option<u32>>]) -> Vec<Vec<Option<u32>>> {
     let n = first.len();
     let through = |i: usize, j: usize| (0..n).filter_map(|k| Some(second[i][k]? + first[k][j]?)).max();

@@ -1,17 +1,15 @@
 //! Chooses the sign of each value in a kernel with prepared differences.
 //!
-//! A constant a − b is prepared as b − a, and dependent values change their sign, if fewer sums
-//! then subtract and fewer results are negated. Rounding is symmetric, so no bit changes. The order
-//! of a difference in normal form is arbitrary; with a good one, similar components use the same
-//! instructions, and compilers that vectorise scalar code save a fifth of its instructions. Kernels
-//! without prepared differences stay unchanged.
+//! A constant a − b may be prepared as b − a; dependent values then change their sign. Signs are
+//! chosen so that fewer sums subtract and fewer results are negated. Rounding is symmetric, so no
+//! bit changes. Similar components then use equal instructions, and compilers that vectorise scalar
+//! code save a fifth of them. Kernels without prepared differences stay unchanged.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Cost of a negated result; a subtraction costs 1, as it differs from neighbouring additions.
+/// The cost of a negated result, relative to 1 for a subtraction among additions.
 const NEGATION: usize = 4;
 
-/// Maximal rounds of the descent; it nearly always ends earlier.
 const ROUNDS: usize = 4;
 
 /// Returns constants and kernel with chosen signs; neither operations nor critical path increase.
@@ -35,19 +33,20 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (turn_constants(&constants, &turned), rebuilt)
 }
 
-/// A search over signs of prepared differences and mixed sums; `reversed` is a choice.
+/// A search over the signs of prepared differences and mixed sums. A choice lists the `reversed`
+/// ones.
 struct Search<'a> {
     kernel: &'a Plan,
-    /// For each prepared constant its node in the kernel, if it is a difference.
+    /// For each prepared constant its node in the kernel, if the constant is a difference.
     prepared: Vec<Option<Node>>,
-    /// Whether an operation reads a prepared difference.
+    /// Whether the sign of an operation is a free choice.
     is_free: Vec<bool>,
 }
 
 struct Signs {
-    /// Whether the value is carried with opposite sign.
+    /// Whether the value is stored with opposite sign.
     negative: Vec<bool>,
-    /// Whether the choice matters at this operation.
+    /// Whether a choice at this operation affects the cost.
     is_choice: Vec<bool>,
     cost: usize,
 }
@@ -68,9 +67,9 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// Returns the best choice found by [`Self::descended`] from several starts: the initial one,
-    /// each constant reversed, separately and in addition, and everything reversed that a negated
-    /// result depends on. A constant in several sums pays only if all change together.
+    /// Returns the best choice found by [`Self::descended`] from several starts: the initial one;
+    /// each constant reversed, separately or in addition; and everything reversed that a negated
+    /// result depends on. A constant in several sums pays off only if all of them change together.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.descended(none.clone());
@@ -98,7 +97,7 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Reverses every choice that a value depends on.
+    /// Reverses every free choice that a value depends on.
     fn turn_all_before(&self, node: Node, reversed: &mut [bool]) {
         let mut is_before = vec![false; self.kernel.operations.len()];
         is_before[node.0] = true;
@@ -112,7 +111,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Reverses single choices while that lowers the cost.
+    /// Reverses single choices as long as the cost falls.
     fn descended(&self, mut reversed: Vec<bool>) -> Vec<bool> {
         let mut best = self.signs(&reversed);
         for _ in 0..ROUNDS {
@@ -172,7 +171,7 @@ impl<'a> Search<'a> {
             let (first, second) = summands(operation, |node| signs.negative[node.0]);
             let (first, second) = (first != signs.negative[index], second != signs.negative[index]);
             let operation = match *operation {
-                // The operand carries the negated value already.
+                // The stored operand already has the opposite sign.
                 Operation::Negate(a) => return renamed[a.0],
                 Operation::Add(a, b) | Operation::Subtract(a, b) => match (first, second) {
                     (false, false) => Operation::Add(new(a), new(b)),
@@ -203,7 +202,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Returns the carried signs of both summands of a sum; (false, false) for other operations.
+/// Returns whether each summand of a sum is stored with opposite sign; (false, false) for other
+/// operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

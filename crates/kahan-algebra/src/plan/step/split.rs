@@ -4,7 +4,7 @@ use crate::poly::Variable;
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Counts outputs that contain products of two values with ε: constants rounded more than once.
+/// Counts outputs that contain a product of two values depending on ε, hence are rounded twice.
 pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
     let mut contains = vec![false; plan.operations.len()];
     let mut derived = vec![false; plan.operations.len()];
@@ -19,7 +19,7 @@ pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usiz
     plan.outputs.iter().filter(|output| derived[output.0]).count()
 }
 
-/// Splits a plan: outputs of the first plan, which depends on no variable that `varies`, are the
+/// Splits a plan into two. Outputs of the first plan, which is free of varying variables, are the
 /// prepared constants of the second. Exact literals stay in the second plan.
 #[must_use]
 pub(in crate::plan) fn split(
@@ -28,12 +28,12 @@ pub(in crate::plan) fn split(
     varies: impl Fn(Variable) -> bool,
 ) -> (Plan, Plan) {
     // A zero divisor is a pole of the step, not an error of preparation, so divisions stay in the
-    // kernel. Division by ε is prepared; the caller has checked ε.
+    // kernel. Only division by ε is prepared, since the caller has checked ε.
     let is_epsilon = |node: Node| plan.operations[node.0] == Operation::Input(Input::Variable(epsilon));
     split_where(plan, is_epsilon, varies)
 }
 
-/// Splits the plan of a line without poles; quotients are prepared, too.
+/// Splits a plan like `split`, with all state-independent quotients prepared.
 #[must_use]
 pub(crate) fn separated(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
     split_where(plan, |_| true, varies)

@@ -1,4 +1,5 @@
-//! A plan under construction that knows when values are ready, so that late ones combine last.
+//! A plan under construction that tracks when values are ready, so that late ones are combined
+//! last.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,14 +17,13 @@ use crate::plan::{Input, Node, Operation, PlanBuilder};
 pub(in crate::plan) struct Draft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
-    /// Whether an operation depends on no state and is a prepared constant.
     fixed: Vec<bool>,
-    /// For each operation the number of operations up to it that depend on a state.
+    /// For each operation the number of state-dependent operations up to and including it.
     sizes: Vec<usize>,
     /// The number of states; later variables up to ε are parameters.
     states: u16,
     epsilon: Variable,
-    /// Whether constants may be multiplied with each other, see [`Self::product`].
+    /// Whether constants may be multiplied with each other; see [`Self::product`].
     folds: bool,
 }
 
@@ -65,7 +65,6 @@ impl Draft {
         self.ready[node.0]
     }
 
-    /// Returns the number of state-dependent operations that a node needs, itself included.
     pub(in crate::plan) fn size_of(&mut self, node: Node) -> usize {
         self.settle();
         let operations = self.builder.operations();
@@ -119,11 +118,11 @@ impl Draft {
         self.builder.multiply(a, b)
     }
 
-    /// Returns the product of all factors, the earliest two first; existing products come before
-    /// new ones.
+    /// Returns the product of all factors, the two that are ready first to begin with. Prefers
+    /// products that exist already.
     ///
-    /// Unless the draft folds constants, two constants are not multiplied while a state is left:
-    /// the rounding error of their product would recur in every step, and integrals would drift.
+    /// Unless the draft folds constants, it avoids multiplying two constants: the rounding error of
+    /// their product would recur in every step, and integrals would drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
             [] => return self.constant(&Rational::one()),
@@ -144,12 +143,12 @@ impl Draft {
         factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
-    /// Returns two factors whose product exists already, preferring a factor with few partners.
-    /// Equal factors must be adjacent. Returns `None` for very many different factors.
+    /// Returns two factors whose product exists already, preferring a factor in few such pairs.
+    /// Equal factors must be adjacent. `None` if there are too many different factors.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         const MOST_COMPARED: usize = 64;
 
-        // Powers are long runs of one factor.
+        // Groups equal factors, since powers repeat a factor many times.
         let mut runs: Vec<Range<usize>> = Vec::new();
         for run in factors.chunk_by(|a, b| a == b) {
             let start = runs.last().map_or(0, |last| last.end);
@@ -176,7 +175,7 @@ impl Draft {
         Some((runs[i].start, runs[j].start + usize::from(i == j)))
     }
 
-    /// Returns the sum of signed terms, the earliest two first.
+    /// Returns the sum of signed terms, beginning with the two that are ready first.
     pub(in crate::plan) fn sum(&mut self, terms: &[Signed]) -> Node {
         let sum = self.signed_sum(terms);
         self.node(sum)
@@ -186,10 +185,10 @@ impl Draft {
         if signed.negative { self.builder.negate(signed.node) } else { signed.node }
     }
 
-    /// Returns the sum of signed terms with its sign separate.
+    /// Returns the sum of signed terms up to a sign, which is returned separately.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         self.settle();
-        // Ties: the latest sum comes first, then terms in order.
+        // Among terms ready at one time the latest sum comes first.
         let waiting = terms.iter().zip(0_i64..);
         let mut waiting: BinaryHeap<_> =
             waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();
@@ -213,7 +212,7 @@ impl Draft {
         }
     }
 
-    /// Sorts values by readiness, constants first.
+    /// Sorts values by the cycle in which they are ready, constants first.
     fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
         self.settle();
         sorted_by_key(values, |value| self.order(node(value)))
@@ -235,7 +234,6 @@ impl Signed {
         Signed { node, negative: false }
     }
 
-    /// Returns the value, negated if `flip`.
     pub(in crate::plan) fn flipped(self, flip: bool) -> Self {
         Signed { negative: self.negative != flip, ..self }
     }
@@ -254,13 +252,13 @@ mod tests {
         draft
     }
 
-    /// Comparing all pairs of a thousand equal factors would never end.
+    /// A thousand equal factors: comparing all pairs would never end.
     #[test]
     fn a_long_power_is_made_by_squaring() {
         assert_eq!(product_of(1, 1 << 10).length(), 11);
     }
 
-    /// Comparing all pairs of four thousand factors before each product would never end.
+    /// Four thousand factors: comparing all pairs before each product would never end.
     #[test]
     fn a_long_product_is_made_factor_by_factor() {
         assert_eq!(product_of(4000, 1).length(), 4000 + 3999);

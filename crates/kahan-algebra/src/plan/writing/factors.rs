@@ -1,11 +1,12 @@
-//! Factors several polynomials over one base: common factors of two, contents in one variable, and
-//! factors of quadratics with a square discriminant. Finds only factors that steps reuse.
+//! Factors several polynomials over one base. Finds common factors of two polynomials, common
+//! factors of coefficients, and factors of quadratics with a square discriminant; steps rarely need
+//! others.
 
 use kahan_syntax::rational::Rational;
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
-/// The most work to find factors; beyond it polynomials stay unchanged.
+/// The most work spent on factors; beyond it polynomials stay unfactored.
 const WORK: u64 = 20_000;
 const TERMS: usize = 60;
 /// The most terms of a polynomial whose discriminants are computed.
@@ -65,7 +66,8 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     base
 }
 
-/// Divides by coefficient and monomial; the leading coefficient becomes positive.
+/// Divides by the coefficient and monomial common to all terms; makes the leading coefficient
+/// positive.
 fn core(polynomial: &Polynomial) -> Polynomial {
     polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
 }
@@ -82,14 +84,14 @@ fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynom
     gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the common factor of the coefficients in some variable, if it is proper.
+/// Returns the common factor of the coefficients with respect to some variable, if not constant.
 fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // A coefficient of one term is divisible only by monomials, which are removed.
+        // A coefficient of one term has only monomial factors, which were removed before.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }
@@ -98,7 +100,7 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     })
 }
 
-/// Returns a factor of av² + bv + c: if b² − 4ac is a square s², one is shared with 2av + b − s.
+/// Returns a factor of av² + bv + c. If b² − 4ac = s², it is the gcd with 2av + b − s.
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;
@@ -182,8 +184,7 @@ mod tests {
         }
     }
 
-    /// Two numerators of E6 share y + ε(x² − z²). The third has neither a common factor nor a
-    /// content; its discriminant factors it.
+    /// E6: two numerators share y + ε(x² − z²); the discriminant of the third factors it.
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
@@ -191,7 +192,8 @@ mod tests {
         assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
     }
 
-    /// E3: z + ε(x² + y²) is shared; x² + y² is the content of the third numerator in z.
+    /// E3: z + ε(x² + y²) is shared; x² + y² is the common factor of the coefficients of zᵏ in the
+    /// third numerator.
     #[test]
     fn what_coefficients_share_is_a_factor() {
         let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");

@@ -1,9 +1,9 @@
 //! Turns polynomials into operations.
 //!
 //! - `scaling` makes products of ε with parameters and states variables of their own.
-//! - `nesting` chooses the variable to factor out of terms, `factors` a base of factors of several
-//!   polynomials, `numerators` the order of multiplication.
-//! - `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses
+//! - `nesting` chooses the variable to factor out of terms, `factors` computes a common base of
+//!   factors, `numerators` chooses the order of multiplications.
+//! - `writer` writes a polynomial into a `draft`, which tracks when each value is ready, and reuses
 //!   existing operations.
 
 pub(in crate::plan) mod draft;

@@ -1,8 +1,8 @@
 //! Chooses the nested form of a polynomial by estimated cost.
 //!
-//! A form is a sum of terms and of products v·q; each choice of v gives another one. The estimate
-//! counts operations without sharing and the cycle in which the value is ready. A budget limits the
-//! terms examined; beyond it, all variables of a polynomial are factored out at once.
+//! A form is a sum of terms and of products v·q; each choice of v gives another form. Its estimate
+//! counts operations, without sharing, and the cycle in which the value is ready. A budget limits
+//! the examined terms; beyond it, all variables of a polynomial are factored out at once.
 
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -19,17 +19,17 @@ use kahan_program::cost::{ADD, MULTIPLY};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// The most terms for which all forms are compared; longer ones use their most frequent variable.
+/// The most terms for which all forms are compared; longer ones factor out their most frequent
+/// variable.
 const COMPARED: usize = 12;
 
 const MOST_LOOKED_AT: usize = 1_000_000;
 
-/// The aim of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum Goal {
-    /// Early readiness: for the denominator, which everything waits for.
+    /// Early readiness, for the denominator: all other operations wait for it.
     Early,
-    /// Few operations: for numerators, which are computed during the division.
+    /// Few operations, for numerators: they are computed during the division.
     Few,
 }
 
@@ -46,7 +46,6 @@ impl Goal {
 #[derive(Clone, Debug)]
 pub(in crate::plan) enum Summand {
     Term(Monomial, Rational),
-    /// A monomial with its coefficient, times a sum.
     Product(Monomial, Rational, Rc<Polynomial>),
 }
 
@@ -57,11 +56,11 @@ struct Estimate {
     form: Form,
 }
 
-/// A form; its summands are made only if it is chosen.
+/// The chosen form of a polynomial; its summands are made on demand.
 #[derive(Debug)]
 enum Form {
     Flat,
-    /// A product, and a rest with its own estimate.
+    /// A product v·q, and the remaining terms with their own estimate.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
     Grouped(Vec<Summand>),
 }
@@ -119,7 +118,6 @@ impl Nesting {
         estimate
     }
 
-    /// Returns whether a term depends on no state.
     pub(in crate::plan) fn is_fixed(&self, monomial: &Monomial) -> bool {
         monomial.powers().iter().all(|(variable, _)| self.scaling.ready(*variable).is_none())
     }
@@ -159,7 +157,8 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out; others are prepared instead.
+    /// Returns whether a variable may be factored out; other variables belong to prepared
+    /// constants.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
@@ -183,7 +182,6 @@ impl Nesting {
         estimate
     }
 
-    /// Returns the operations of a term and the cycle in which it is ready.
     fn term(&self, monomial: &Monomial, coefficient: &Rational) -> (usize, u32) {
         let mut factors: Vec<u32> = Vec::new();
         let mut has_fixed = false;
@@ -220,7 +218,6 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
 
-    /// Estimates the form that factors out all variables at once, most frequent first.
     fn grouped(&self, polynomial: &Polynomial) -> Estimate {
         let (products, rest) = by_frequency(polynomial, |variable| self.may_be_out(variable));
         let flat = self.flat(&rest);
@@ -235,7 +232,8 @@ impl Nesting {
         Estimate { operations, summands, form: Form::Grouped(own) }
     }
 
-    /// Returns variable · quotient as a summand, its operations, and its cycle of readiness.
+    /// Returns variable · quotient as a summand, its number of operations, and the cycle when it is
+    /// ready.
     fn product(&self, variable: Variable, quotient: Polynomial) -> (Summand, usize, u32) {
         let mut monomial = quotient.monomial_content();
         let inner = if monomial.is_one() {
@@ -259,23 +257,22 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
 }
 
-/// The cost in operations of a prepared constant that is rounded more than once.
+/// The penalty in operations for a prepared constant that is rounded twice.
 pub(in crate::plan) const DERIVED: usize = 3;
 
-/// Returns the cycle in which the sum of values is ready, earliest two first.
+/// Returns the cycle in which a sum is ready that always adds the two earliest values.
 fn gathered(ready: &[u32]) -> u32 {
     combined(ready.to_vec(), ADD)
 }
 
-/// Returns the cycle in which the product of values is ready, earliest two first.
+/// Returns the cycle in which a product is ready that always multiplies the two earliest values.
 fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-/// Returns the cycle in which one value is left, where two become one after `latency` cycles.
+/// Returns the cycle in which one value is left if the earliest two become one after `latency`.
 fn combined(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
-    // The earliest two stand last.
     while let [.., later, _] = ready[..] {
         ready.truncate(ready.len() - 2);
         let at = later + latency;
@@ -289,7 +286,7 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// The sum of all products of 200 states, one at a time, would examine 200 · 10 000 terms.
+    /// The sum of all products of 200 states; one variable at a time would examine 2 000 000 terms.
     #[test]
     fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
         let state = |k: usize| Monomial::variable(Variable(k as u16));

@@ -1,4 +1,5 @@
-//! The numerators times powers of ε as products of factors; shared subproducts are multiplied once.
+//! Writes the numerators, times powers of ε, as products of factors. Products of two factors that
+//! several numerators contain are computed once.
 
 use crate::poly::{Polynomial, Variable};
 
@@ -9,7 +10,7 @@ use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::scaling::over_eps;
 use crate::plan::writing::writer::Writer;
 
-/// The factor that multiplies each numerator n.
+/// A power of ε that multiplies each numerator n.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plan) enum Power {
     Eps,
@@ -24,7 +25,7 @@ impl Power {
         }
     }
 
-    /// Cancels powers of ε in each factor; returns the product and the remaining power.
+    /// Divides factors by ε where possible; returns the product and the remaining power.
     fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
         let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
         let mut product = product.clone();
@@ -62,7 +63,8 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds the product times a power of ε, placed where it costs the fewest operations.
+    /// Adds a product times a power of ε. Multiplies the factor by ε where that costs the fewest
+    /// operations.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();
@@ -77,7 +79,7 @@ impl Products {
         self.lists.push(writer.cheapest(&places, write, |list| list.nodes.len()));
     }
 
-    /// Multiplies, beginning with pairs of factors that several products contain.
+    /// Multiplies out all products, beginning with pairs of factors that several products contain.
     pub(in crate::plan) fn finish(mut self, writer: &mut Writer) -> Vec<Signed> {
         while let Some((a, b)) = self.shared_pair() {
             let node = writer.draft.multiply(a, b);
@@ -90,7 +92,6 @@ impl Products {
         self.lists.into_iter().map(&mut product).collect()
     }
 
-    /// Returns the pair that most products contain, if at least two do.
     fn shared_pair(&self) -> Option<(Node, Node)> {
         let mut best: Option<(usize, (Node, Node))> = None;
         for list in &self.lists {
@@ -130,7 +131,7 @@ impl Factors {
     }
 }
 
-/// Writes the power of ε into the monomial (place 0) or the k-th factor (place k).
+/// Multiplies the monomial (place 0) or factor k (place k) of a product by the power of ε.
 fn with_power_at(writer: &mut Writer, product: &Factored, power: Power, place: usize) -> Factors {
     let epsilon = writer.scaling.epsilon();
     let mut list = Factors::default();

@@ -1,6 +1,6 @@
 //! Distributes powers of ε over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
 //!
-//! With εx computed first, a term needs no multiplication by ε, and ε is the only rounded constant.
+//! If εx is computed first, terms need no multiplication by ε, and ε is the only rounded constant.
 //! A scaled symbol is a variable numbered after all others. Forms divided by the time step also use
 //! the [inverse time step](crate::plan::forms::inverse), the last of these variables.
 
@@ -11,19 +11,19 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use kahan_program::cost::{DIVIDE, MULTIPLY};
 
-/// The first variable for coefficients; symbols have lower numbers.
+/// The first variable of gathered coefficients; symbols have lower numbers.
 const COEFFICIENTS: u16 = 1 << 15;
-/// 1/(2ε), one variable for all forms.
+/// The variable of 1/(2ε), the same for all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
-/// The approximate cycle in which a state of the next point is ready: after a division.
+/// The approximate cycle in which a state of the next point is ready, after a division.
 const LATE: u32 = 2 * DIVIDE;
 
-/// The symbols of a term that absorb its powers of ε first.
+/// The kind of symbol that absorbs powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum First {
-    /// States before parameters: for fields whose parameters multiply some terms only.
+    /// States first, for fields whose parameters occur in some terms only.
     States,
-    /// Parameters before states: εa₁ is prepared, so that x need not be scaled.
+    /// Parameters first: εa₁ is prepared, so x needs no scaling.
     Parameters,
 }
 
@@ -31,11 +31,11 @@ pub(in crate::plan) enum First {
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Scaling {
     states: usize,
-    /// The number of plain symbols: states, parameters, ε and second states.
+    /// The number of unscaled symbols: states, parameters, ε and second states.
     offset: u16,
     epsilon: Variable,
     first: First,
-    /// Whether the constants of a term are prepared as one, which rounds them twice.
+    /// Whether all constants of a term are multiplied into one prepared constant, rounded twice.
     pub(in crate::plan) folds: bool,
 }
 
@@ -59,12 +59,10 @@ impl Scaling {
         Variable(COEFFICIENTS + u16::try_from(k).expect("few coefficients are gathered"))
     }
 
-    /// Returns the variable εv for a state or parameter v.
     pub(in crate::plan) fn scaled(&self, symbol: Variable) -> Variable {
         Variable(symbol.0 + self.offset)
     }
 
-    /// Returns v for a variable εv.
     pub(in crate::plan) fn unscaled(&self, variable: Variable) -> Option<Variable> {
         let is_scaled = variable.0 >= self.offset && variable.0 < INVERSE_STEP.0;
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
@@ -87,8 +85,8 @@ impl Scaling {
         }
     }
 
-    /// Returns the distinct ways to scale the terms. If a term has fewer powers of ε than states,
-    /// the first states in an order of preference stay plain.
+    /// Returns the distinct ways to distribute ε. If a term has fewer powers of ε than states, some
+    /// states stay unscaled: the first ones in each order of preference.
     pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];
@@ -147,8 +145,8 @@ impl Scaling {
     }
 }
 
-/// Returns whether volumes shrink or grow everywhere at one rate (div f is a nonzero constant).
-/// Then no measure or integral exists that a constant rounded twice could make drift.
+/// Returns whether div f is a nonzero constant: volumes then shrink or grow everywhere at one rate.
+/// No measure or integral exists that rounding constants twice could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
@@ -158,19 +156,18 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Returns orders of these states in which each comes first once.
+/// Returns orders of these states, one beginning with each state.
 fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
     (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }
 
-/// Returns whether a coefficient is ±2ᵏ.
 pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
     coefficient
         .as_small_ratio()
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
 
-/// Returns the scalings by preference; one if there are no parameters.
+/// Returns the scalings to try, the preferred one first; a single one if there are no parameters.
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
@@ -180,12 +177,11 @@ pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     }
 }
 
-/// Returns p/εᵏ as a polynomial in the other symbols, ε and h: ε cancels as far as p contains it.
+/// Returns p/εᵏ as a polynomial in the other symbols, ε and h = 1/(2ε).
 pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
     let divided = polynomial.terms().map(|(monomial, coefficient)| {
         let cancelled = monomial.exponent(epsilon).min(power);
         let rest = monomial.div(&Monomial::power(epsilon, cancelled)).expect("it has so many powers of ε");
-        // 1/ε is 2h.
         let scale = Rational::from(1 << (power - cancelled));
         (rest.mul(&Monomial::power(INVERSE_STEP, power - cancelled)), coefficient * &scale)
     });
@@ -196,7 +192,7 @@ pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Va
 mod tests {
     use super::*;
 
-    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, the term with ε² keeps one.
+    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; divided by ε, one ε remains in the last term.
     #[test]
     fn eps_cancels_as_far_as_a_term_has_it() {
         let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));

@@ -1,5 +1,5 @@
-//! Writes scaled polynomials as operations and reuses existing ones: equal polynomials up to sign,
-//! and sums of which a multiple shortens the polynomial.
+//! Writes scaled polynomials as operations and reuses existing operations: equal polynomials up to
+//! sign, and sums that shorten the polynomial if a multiple is subtracted.
 
 mod cheapest;
 mod coefficients;
@@ -20,39 +20,37 @@ use crate::plan::writing::nesting::{Goal, Nesting, Summand};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// The most terms of a polynomial in which multiples are sought; the cost is quadratic.
+/// The most terms of a polynomial in which multiples of sums are sought; the cost is quadratic.
 const REUSED: usize = 24;
 
-/// The most terms for which a common constant may stay inside, as its products may exist already.
+/// Up to this many terms a common constant is not factored out: its products may exist already.
 const SHARED: usize = 3;
 
-/// A matrix entry: its polynomial over scaled symbols, if known, and its operation.
+/// A matrix entry: its operation, and its polynomial over scaled symbols if known.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Entry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
     pub(in crate::plan) written: Signed,
 }
 
-/// A draft with the polynomials that its operations compute.
+/// A draft that remembers the polynomial that each operation computes.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Writer {
     pub(in crate::plan) draft: Draft,
     pub(in crate::plan) scaling: Scaling,
-    /// The polynomials with positive leading coefficients, in order of creation.
+    /// The remembered polynomials, with positive leading coefficients, in order of creation.
     made: Numbered<Rc<Polynomial>>,
     steps: Vec<Signed>,
-    /// The indices of polynomials with several terms.
     sums: Vec<usize>,
-    /// Nodes that replace symbols.
     put: Vec<(Variable, Node)>,
-    /// Sums of constants prepared as one.
+    /// The gathered coefficients: sums of constants, each prepared as one constant.
     coefficients: Vec<Polynomial>,
-    /// Forms for `Goal::Early` and `Goal::Few`.
+    /// The chosen forms for `Goal::Early` and `Goal::Few`.
     nestings: Rc<[Nesting; 2]>,
 }
 
 impl Writer {
-    /// Returns an empty writer for each way to distribute ε. Clones share their estimates of forms.
+    /// Returns an empty writer for each distribution of ε. Clones share their estimates of forms.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }
@@ -71,7 +69,6 @@ impl Writer {
         }
     }
 
-    /// Returns the node of a plain or scaled symbol.
     pub(in crate::plan) fn variable(&mut self, variable: Variable) -> Node {
         if variable == INVERSE_STEP {
             return self.inverse_step(&Rational::one());
@@ -92,13 +89,13 @@ impl Writer {
         self.draft.builder.divide(half, eps)
     }
 
-    /// Returns the node of a plain symbol; a state of the next point is an operation.
+    /// Returns the node of an unscaled symbol; states of the next point are results of operations.
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
     }
 
-    /// Returns c/d; with c = 2 the increment 2εn/d needs no multiplication by 2.
+    /// Returns c/d. With c = 2 the increment 2εn/d needs no multiplication by 2.
     pub(in crate::plan) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
         let c = self.draft.constant(c);
         self.draft.builder.divide(c, denominator)
@@ -109,7 +106,7 @@ impl Writer {
         self.draft.builder.divide(eps, denominator)
     }
 
-    /// Replaces a symbol by a node from now on.
+    /// Replaces a symbol by a node in all later polynomials.
     pub(in crate::plan) fn put(&mut self, symbol: Variable, node: Node) {
         self.put.push((symbol, node));
     }
@@ -124,26 +121,25 @@ impl Writer {
         written.flipped(sign)
     }
 
-    /// Writes a polynomial in plain symbols and ε, with powers of ε distributed in the first way.
+    /// Writes a polynomial in unscaled symbols and ε, with the first distribution of powers of ε.
     pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
     }
 
-    /// Records that an operation computes this polynomial in plain symbols and ε.
+    /// Records that an operation computes this polynomial in unscaled symbols and ε.
     pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
         let scaled = self.scaling.scale_first(polynomial);
         self.remember(&scaled, written);
     }
 
-    /// Writes a matrix entry, with powers of ε distributed in the first way.
+    /// Writes a matrix entry with the first distribution of powers of ε.
     pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: Goal) -> Entry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
         Entry { polynomial: Some(polynomial), written }
     }
 
-    /// Returns the operation that computes this polynomial over scaled symbols, if any.
     pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let gathered = self.gathered(polynomial);
         let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
@@ -213,7 +209,7 @@ impl Writer {
         let nesting = &nestings[usize::from(goal == Goal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        // Low degrees first: their products can be factors of others.
+        // Writes low degrees first, since their products may be factors of others.
         let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Summand::Term(monomial, _) => monomial.degree(),
             Summand::Product(..) => 0,

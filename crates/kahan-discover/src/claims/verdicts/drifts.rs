@@ -1,4 +1,4 @@
-//! Drifts in words: functions with constant increments, and their constant combinations.
+//! Sentences on drifts: functions with constant increments, and their constant combinations.
 
 use crate::claims::writing::is_product;
 use crate::drift::{Constant, Drift, DriftKind};
@@ -11,7 +11,6 @@ pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one f
 /// A function with a constant increment along orbits.
 struct Even {
     function: String,
-    /// The increment of one step.
     step: String,
     is_atom: bool,
 }
@@ -40,7 +39,7 @@ impl Even {
     }
 }
 
-/// Writes the sentence on drifts that change by a constant in every step, or whose logarithms do.
+/// Writes the sentence on drifts that change by a constant or a constant factor in every step.
 pub(super) fn drifts(report: &Report) -> Option<String> {
     let even: Vec<Even> = report.drifts.iter().filter_map(Even::of).collect();
     let (Even { function, step, is_atom }, others) = even.split_first()?;

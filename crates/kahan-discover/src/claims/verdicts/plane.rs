@@ -1,4 +1,4 @@
-//! Verdicts on maps of the plane in words.
+//! Sentences on maps of the plane.
 
 use crate::orbits::growth::Growth;
 use crate::orbits::plane::GrowthProof;

@@ -1,11 +1,10 @@
-//! The structure of the field in words.
+//! Sentences on the structure of the field.
 
 use crate::poisson::hamiltonian::is_within_reach;
 use crate::report::{HamiltonianReport, Report};
 
 use super::{counted, listed_labels};
 
-/// Writes the sentences on divergence, integrals of the flow, and Hamiltonian forms.
 pub(super) fn structure(report: &Report) -> Vec<String> {
     let structure = &report.structure;
     let mut sentences = vec![format!("The divergence of the field is {}.", structure.divergence)];
@@ -57,7 +56,7 @@ fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> S
     )
 }
 
-/// Writes the sentence on linear and quadratic integrals of the flow, as far as they were searched.
+/// Writes the sentence on linear and quadratic integrals of the flow, up to the degree searched.
 fn flow(report: &Report) -> String {
     let structure = &report.structure;
     let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());

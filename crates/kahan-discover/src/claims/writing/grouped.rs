@@ -1,7 +1,7 @@
-//! Sums written as sums of products: 1 − ε²(b² − ac)(gy + hz)² for ten terms.
+//! Writes sums as sums of products: 1 − ε²(b² − ac)(gy + hz)² has ten terms when expanded.
 //!
-//! A sum is split by powers of ε, or into terms whose coefficients share a factor and the others.
-//! The parts are written recursively, and the shortest text wins.
+//! A sum is split by powers of ε, or into the terms whose coefficients share a factor and the
+//! others. Each group is written recursively, and the shortest text is chosen.
 
 use std::slice::from_ref;
 
@@ -25,7 +25,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Returns the shortest text of a sum, with at most `depth` further levels of products.
+    /// Returns the shortest text of a sum with at most `depth` nested levels of products.
     fn sum(&self, polynomial: &Polynomial, depth: usize, budget: &mut Budget) -> String {
         let expanded = Text.polynomial(self.symbols, polynomial);
         let is_worth_it = depth > 0 && (3..=MOST_GROUPED).contains(&polynomial.len());
@@ -40,7 +40,6 @@ impl Writer<'_> {
         [expanded].into_iter().chain(texts).min_by_key(String::len).expect("there is one at least")
     }
 
-    /// Splits the polynomial into sums of shorter polynomials, in several ways.
     fn groupings(&self, polynomial: &Polynomial, budget: &mut Budget) -> Vec<Vec<Polynomial>> {
         let epsilon = self.symbols.epsilon();
         let powers = polynomial.coefficients_in(epsilon).into_iter().map(|(exponent, part)| {
@@ -52,7 +51,6 @@ impl Writer<'_> {
         found
     }
 
-    /// Separates the terms whose coefficients have the most frequent factor.
     fn by_factor(
         &self,
         polynomial: &Polynomial,
@@ -63,7 +61,7 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Each factor, the number of terms of the coefficients with it, and their indices.
+        // Each factor, the number of terms in the coefficients that contain it, and their indices.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {
@@ -90,7 +88,7 @@ impl Writer<'_> {
         Some([part(true), part(false)].into_iter().filter(|part| !part.is_zero()).collect())
     }
 
-    /// Writes a sum of products, one for each part, in the order of the expanded polynomial.
+    /// Writes each group as a product, in the order of the expanded polynomial.
     fn parts(
         &self,
         polynomial: &Polynomial,
@@ -109,7 +107,7 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A part that is a plain sum needs no parentheses, and its text has the sign.
+                // A group that is a plain sum gets no parentheses; its text includes the sign.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

@@ -1,7 +1,7 @@
-//! Formulas as text in the language of `kahan!`: factored, and by powers of known polynomials.
+//! Writes formulas in the language of `kahan!`: factored, and in powers of known polynomials.
 //!
-//! A long factor P is often short in powers of another polynomial F: P = Σ dₖ Fᵏ, where F is linear
-//! in a variable v and the digits dₖ are free of v. The Lagrange top of the catalog is an example.
+//! A long factor P may be short in powers of another polynomial F, such as for the Lagrange top: P
+//! = Σ dₖ Fᵏ, where F is linear in a variable v and the dₖ are free of v.
 
 mod grouped;
 mod powers;
@@ -20,17 +20,15 @@ use grouped::grouped;
 pub(crate) use powers::in_powers;
 use powers::{Scale, by_powers};
 
-/// The budget for factoring a polynomial; most take milliseconds, the worst a second.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// Factors of fewer terms are not written by powers.
+/// Factors with fewer terms are not written in powers.
 const FEW_TERMS: usize = 12;
 
-/// The fewest terms of two conjugate factors that are multiplied.
+/// The minimal number of terms for which conjugate factors are multiplied.
 const LONG_CONJUGATE: usize = 3;
 
-/// Returns the distinct irreducible factors that contain states.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
     let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
     found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()
@@ -46,7 +44,7 @@ pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
     factors
 }
 
-/// Writes ∏ above / ∏ below in factors, perhaps by powers of `by` or of a short factor below.
+/// Writes ∏ above / ∏ below in factors, possibly in powers of `by` or of a short factor of `below`.
 pub(crate) fn quotient(
     symbols: &Symbols,
     above: &[Polynomial],
@@ -63,7 +61,7 @@ pub(crate) fn quotient(
     below.join_conjugates(symbols);
     above.shorten(symbols, &by);
     below.shorten(symbols, &by);
-    // Moves the monomials and contents of both sides into one fraction in lowest terms.
+    // Combine the monomials and numbers of both sides to one fraction in lowest terms.
     let content = above.content.checked_div(&below.content).expect("a denominator is not zero");
     let (front_above, front_below) =
         (above.front.mul(&below.front_below), above.front_below.mul(&below.front));
@@ -88,11 +86,9 @@ struct Product {
     sums: Vec<(Sum, u32)>,
 }
 
-/// A factor with more than one term.
 #[derive(Clone, Debug, PartialEq)]
 enum Sum {
     Plain(Polynomial),
-    /// The final text.
     Written(String),
 }
 
@@ -139,7 +135,7 @@ impl Product {
         }
     }
 
-    /// Multiplies conjugate factors, (1 + εF)(1 − εF) = 1 − ε²F², so a long F is written once.
+    /// Multiplies conjugate factors, (1 + εF)(1 − εF) = 1 − ε²F², so that a long F is written once.
     fn join_conjugates(&mut self, symbols: &Symbols) {
         let conjugate = |polynomial: &Polynomial| {
             let (odd, even): (Vec<_>, Vec<_>) = (polynomial.terms().map(|(m, c)| (m.clone(), c.clone())))
@@ -162,7 +158,7 @@ impl Product {
         }
     }
 
-    /// Chooses the shortest text of each factor: grouped, or, for long factors, by powers of `by`.
+    /// Chooses the shortest text of each factor: grouped, or for long factors in powers of `by`.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
@@ -173,7 +169,8 @@ impl Product {
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
                     if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
-                        // A divisor lengthens the other side, so its text must be a third shorter.
+                        // The divisor moves to the other side of the fraction, so the text must be
+                        // a third shorter.
                         let len = if own.front_below.is_one() { text.len() } else { text.len() * 3 / 2 };
                         if len < shortest {
                             (best, shortest, scale) = (text, len, Some(own));

@@ -1,6 +1,6 @@
-//! A polynomial P by powers of a polynomial F that is linear in a variable v.
+//! Writes a polynomial P in powers of a polynomial F that is linear in a variable v:
 //!
-//! P = Σ dₖ Fᵏ, with digits dₖ free of v.
+//! P = Σ dₖ Fᵏ, with dₖ free of v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -9,7 +9,7 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
 
-/// The factor content · front / front_below that the text of a polynomial leaves out.
+/// The monomial factor content · front / front_below, written separately.
 pub(super) struct Scale {
     pub(super) content: Rational,
     pub(super) front: Monomial,
@@ -17,16 +17,14 @@ pub(super) struct Scale {
 }
 
 pub(crate) struct InPowers {
-    /// scale · P, with the base replaced by `fresh`.
+    /// scale · P, with the base F replaced by the variable `fresh`.
     pub(crate) sum: Polynomial,
-    /// The variable in place of the base.
     pub(crate) fresh: Variable,
-    /// One term without states.
     pub(crate) scale: Polynomial,
 }
 
-/// Writes the polynomial by powers of `base`. Returns `None` beyond the budget, and unless `base`
-/// is linear in `variable` with a coefficient of one term without states.
+/// Writes the polynomial in powers of `base`. `None` beyond the budget, or unless `base` is linear
+/// in `variable`, with a coefficient of one term without states.
 pub(crate) fn in_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -43,7 +41,7 @@ pub(crate) fn in_powers(
     if slope.len() > 1 || symbols.has_state(&slope) {
         return None;
     }
-    // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, with F as a variable.
+    // For F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, with F as a variable.
     let highest = polynomial.degree_in(variable);
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
@@ -60,7 +58,7 @@ fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     moving.div_monomial(&common).expect("all terms have it").primitive_part()
 }
 
-/// Writes a polynomial by powers of the state-dependent part of `base`; `None` if useless.
+/// Writes a polynomial in powers of the state-dependent terms of `base`; `None` if not shorter.
 pub(super) fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -82,7 +80,7 @@ pub(super) fn by_powers(
     if front.exponent(fresh) > 0 {
         return None;
     }
-    // Terms of the sum would cancel for small ε.
+    // Reject: terms of the sum would cancel for small ε.
     if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }

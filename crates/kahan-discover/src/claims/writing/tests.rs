@@ -1,9 +1,8 @@
-//! Tests that texts read back as the original formula, and of their form.
+//! Tests the form of written formulas, and that they are read back unchanged.
 
 use super::*;
 use kahan_algebra::lexer;
 
-/// Returns the symbols of a field in x, y, z with the parameter a, and both sides of an expression.
 fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     let text = format!("xdot = a*y*z; ydot = x; zdot = x^2; integral H = {expression};");
     let tokens = lexer::lex(&text).tokens;
@@ -12,7 +11,6 @@ fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     (system.field.symbols.clone(), [function.numerator().clone(), function.denominator().clone()])
 }
 
-/// Writes an expression and checks that it reads back unchanged.
 fn written(expression: &str, by: &str) -> String {
     let (symbols, [above, below]) = polynomials(expression);
     let text = quotient(&symbols, &[above], &[below], &[polynomials(by).1[0].clone()]);
@@ -39,7 +37,7 @@ fn sums_stand_in_factors_their_first_terms_positive() {
 
 #[test]
 fn long_factors_are_written_by_powers_of_known_ones() {
-    // The base lacks its constant: terms that cancel for small ε would lose digits.
+    // The base lacks its constant: cancelling terms would lose digits for small ε.
     let (base, known) = ("a*x + y^2", "1 - eps^2*a*x - eps^2*y^2");
     let digits = format!("(y - z)^2*({base})^3 + a*(1 + z*y)*({base}) - eps^2*(y + z^3)^2");
     let text = written(&format!("({digits})/z"), known);

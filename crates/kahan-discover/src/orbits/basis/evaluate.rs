@@ -1,4 +1,4 @@
-//! Values of a basis's integrals from consecutive points of an orbit, exactly or in floats.
+//! Evaluates a basis's integrals from consecutive points of an orbit, exactly or in floats.
 
 use std::error::Error;
 use std::fmt;
@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::{Basis, Term};
 use crate::modular::weights::reduce;
 
-/// The coefficients of a basis in floats.
+/// The coefficients of a basis on one orbit, in floats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BasisValues {
     /// The coefficients in the order of the monomials; that of the unit is 1.
@@ -21,7 +21,7 @@ pub struct BasisValues {
     pub condition: f64,
 }
 
-/// The reason why a basis has no value.
+/// The reason why the coefficients of a basis cannot be computed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BasisError {
     /// The points are too few to determine the coefficients.
@@ -31,7 +31,7 @@ pub enum BasisError {
         /// The number of points given.
         given: usize,
     },
-    /// A point and the monomials differ in the number of states.
+    /// The numbers of states of a point and of the monomials differ.
     Dimension {
         /// The number of states of the monomials.
         wanted: usize,
@@ -40,8 +40,8 @@ pub enum BasisError {
     },
     /// A point, or the value of a monomial there, is not finite.
     NotFinite,
-    /// The points do not determine the coefficients (in floats: not one digit). They repeat or lie
-    /// too close together, or the coefficient of the unit is 0 on this orbit.
+    /// The points do not determine the coefficients (in floats: not one digit). Either they repeat
+    /// or lie too close together, or the coefficient of the unit is 0 on this orbit.
     Undetermined,
 }
 
@@ -66,8 +66,8 @@ impl fmt::Display for BasisError {
 impl Error for BasisError {}
 
 impl Basis {
-    /// Solves exactly for the coefficients along the orbit with these points, in the order of the
-    /// monomials; the unit has 1. Uses the first [`points`](Self::points).
+    /// Solves exactly for the coefficients along an orbit, in the order of the monomials; the unit
+    /// has 1. Uses the first [`points`](Self::points) points of `orbit`.
     ///
     /// # Errors
     /// See [`BasisError`].
@@ -106,8 +106,8 @@ impl Basis {
         Ok(coefficients)
     }
 
-    /// Solves for the coefficients along the orbit with these consecutive points, by least squares.
-    /// Returns them in the order of the monomials; that of the unit is 1. Uses all points.
+    /// Solves for the coefficients along an orbit by least squares, in the order of the monomials;
+    /// the unit has 1. Uses all points of `orbit`, which must be consecutive.
     ///
     /// # Errors
     /// See [`BasisError`].
@@ -133,10 +133,9 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The iteration for singular values stops early, too early for solutions.
+        // The iteration for singular values stops too early to serve for solutions, too.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
-        // No digit would be right.
         if condition.is_nan() || condition * f64::EPSILON > 1.0 {
             return Err(BasisError::Undetermined);
         }
@@ -153,7 +152,6 @@ impl Basis {
         Ok(BasisValues { coefficients, condition })
     }
 
-    /// Returns the term of the unit, and all others.
     fn unit_and_others(&self) -> (&Term, Vec<&Term>) {
         let is_unit = |term: &&Term| term.iter().any(|&(place, _)| place == self.unit);
         let (unit, others): (Vec<_>, Vec<_>) = self.terms.iter().partition(is_unit);

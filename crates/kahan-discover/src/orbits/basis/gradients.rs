@@ -8,9 +8,10 @@ use crate::orbits::relations::monomial_gradient;
 
 use super::Basis;
 
-/// Returns the gradient of every coefficient at a point; that of the unit is 0. With the values M
-/// of the monomials along the orbit and the coefficients c, M c = 0 implies M dc = −dM c. `None` if
-/// the orbit ends at a pole, or unless the relation is unique.
+/// Returns the gradient of every coefficient at a point; that of the unit is 0.
+///
+/// Let M be the values of the monomials along the orbit, and c the coefficients: M c = 0 implies M
+/// dc = −dM c. `None` if the orbit ends at a pole, or if the relation is not unique.
 pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     let n = start.len();
@@ -21,7 +22,7 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
         (0..n).map(|i| (0..n).map(|j| if i == j { modulus.one() } else { 0 }).collect()).collect();
     let mut values: Vec<Vec<u64>> = Vec::new();
     let mut slopes: Vec<Vec<Vec<u64>>> = Vec::new();
-    // One point more than needed exposes monomials without a relation.
+    // One more point than needed reveals whether a relation exists.
     for _ in 0..size {
         let (own, gradients): (Vec<u64>, Vec<Vec<u64>>) =
             basis.monomials.iter().map(|exponents| monomial_at(modulus, exponents, &point)).unzip();
@@ -64,7 +65,6 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
     Some(gradients)
 }
 
-/// Returns a monomial's value and gradient.
 fn monomial_at(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> (u64, Vec<u64>) {
     (modulus.monomial(exponents, point), monomial_gradient(modulus, exponents, point))
 }

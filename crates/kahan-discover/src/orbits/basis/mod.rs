@@ -31,8 +31,8 @@ use crate::orbits::relations::Relations;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// A sum of monomials, by ascending index, each with a factor; the first factor is 1. The
-/// coefficient of a monomial in the relation is its factor times the coefficient of the first one.
+/// A sum of monomials, given by ascending indices and integer factors; the first factor is 1. The
+/// coefficient of a monomial in the relation is its factor times that of the first monomial.
 pub type Term = Vec<(usize, i64)>;
 
 /// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit. The cₖ differ between
@@ -66,7 +66,7 @@ pub struct Basis {
     pub terms: Vec<Term>,
     /// The index of the unit, the monomial with coefficient 1.
     pub unit: usize,
-    /// The indices of coefficients that are integrals, independent and new.
+    /// The indices of coefficients that are independent integrals without a formula.
     pub integrals: Vec<usize>,
     /// The number of random points and primes at which the relation was checked, with an error
     /// below 2⁻¹⁰⁰; `None` if the relation was only observed.
@@ -120,8 +120,8 @@ impl Basis {
         self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
     }
 
-    /// Returns the quotients of coefficients that are independent integrals: term above, term
-    /// below. Terms are numbered as in [`relation`](Self::relation).
+    /// Returns quotients of coefficients that are independent integrals, as pairs (numerator,
+    /// denominator) of term numbers of [`relation`](Self::relation).
     #[must_use]
     pub fn quotients(&self) -> Vec<(usize, usize)> {
         let unit = self.term_of(self.unit);
@@ -129,8 +129,8 @@ impl Basis {
         quotients.collect()
     }
 
-    /// Returns the quotient of the two terms of a relation, which is an integral. `None` if the
-    /// relation has more than two terms or more than eight monomials.
+    /// Returns the integral given by a relation of two terms. `None` if the relation has more than
+    /// two terms or more than eight monomials.
     pub(crate) fn quotient_of_terms(
         &self,
         searched: &SearchField,
@@ -154,7 +154,7 @@ impl Basis {
         Some((sum(above), sum(below)))
     }
 
-    /// Joins monomials whose coefficients are multiples of each other on three orbits.
+    /// Joins monomials whose coefficients have one integer quotient on three orbits.
     pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
@@ -165,7 +165,6 @@ impl Basis {
             let Some(coefficients) = found else { return };
             sampled.push((modulus, coefficients));
         }
-        // Returns the quotient of the coefficients at two places.
         let factor = |of: usize, at: usize| {
             (1..=LARGEST_FACTOR).flat_map(|size| [size, -size]).find(|&factor| {
                 sampled.iter().all(|(modulus, coefficients)| {
@@ -186,8 +185,8 @@ impl Basis {
         self.terms = terms;
     }
 
-    /// Returns the coefficients along the orbit of a point, up to a common factor. `None` unless
-    /// the relation is unique, and if the orbit ends at a pole.
+    /// Returns the coefficients along the orbit of a point, up to a common factor. `None` if the
+    /// relation is not unique, or if the orbit ends at a pole.
     fn coefficients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<u64>> {
         let modulus = map.modulus();
         let orbit = map.orbit(start.to_vec(), self.monomials.len());
@@ -200,7 +199,6 @@ impl Basis {
         Some(only.entries.clone())
     }
 
-    /// Returns the gradients of the integrals at a point; `None` if its orbit ends at a pole.
     pub(crate) fn gradients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
         let all = gradients::of_coefficients(self, map, start)?;
         Some(self.integrals.iter().map(|&place| all[place].clone()).collect())
@@ -213,10 +211,9 @@ impl Basis {
     }
 }
 
-/// The most monomials of a relation that is tried with two terms.
+/// The most monomials of a relation for which two terms are tried.
 const MOST_IN_TWO_TERMS: usize = 8;
 
-/// The largest integer quotient of joined coefficients.
 const LARGEST_FACTOR: i64 = 4;
 
 fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) -> String {
@@ -229,9 +226,9 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
     if powers.is_empty() { "1".to_owned() } else { notation.product(&powers) }
 }
 
-/// Chooses bases that complete the integrals with `gradients` at `place` to `wanted` independent
+/// Chooses bases that supplement the integrals with `gradients` at `place` to `wanted` independent
 /// ones. Prefers short bases, skips those without a new integral, and appends the new gradients.
-/// The result is smaller if the candidates do not suffice.
+/// The result has fewer integrals if the candidates do not suffice.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
@@ -263,7 +260,7 @@ pub(crate) fn completing(
     found
 }
 
-/// Above this number, monomials are reduced in two orders only.
+/// Above this number of monomials only two orders are tried.
 const MANY: usize = 250;
 
 /// Returns sets of monomials up to a degree with one relation, the smallest first. The list ends
@@ -299,7 +296,7 @@ pub(crate) fn candidates(
     found
 }
 
-/// Returns orders of the monomials by degree, with all rotations of variables, both ways.
+/// Returns orders of the monomials by degree: all rotations of the variables, in both directions.
 fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     let mut orders = Vec::new();
     for shift in 0..n {
@@ -320,14 +317,14 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// Reduces the relations in an order; the highest monomial leads. `None` if the deadline passes.
+/// Reduces the relations with the highest monomial of the order leading; `None` if the deadline
+/// passes.
 fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,
     order: &[usize],
     deadline: &Deadline<'_>,
 ) -> Option<Vec<NullVector>> {
-    // Leading monomials come first in the columns.
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();
     let rows = relations.vectors.iter().map(permuted).collect();
     let echelon = Echelon::within(modulus, rows, order.len(), deadline)?;
@@ -339,14 +336,14 @@ fn reduced_in(
 }
 
 /// Returns the candidate on these monomials; `None` if a state divides all of them. The unit is the
-/// constant if it occurs, else the lowest monomial.
+/// constant monomial, or else the lowest one.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {
         return None;
     }
     let exponents: Vec<&[u32]> = support.iter().map(|&index| monomials.exponents(index)).collect();
-    // A multiple of a relation contains nothing new.
+    // A relation multiplied by a state is not new.
     let is_multiple = (0..n).any(|state| exponents.iter().all(|own| own[state] > 0));
     (!is_multiple).then(|| Basis {
         monomials: exponents.into_iter().map(<[u32]>::to_vec).collect(),

@@ -1,11 +1,10 @@
-//! Proofs that the terms of a basis have one relation along every orbit.
+//! Proves that the terms of a basis have one relation along every orbit.
 //!
 //! The determinant of r + 1 terms at r + 1 consecutive points must vanish identically, while r rows
-//! are independent. The map is birational, so r points further on are as generic as the first ones,
-//! and the whole orbit has the relation. The determinant is a rational function of states,
-//! parameters and ε with bounded degree and coefficients; it is evaluated modulo random primes at
-//! random points. Points on both sides of the start halve the number of steps, whose degrees
-//! multiply.
+//! are independent. The map is birational, so r later points are as generic as the first ones, and
+//! the relation holds on the whole orbit. The determinant is a rational function of bounded degree
+//! and size; it is evaluated at random points modulo random primes. Points on both sides of the
+//! start halve the number of steps, with which degrees grow exponentially.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -21,10 +20,9 @@ use crate::modular::modulus::Modulus;
 
 use super::{Basis, Term};
 
-/// The most points of a proof.
 const MOST_POINTS: u32 = 64;
 
-/// The most starts tried whose orbits end at poles.
+/// The most starts to try, since orbits may end at poles.
 const MOST_SAMPLES: usize = 16;
 
 /// Proves the basis with an error below 2⁻¹⁰⁰; returns the number of points modulo random primes.
@@ -37,7 +35,8 @@ pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &De
     (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, searched, &mut random)).then_some(points)
 }
 
-/// Tells whether r + 1 points have exactly one relation, at a random point modulo a random prime.
+/// Returns whether r + 1 points have exactly one relation, at one random point modulo a random
+/// prime.
 fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
     for _ in 0..MOST_SAMPLES {
         let modulus = Modulus::random(random);
@@ -54,7 +53,7 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
         let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
-        // Fewer than r independent rows at one point leave other points open.
+        // With fewer than r independent rows, this point decides nothing.
         if fewer < width - 1 {
             continue;
         }
@@ -63,14 +62,12 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
     false
 }
 
-/// Returns the numbers of points before and after the start.
 fn halves(basis: &Basis) -> (usize, usize) {
     let steps = basis.points();
     (steps / 2, steps - steps / 2)
 }
 
 impl Basis {
-    /// Evaluates the terms at a point.
     pub(super) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         let summand = |&(place, factor): &(usize, i64)| {
             let size = modulus.integer(factor.unsigned_abs());
@@ -82,7 +79,7 @@ impl Basis {
     }
 }
 
-/// Bounds of the total degree, and of log₂ of the coefficients' sum of magnitudes.
+/// Bounds on the total degree, and on log₂ of the 1-norm of a polynomial.
 #[derive(Clone, Copy)]
 struct Bound {
     degree: u64,
@@ -95,7 +92,7 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Bits per row: one for each doubling of the number of rows and of the sum of factors.
+    // Bits for each row: one for each doubling of the number of rows and of the sum of factors.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -110,8 +107,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// Bounds x̃ = X̃/W̃ by bounds of x = X/W, numerators and denominator alike. Row i of A x̃ = b,
-/// times qᵢW, has entries of degree 1 in X and W; Cramer's rule multiplies n of them.
+/// Bounds x̃ = X̃/W̃ in terms of x = X/W; each bound holds for numerator and denominator. Row i of
+/// A x̃ = b, times qᵢW, has degree 1 in X and W; Cramer's rule multiplies n rows.
 fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
@@ -119,7 +116,7 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
-    // |qᵢ| + 4 |pᵢ| bounds the coefficients of a row, times a fixed ε.
+    // The 1-norm of a row is at most |qᵢ| + 4 |pᵢ|, times the size of a fixed ε.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
     Some(Bound {
         degree: degree.checked_mul(n)?,
@@ -127,7 +124,7 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     })
 }
 
-/// Returns a bound of log₂ of the sum of all coefficients' magnitudes, without denominators.
+/// Returns an upper bound on log₂ of the 1-norm after clearing denominators.
 fn norm_bits(polynomial: &Polynomial) -> u64 {
     let all: u64 = polynomial.terms().map(|(_, coefficient)| coefficient.bits()).sum();
     all + u64::from((polynomial.len() as u64 + 1).ilog2()) + 1

@@ -39,7 +39,7 @@ fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
 #[test]
 fn what_is_no_basis_is_not_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
-    // One monomial less has no relation; two joined bases have two relations.
+    // Without one monomial there is no relation; two joined bases have two.
     let mut less = bases[0].clone();
     less.monomials.truncate(3);
     less.terms.truncate(3);
@@ -85,7 +85,7 @@ fn exact_values_are_constant_along_an_orbit_and_floats_agree_with_them() {
         let terms = first.iter().enumerate().map(|(place, c)| c.to_f64().abs() * scale(place));
         let largest = terms.fold(0.0, f64::max);
         for (place, (value, exact)) in found.coefficients.iter().zip(&first).enumerate() {
-            // Every entry of the equations is rounded a few times, and twelve are summed.
+            // Each entry of the equations is rounded a few times, and twelve are summed.
             let bound = 64.0 * f64::EPSILON * found.condition * largest / scale(place);
             assert!((value - exact.to_f64()).abs() <= bound, "{value} {exact} {}", found.condition);
         }
@@ -112,7 +112,7 @@ fn gradients_are_those_of_the_coefficients() {
     for basis in &bases {
         let here = gradients::of_coefficients(basis, &sample.map, &point).unwrap();
         let there = gradients::of_coefficients(basis, &sample.map, &next).unwrap();
-        // c(φ(x)) = c(x), so the gradient there times ∂x̃/∂x is the gradient here.
+        // From c(φ(x)) = c(x): the gradient at x̃ times ∂x̃/∂x is the gradient at x.
         for (own, other) in here.iter().zip(&there) {
             let mut pulled = vec![0; 6];
             for (factor, row) in other.iter().zip(&jacobian) {
@@ -140,7 +140,7 @@ fn monomials_with_equal_coefficients_are_joined() {
         basis.join(&searched, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
         assert!(prove(&basis, &searched, &field, &Deadline::never()).is_some());
-        // With another factor there is no relation between these terms.
+        // A different factor destroys the relation between these terms.
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
             let mut wrong = basis.clone();
             wrong.terms[term][1].1 += 1;

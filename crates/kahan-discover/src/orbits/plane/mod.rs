@@ -1,8 +1,8 @@
-//! Maps of the plane: proofs of exponential growth of degrees, and growth as the end of a search.
+//! Maps of the plane: proofs of exponential growth of degrees, and conclusions from linear growth.
 //!
 //! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x, so
-//! three quadratic forms Φ on ℙ² give φ, and dₖ = deg φᵏ ≤ 2ᵏ. `growth` proves exponential growth
-//! by one large degree or by `stability`; `linear` draws conclusions from linear growth.
+//! φ is given by three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. `growth` proves exponential
+//! growth by one large degree or by `stability`; `linear` excludes integrals by linear growth.
 
 mod stability;
 
@@ -32,10 +32,10 @@ pub enum GrowthProof {
     },
 }
 
-/// The numbers k of iterates tried in turn to prove exponential growth; degrees reach k² + 1.
+/// The numbers k of iterates to try in turn; dₖ must exceed k² + 1.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// Classifies the growth of degrees of a sampled map, with a proof in the plane if exponential.
+/// Classifies the growth of degrees of a sampled map; in the plane, proves exponential growth.
 ///
 /// **A bound on degrees.** Suppose that φ preserves a pencil of curves, curve by curve (as with a
 /// rational integral) or permuting them. Let w be the class of these curves in the Picard–Manin
@@ -95,14 +95,15 @@ pub(crate) fn growth(
 /// The number of iterates over which growth must be linear to count as linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// Returns the number of iterates with linear growth, if linear growth excludes integrals. Under
-/// linear growth the map permutes the curves of exactly one pencil (Diller and Favre). It acts on
+/// Returns the number of iterates with linear growth, if linear growth excludes integrals.
+///
+/// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). It acts on
 /// the parameter t of the pencil by a Möbius map μ. A drift F and an integral are constant on the
 /// curves, so both are functions of t. If the next value of F has infinite order as a Möbius map,
-/// then so has μ, and every integral is constant. F + c with c ≠ 0 has infinite order, and so has
-/// c·F unless c = ±1. At generic ε, and for a field with a value at ε = 0, a Möbius map with matrix
-/// M has infinite order, too: for order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at
-/// ε = 0 the map is the identity with the value 4. Linear growth itself is observed, not proved.
+/// so has μ, and every integral is constant. F + c with c ≠ 0 has infinite order, and so has c·F
+/// unless c = ±1. At generic ε, if the field has a value at ε = 0, a Möbius map with matrix M has
+/// infinite order, too: for order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at ε = 0
+/// the map is the identity with the value 4. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,

@@ -1,10 +1,10 @@
-//! Algebraic stability on ℙ², proved modulo a prime.
+//! Proves algebraic stability on ℙ² modulo a prime.
 //!
 //! A birational map φ of ℙ² is *algebraically stable* if no iterate sends a curve to a point of
 //! indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001, theorem
-//! 1.14): if the forms of Φᵏ share a factor that those of Φᵏ⁻¹ do not share, φᵏ⁻¹ sends its curve
-//! to a point of indeterminacy. A factor of Φᵏ over K remains one modulo a prime, so stability
-//! modulo a prime suffices.
+//! 1.14): if the forms of Φᵏ have a common factor that those of Φᵏ⁻¹ lack, φᵏ⁻¹ sends its curve to
+//! a point of indeterminacy. Reduction modulo a prime preserves common factors, so stability modulo
+//! a prime suffices.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -14,23 +14,24 @@ use crate::maps::search_field::SearchField;
 use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 
-/// The range of primes. A walk takes about p/3 steps and fails by chance at a rate of about 3/p.
+/// The range of primes. An orbit has about p/3 steps and fails by chance at a rate of about 3/p.
 const LEAST: u64 = 211;
 const SPREAD: u64 = 1000;
 
-/// The most samples; if the three lines are conjugate, one sample in six shows all of them.
+/// The most samples; if the three lines are conjugate, one sample in six contains all of them.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
-/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled unknowns. The
-/// inverse of Kahan's map is the map with −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a cubic
+/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled unknowns.
+///
+/// The inverse of Kahan's map is the map at −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a cubic
 /// form κ. The map contracts exactly the curves of κ: outside of them Ψ∘Φ separates points, and on
-/// them Ψ vanishes at the values of Φ. If κ is a product of linear forms, these curves are lines ℓᵢ
+/// them Ψ vanishes at the values of Φ. If κ is a product of linear forms, the curves are lines ℓᵢ
 /// with images qᵢ. Modulo the prime the orbit of qᵢ is finite. It cannot be periodic outside the
-/// lines, as φ is injective there and has no value qᵢ there. So it meets a point of indeterminacy,
-/// or comes to a line ℓⱼ and continues as the orbit of qⱼ. A finite walk from each qᵢ decides
-/// stability.
+/// lines, since φ is injective there and has no value qᵢ there. So it reaches a point of
+/// indeterminacy, or a line ℓⱼ, after which it is the orbit of qⱼ. Following each qᵢ for finitely
+/// many steps decides stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -48,26 +49,27 @@ pub(super) fn prime_of_stability(
     })
 }
 
-/// A map in homogeneous coordinates.
 struct Forms {
     map: ModularMap,
 }
 
 impl Forms {
-    /// Tells whether κ has three linear factors, with multiplicity, and the map is stable of degree
-    /// 2. If the degree is less than 2, κ has a linear factor on whose line Φ vanishes.
+    /// Returns whether κ has three linear factors, with multiplicity, and the map is stable of
+    /// degree
+    /// 2. For a lower degree, Φ vanishes on the line of a linear factor of κ.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
-        // A quadratic form with three zeros on a line vanishes on it.
+        // A quadratic form with three zeros on a line vanishes on it; so try three points.
         let image =
             |line: &Point| (0..3).map(|t| self.image(self.on(line, t))).find(|image| *image != [0; 3]);
         lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
     }
 
-    /// Tells whether the orbit of a point reaches a contracted line, and no point of indeterminacy.
+    /// Returns whether the orbit of a point reaches a contracted line before a point of
+    /// indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // For safety only: an orbit leaves the complement of the lines.
+        // A safeguard only: every orbit leaves the complement of the lines.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -81,7 +83,6 @@ impl Forms {
         false
     }
 
-    /// Returns the lines of κ; `None` unless κ is a product of linear forms.
     fn contracted_lines(&self, random: &mut SplitMix64) -> Option<Vec<Point>> {
         let sampled = |random: &mut SplitMix64| [(); 3].map(|()| self.modulus().sample(random));
         let [first, second] = [(); 2].map(|()| [sampled(random), sampled(random)]);
@@ -104,7 +105,7 @@ impl Forms {
         powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
     }
 
-    /// Tells whether κ is a nonzero constant times powers of lines; the powers add up to 3. Two
+    /// Returns whether κ is a nonzero constant times powers of lines, with exponents of sum 3. Two
     /// cubic forms are equal if they agree at the ten points (i, j, k) with i + j + k = 3.
     fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
         let modulus = self.modulus();
@@ -148,21 +149,18 @@ impl Forms {
         std::array::from_fn(|i| modulus.plus(a[i], modulus.times(t, b[i])))
     }
 
-    /// Returns the cross product: the line through two points.
     fn cross(&self, a: Point, b: Point) -> Point {
         let modulus = self.modulus();
         [(1, 2), (2, 0), (0, 1)]
             .map(|(i, j)| modulus.minus(modulus.times(a[i], b[j]), modulus.times(a[j], b[i])))
     }
 
-    /// Returns the multiple whose first nonzero entry is 1.
     fn normalised(&self, point: Point) -> Point {
         let first = point.iter().copied().find(|&entry| entry != 0);
         let inverse = first.and_then(|first| self.modulus().inverse(first)).unwrap_or(0);
         point.map(|entry| self.modulus().times(entry, inverse))
     }
 
-    /// Evaluates κ.
     fn cubic(&self, point: Point) -> u64 {
         let back = self.forms(self.image(point), self.modulus().opposite(self.map.eps()));
         let quotients = back.iter().zip(point);
@@ -171,7 +169,6 @@ impl Forms {
         quotients.next().map_or(0, |(above, inverse)| self.modulus().times(above, inverse))
     }
 
-    /// Evaluates Φ.
     fn image(&self, point: Point) -> Point {
         self.forms(point, self.map.eps())
     }

@@ -5,7 +5,7 @@ use super::*;
 use crate::modular::modulus::Modulus;
 
 const LOTKA_VOLTERRA: &str = "xdot = x*(1 - y); ydot = y*(x - 1);";
-/// Zander's field (1, 1, 3).
+/// Zander's field with exponents (1, 1, 3).
 const ZANDER_113: &str = "xdot = x*(x + y) + 3*x*y; ydot = -(y*(x + y) + 3*x*y);";
 
 fn field(text: &str) -> std::sync::Arc<Field> {
@@ -27,7 +27,7 @@ fn exponential_growth_is_proved() {
         let found = verdict(LOTKA_VOLTERRA, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Stable { .. })), "{found:?}");
         assert!((found.growth.entropy() - 2f64.ln()).abs() < 1e-15);
-        // Orbits of contracted lines reach points of indeterminacy: d₆ is 62 instead of 64.
+        // Orbits of contracted lines reach points of indeterminacy: d₆ is 62, not 64.
         let found = verdict(ZANDER_113, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
     }

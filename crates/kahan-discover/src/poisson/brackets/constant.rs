@@ -2,9 +2,8 @@
 //!
 //! Let A(x,ε) = I − ε f′(x). The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε), and f′K is
 //! symmetric, so P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. P is invariant in
-//! the plane, where P = det A · K; in direct sums of systems in the plane; and for a field in the
-//! plane over a commutative algebra (the canonical systems of Petrera and Suris); but not in
-//! general.
+//! the plane, where P = det A · K, in direct sums of planar systems, and for planar fields over a
+//! commutative algebra (the canonical systems of Petrera and Suris), but not in general.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -19,12 +18,11 @@ use crate::poisson::hamiltonian::Hamiltonian;
 
 use super::polynomial::{PoissonTensor, Tensor};
 
-/// The budget of one tensor: terms of a polynomial, and products of terms.
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Computes (I − ε² f′²)K for the K with the index and Hamiltonian in `structure`. `None` if the
-/// tensor is not an invariant bracket modulo a prime, or is beyond the budget.
+/// Computes (I − ε² f′²)K for the K with the index and Hamiltonian in `structure`. `None` if this
+/// is not an invariant bracket modulo a prime, or beyond the budget.
 pub(crate) fn of_structure(
     searched: &SearchField,
     field: &Field,
@@ -58,7 +56,6 @@ pub(crate) fn of_structure(
     Some(PoissonTensor { rank, ..found })
 }
 
-/// Multiplies two matrices; `None` beyond the budget.
 fn product(
     left: &[Vec<RationalFunction>],
     right: &[Vec<RationalFunction>],
@@ -76,7 +73,6 @@ fn product(
     left.iter().map(|row| (0..right.len()).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// Returns the antisymmetric matrix with these entries above the diagonal, at a point.
 fn matrix_at(
     searched: &SearchField,
     place: &SampledStep,
@@ -104,7 +100,7 @@ impl PoissonTensor {
         matrix_at(searched, place, point, &self.entries)
     }
 
-    /// Returns the rank at the place if J P Jᵀ = P(x̃) and Jacobi's identity hold there.
+    /// Returns the rank at a point if J P Jᵀ = P(x̃) and Jacobi's identity hold there.
     fn invariant_rank(&self, searched: &SearchField, place: &SampledStep) -> Option<usize> {
         let map = &place.sample.map;
         let modulus = map.modulus();

@@ -1,10 +1,10 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
 //! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant if J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is linear
-//! in the coefficients of P. Jacobi's identity is quadratic in them: if elements of a reduced basis
-//! and their sums of two satisfy it, all their linear combinations are brackets. The rank of a sum
-//! can exceed the rank of each element. The search goes on by degree until a bracket has full rank,
-//! n or n − 1.
+//! in the coefficients of P. Jacobi's identity is quadratic: if elements of a reduced basis and
+//! sums of two of them satisfy it, so do all their linear combinations. The rank of a sum can
+//! exceed the ranks of its summands. The search ends at the degree of the first bracket of full
+//! rank, n or n − 1.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -32,7 +32,7 @@ use crate::orbits::relations::{gradient, monomial_gradients};
 const HIGHEST_DEGREE: u32 = 4;
 const MOST_COEFFICIENTS: usize = 600;
 
-/// The most coefficients up to degree 2: those in eight variables.
+/// The most coefficients up to degree 2: enough for eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
 /// The highest degree of the search if a bracket of full rank is already known.
@@ -46,29 +46,29 @@ const MOST_ELEMENTS: usize = 40;
 
 const MOST_TENSORS: usize = 4;
 
-/// Monomials of entries above the diagonal; coefficient m·pairs + k is for monomial m of entry k.
+/// The monomials and the entries above the diagonal; the coefficient of monomial m in entry k has
+/// the index m·pairs + k.
 struct Shape {
     monomials: Monomials,
-    /// The places (i, j) above the diagonal, row by row.
     pairs: Vec<(usize, usize)>,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
-    /// The entries above the diagonal, row by row.
     pub(crate) entries: Vec<Polynomial>,
     /// The index of the constant K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether the tensor is proved but not written, because others are chosen in its place.
+    /// Whether the bracket is proved but not written, because chosen brackets imply it.
     pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
-    /// Returns a polynomial p such that 1/p is a candidate for an invariant density. In even
-    /// dimension p is the Pfaffian. In odd dimension the Pfaffians without one row and column are a
-    /// common factor times the gradient of a Casimir function, if that is a polynomial; p is their
-    /// greatest common divisor. `None` if the rank is not full, and beyond the budget.
+    /// Returns a polynomial p such that 1/p is a candidate for an invariant density.
+    ///
+    /// In even dimension p is the Pfaffian. In odd dimension the Pfaffians without one row and
+    /// column form a common factor times the gradient of a Casimir function, if it is a polynomial;
+    /// p is their greatest common divisor. `None` if the rank is not full, or beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
         if n.is_multiple_of(2) {
@@ -105,19 +105,16 @@ impl PoissonTensor {
 struct Candidate {
     rank: usize,
     source: Source,
-    /// The entries above the diagonal at the points of a search.
     values: Vec<u64>,
 }
 
 enum Source {
-    /// A tensor over ℚ that was known before the search.
     Known(PoissonTensor),
     /// A sum of elements of a reduced basis: the degree, and the coefficients of each element.
     Sum(u32, Vec<Vec<u64>>),
 }
 
 impl Candidate {
-    /// Returns the number of monomials in the states, summed over the entries.
     fn terms(&self, symbols: &Symbols) -> usize {
         let of_states = |entry: &Polynomial| {
             let monomials = entry.terms().map(|(monomial, _)| {
@@ -133,9 +130,9 @@ impl Candidate {
 }
 
 /// Finds up to four brackets: independent ones of the highest rank, and one of each lower rank.
-/// Entries have degrees up to `highest` or 4. Brackets in `known` take part in the choice; those
-/// not chosen follow, marked as implied. The search ends at the first degree with a bracket of full
-/// rank, at 600 coefficients of all entries (1300 up to degree 2), or at the deadline.
+/// Entries have degrees up to `highest`, at most 4. Brackets in `known` compete with those found;
+/// those not chosen follow, marked as implied. The search ends at the first degree with a bracket
+/// of full rank, at 600 coefficients of all entries (1300 up to degree 2), or at the deadline.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     known: Vec<PoissonTensor>,
@@ -178,7 +175,7 @@ pub(crate) fn polynomial_tensors(
     };
     found.extend(known.iter().filter_map(candidate));
     // Known tensors usually have shorter texts than basis elements. Sums of basis elements may be
-    // shorter still, as each element is divided by its common factors.
+    // shorter still, since each element is divided by its common factors.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -192,7 +189,7 @@ pub(crate) fn polynomial_tensors(
         (Reverse(candidate.rank), class, terms)
     });
     let chosen = chosen(map.modulus(), found);
-    // Reconstructions by basis element, as several sums may contain an element.
+    // Reconstructions by basis element; several sums may share an element.
     let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
     let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
         let (degree, parts) = match source {
@@ -211,7 +208,7 @@ pub(crate) fn polynomial_tensors(
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
         let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
-        // Over ℚ each part has its own factor, which may change the rank of a sum.
+        // Over ℚ each summand has its own factor, so the sum may have another rank.
         let matrix = tensor.at(searched, &place, &points[0])?;
         tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
         Some(tensor)
@@ -223,7 +220,7 @@ pub(crate) fn polynomial_tensors(
     all
 }
 
-/// Chooses the first of each rank and independent ones of the highest, four in all; ranks descend.
+/// Chooses four brackets: independent ones of the highest rank, then the first of each lower rank.
 fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
@@ -291,7 +288,8 @@ impl Shape {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Returns brackets of rank above `best` among basis elements and sums, by descending rank.
+    /// Returns brackets of rank above `best` among basis elements and their sums, by descending
+    /// rank.
     fn higher(
         &self,
         map: &ModularMap,
@@ -374,7 +372,6 @@ impl Shape {
         tensor
     }
 
-    /// Reconstructs a basis element over ℚ with all unknowns, with coprime integer coefficients.
     fn reconstructed(
         &self,
         searched: &SearchField,
@@ -383,7 +380,7 @@ impl Shape {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // Other basis elements have pivots outside this support, so the tensor is unique on it.
+        // Pivots of other basis elements are outside this support, so the tensor is unique on it.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -457,7 +454,6 @@ struct Element {
 #[derive(Clone)]
 pub(super) struct Tensor {
     pub(super) entries: Vec<Vec<u64>>,
-    /// The gradient of each entry.
     pub(super) slopes: Vec<Vec<Vec<u64>>>,
 }
 
@@ -475,7 +471,8 @@ impl Tensor {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
-    /// Tells whether all sums of Pᵢₗ ∂ₗPⱼₖ over l and cyclic permutations of (i, j, k) are 0.
+    /// Returns whether Σ Pᵢₗ ∂ₗPⱼₖ over l and cyclic permutations of (i, j, k) is 0 for all i, j,
+    /// k.
     pub(super) fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {

@@ -5,11 +5,11 @@ use kahan_algebra::render::Level;
 
 use super::{at_least, enclosed, name, write};
 
-/// Functions with a well-known name.
+/// Functions that LaTeX writes as operator names.
 pub(super) const FUNCTIONS: [&str; 14] =
     ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "coth", "sech", "sn", "cn", "dn", "atanh"];
 
-/// Calls in other forms than name(arguments).
+/// Calls that are not written as name(arguments).
 pub(super) const OPEN_ENDED: [&str; 5] = ["back", "d", "on", "at", "sum"];
 
 /// Writes a call; `power` is the exponent of a function's name.

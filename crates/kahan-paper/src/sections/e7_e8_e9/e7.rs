@@ -31,7 +31,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y*(N + 1 - xi/2)/(N + xi/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + 2*xi*Y*next(Y)
 ";
 
-/// Claims at points of the orbit; `.step` claims concern one step from any point.
+/// Claims at points of the orbit; claims named `.step` concern one step from any point.
 const SOLUTIONS: &str = "
 x | (ss), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 y | (ww), solution y_n |

@@ -1,4 +1,4 @@
-//! Writes the solution of blocks as forms of a step.
+//! Writes the solution of all blocks as forms of a step.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// The most terms of a right-hand side for which all distributions of ε are compared.
+/// The most terms of a right-hand side with several distributions of ε to compare.
 const COMPARED_TERMS: usize = 12;
 
 /// x̃ᵢ − xᵢ: a signed numerator and its reciprocal.
@@ -30,7 +30,7 @@ struct Solution {
 }
 
 impl Arrangement {
-    /// Returns the distinct rotations of rows, at most `most`, until every block repeats.
+    /// Returns the rotations of rows to try: at most `most`, and only distinct ones.
     fn turns(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -40,8 +40,8 @@ impl Arrangement {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each of at most `turns` rotations, with shared rows of the first
-    /// block.
+    /// Returns a candidate for each rotation of rows, at most `turns`. All share the rows of the
+    /// first block.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -143,7 +143,7 @@ impl Solution {
         let Solution { mut writer, increments } = self;
         let increments = &increments[first..];
         let numerator = |(signed, _): &Increment| match signed.negative {
-            // The value is part of x̃ in this plan, so keep the difference and change its sign.
+            // The value is also part of x̃, so it must not be negated in place.
             true => writer.draft.builder.changed_sign(signed.node),
             false => signed.node,
         };

@@ -4,7 +4,6 @@ use super::*;
 use crate::arithmetic::Exact;
 use crate::poly::Variable;
 
-/// Returns the constants a − b and a.
 fn constants() -> Plan {
     let mut builder = PlanBuilder::default();
     let [a, b] = [2, 3].map(|v| builder.input(Variable(v)));

@@ -9,13 +9,12 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 
 impl Writer {
-    /// Writes a polynomial in plain symbols and ε with the cheapest distribution of powers of ε.
+    /// Writes a polynomial in unscaled symbols and ε with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
     }
 
-    /// Writes a matrix entry with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
         let ways = self.scaling.ways(polynomial);
         let write = |writer: &mut Self, way: &Polynomial| Entry {
@@ -25,7 +24,6 @@ impl Writer {
         self.cheapest(&ways, write, |_| 0)
     }
 
-    /// Returns the factors of a term and its sign, with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
         let ways = self.scaling.ways(term);
         let factors = |writer: &mut Self, way: &Polynomial| {
@@ -35,8 +33,8 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Keeps the attempt with the fewest operations plus the result's `price`, the first of equals,
-    /// and undoes the others. There must be at least one attempt.
+    /// Tries all ways to write a value; keeps the one with the lowest sum of operations and
+    /// `price`, the first of equals. Requires at least one way.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
@@ -54,7 +52,7 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // Write the first attempt last: it is often the best and then needs no rewrite.
+        // Writes the first attempt last: it is often the best and then needs no rewriting.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {
@@ -65,7 +63,6 @@ impl Writer {
         }
     }
 
-    /// Returns the lengths of the writer's lists, for [`Self::truncate`].
     fn lengths(&self) -> [usize; 5] {
         [self.draft.length(), self.steps.len(), self.sums.len(), self.put.len(), self.coefficients.len()]
     }

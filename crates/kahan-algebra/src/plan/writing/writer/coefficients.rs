@@ -1,4 +1,4 @@
-//! Gathers sums of constants that multiply products of states into prepared coefficients.
+//! Gathers each sum of constants that multiplies a product of states into one prepared coefficient.
 
 use kahan_syntax::rational::Rational;
 
@@ -11,8 +11,9 @@ use crate::plan::writing::draft::Signed;
 const MOST_GATHERED: usize = 1024;
 
 impl Writer {
-    /// Replaces each sum of constants that multiplies one product of states by a coefficient; sums
-    /// with products of constants only if they may be rounded twice. `None` without such a sum.
+    /// Replaces each sum of constants that multiplies a product of states by a coefficient. Gathers
+    /// sums that contain products of constants only if they may be rounded twice. `None` without
+    /// such a sum.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;
@@ -51,7 +52,6 @@ impl Writer {
         has_state && has_constant
     }
 
-    /// Returns the variable of a sum of constants.
     pub(in crate::plan) fn coefficient(&mut self, sum: &Polynomial) -> Variable {
         if let Some(k) = self.coefficients.iter().position(|known| known == sum) {
             return self.scaling.coefficient(k);
@@ -65,7 +65,6 @@ impl Writer {
         variable
     }
 
-    /// Writes state-independent terms as one prepared constant.
     pub(super) fn fixed_sum(&mut self, terms: Vec<(Monomial, Rational)>) -> Signed {
         let nodes: Vec<Signed> =
             terms.iter().map(|(monomial, coefficient)| self.term(monomial, coefficient, None)).collect();

@@ -1,4 +1,4 @@
-//! Writes a polynomial as multiples of existing sums, and a rest.
+//! Writes a polynomial as multiples of existing sums and a remainder.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::Table;
@@ -10,7 +10,8 @@ use crate::plan::writing::draft::Signed;
 use crate::plan::writing::nesting::Goal;
 
 impl Writer {
-    /// Writes the polynomial as multiples of existing sums and a rest; `None` if none shortens it.
+    /// Writes the polynomial as multiples of existing sums and a remainder; `None` if none shortens
+    /// it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
         let mut multipliers: Table<usize, Polynomial> = Table::new();
@@ -35,8 +36,8 @@ impl Writer {
         Some(self.draft.signed_sum(&terms))
     }
 
-    /// Returns the sum g and the term m for which P − m·g is shortest, with P − m·g, if that is
-    /// shorter than P by at least two terms.
+    /// Returns the sum g and the term m with the shortest remainder P − m·g, and the remainder. It
+    /// must be shorter than P by at least two terms.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, Multiple)> = None;
         for (index, &number) in self.sums.iter().enumerate() {
@@ -63,16 +64,16 @@ struct Multiple {
     left: usize,
 }
 
-/// Returns the term m that leaves the fewest terms of P − m·g, if fewer than `least`; ties go to
-/// the first quotient in the order of terms of P and g.
+/// Returns the term m with the fewest terms of P − m·g, if fewer than `least`. Ties go to the first
+/// quotient in the order of terms of P and g.
 fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<Multiple> {
     let mut best: Option<Multiple> = None;
     for term in polynomial.as_terms() {
         let mut place = 0;
         loop {
             let below = best.as_ref().map_or(least, |best| best.left);
-            // The required overlap of m·g with P: common monomials, plus those with equal
-            // coefficients. Monomials of g before `place` have none.
+            // The required overlap of P and m·g: the number of common monomials plus the number of
+            // equal coefficients. Monomials of g before `place` are not in the overlap.
             let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
             if common + place > 2 * sum.len() {
                 break;
@@ -86,8 +87,8 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
     best
 }
 
-/// Returns the quotient of a term of P by a term of g, if P and the product with g overlap in at
-/// least `common`. Most candidates fail early.
+/// Returns m = quotient of a term of P by a term of g, if the overlap of P and m·g is at least
+/// `common`. Most candidates fail early.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,

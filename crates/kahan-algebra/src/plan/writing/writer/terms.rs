@@ -1,4 +1,4 @@
-//! Writes terms: a product of symbols with a coefficient, placed where it costs nothing.
+//! Writes terms. Their constants are merged with scaled symbols where this costs no operation.
 
 use kahan_syntax::rational::Rational;
 
@@ -21,7 +21,8 @@ impl Writer {
         Signed { node: self.draft.product(&factors), negative }
     }
 
-    /// Returns the factors of a term and its sign. A power of two joins the ε of a scaled symbol.
+    /// Returns the factors of a term and its sign. A power of two is merged with the ε of a scaled
+    /// symbol.
     pub(in crate::plan) fn factors_of_term(
         &mut self,
         monomial: &Monomial,
@@ -56,7 +57,8 @@ impl Writer {
         (factors, negative)
     }
 
-    /// Returns the factors with all constants in one product, with the ε of a scaled state if any.
+    /// Returns the factors with all constants multiplied into one, including the ε of a scaled
+    /// state.
     pub(super) fn folded_factors(&mut self, size: &Rational, symbols: &[Variable]) -> Vec<Node> {
         let is_state = |variable: &Variable| self.scaling.ready(*variable).is_some();
         let (mut states, constants): (Vec<Variable>, Vec<Variable>) =

@@ -51,7 +51,7 @@ fn jacobi_fails_where_it_should() {
     };
     assert!(!poisson("{x,y} = z; {y,z} = x; {z,x} = x*y;"));
     assert!(poisson("{x,y} = z; {y,z} = x; {z,x} = y;"));
-    // Each is Poisson; {y,z} = x is compatible with {x,y} = 1, and {y,z} = y is not.
+    // Each is Poisson; {x,y} = 1 is compatible with {y,z} = x, but not with {y,z} = y.
     for entries in ["{x,y} = 1;", "{y,z} = x;", "{y,z} = y;", "{x,y} = 1; {y,z} = x;"] {
         assert!(poisson(entries), "{entries}");
     }
@@ -67,7 +67,6 @@ fn entry(n: usize, tensor: &[RationalFunction], j: usize, k: usize) -> RationalF
     }
 }
 
-/// Returns all permutations of 0 … n−1 with their signs.
 fn permutations(n: usize) -> Vec<(Vec<usize>, i64)> {
     if n == 0 {
         return vec![(Vec::new(), 1)];

@@ -19,7 +19,7 @@ fn work_beyond_the_budget_is_refused_and_not_begun() {
     let mut little = Budget::new(100, 20);
     assert_eq!(invariant_tensor(&four.field.symbols, &rho, &[h, k], &mut little), None);
 
-    // Twenty-four states and dense integrals: 2²⁴ minors in the middle.
+    // Twenty-four states and dense integrals would need 2²⁴ minors.
     let names: Vec<String> = (0..24).map(|i| format!("x{i}")).collect();
     let field: String = names.iter().map(|name| format!("{name}dot = {name}; ")).collect();
     let large = system(&field);
@@ -31,7 +31,6 @@ fn work_beyond_the_budget_is_refused_and_not_begun() {
     assert_eq!(bracket(&large, &RationalFunction::one(), &integrals), None);
 }
 
-/// Returns integrals and density of a system, as the search provides them.
 fn found(claims: &Claims<'_>, system: &System, integrals: &[&str]) -> (Vec<Formula>, Formula) {
     let symbols = &system.field.symbols;
     let integral = |(index, name): (usize, &&str)| {

@@ -37,7 +37,7 @@ fn bracket(
     invariant_tensor(&system.field.symbols, density, integrals, &mut budget)
 }
 
-/// Tells whether the prover accepts a tensor as invariant under the map of a system, and Poisson.
+/// Returns whether the prover accepts a tensor as Poisson and invariant under the map of a system.
 fn is_proved_at(system: &System, values: &[(String, Rational)], tensor: &[RationalFunction]) -> bool {
     let claims = Claims::new(system, values, None);
     claims.bracket(1, 2, &claims.bracket_entries(&system.field.symbols, tensor)).is_some()
@@ -47,7 +47,7 @@ fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
     is_proved_at(system, &[], tensor)
 }
 
-/// Tells whether a tensor in x, y, z is Poisson; the zero field's map preserves all tensors.
+/// Returns whether a tensor in x, y, z is Poisson; the zero field's map preserves all tensors.
 fn is_poisson(tensor: &[RationalFunction]) -> bool {
     is_proved(&system("xdot = 0; ydot = 0; zdot = 0;"), tensor)
 }
@@ -60,7 +60,7 @@ fn sum(left: &[RationalFunction], right: &[RationalFunction]) -> Vec<RationalFun
     left.iter().zip(right).map(|(left, right)| left + right).collect()
 }
 
-/// E1 with a further component that follows y, and its integral, the quotient by x.
+/// E1 with a further component w proportional to y.
 const E1_IN_FOUR: &str = "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z; wdot = -x*w;
     integral H = y/x; integral K = (x*z + y^2)/(1 - eps^2*x^2); integral L = w/x;
     density rho = 1/(x^2*y*(x*z + y^2));";

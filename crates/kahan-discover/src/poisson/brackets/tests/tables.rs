@@ -32,7 +32,7 @@ fn the_brackets_of_tables_3_and_4_come_out_of_densities_and_integrals() {
             system.name()
         );
         assert_eq!(bracket(&system, &density, &[k]).as_ref(), Some(&q), "Q/c of {}", system.name());
-        // The other sign gives another bracket, so the comparison can fail.
+        // The other sign gives another bracket, so the comparison above is not vacuous.
         assert_ne!(bracket(&system, &density, &[h]), Some(p));
     }
 }
@@ -50,7 +50,7 @@ fn the_pairs_of_tables_3_and_4_are_poisson_and_compatible() {
 
 #[test]
 fn the_undivided_tensor_of_table_4_is_compatible_only_where_c_is_constant() {
-    // Q(ε) of E1 is Poisson, as a multiple of Q(ε)/c in dimension 3, but incompatible with P(ε).
+    // Q(ε) of E1 is Poisson, being a multiple of Q(ε)/c in dimension 3, but incompatible with P(ε).
     let system = system(block(TABLES[0]));
     let c = power(system.field.symbols.state(0), 2).recip().expect("x is not zero");
     let undivided: Vec<_> = tensor_of(&system, "Q").iter().map(|entry| entry * &c).collect();
@@ -75,7 +75,7 @@ fn the_euler_top_has_two_compatible_brackets_of_its_density() {
     for tensor in [&p, &q, &sum(&p, &q)] {
         assert!(is_proved(&system, tensor));
     }
-    // Any multiple is Poisson in dimension 3, but another density makes it not invariant.
+    // Every multiple is Poisson in dimension 3, but a different density destroys invariance.
     let wrong = bracket(&system, &RationalFunction::one(), &[stated(&system, "H")]).expect("a bracket");
     assert!(!is_proved(&system, &wrong));
 }

@@ -15,13 +15,12 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-/// A struct of a program: a prepared map with its state.
+/// A user's struct with a prepared map and its state.
 struct Spinning<M: KahanMap<f64, 2>> {
     map: KahanAt<M, f64, 2>,
     state: SVector<f64, 2>,
 }
 
-/// A struct with a fixed map type.
 struct Wheel {
     inner: Spinning<Rotation<f64>>,
 }

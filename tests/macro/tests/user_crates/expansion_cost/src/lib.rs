@@ -77,7 +77,7 @@ kahan! {
 }
 
 kahan! {
-    /// A lift that takes a search.
+    /// A lift that requires a search.
     lift pub struct Kepler { mu }
     xdot = p;
     ydot = q;
