@@ -1,4 +1,4 @@
-//! Programs as text: one line for each operation, `v2 = x + y`.
+//! Programs as text: one line per operation, such as `v2 = x + y`.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -38,7 +38,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns the program as text, one line for each operation. Inputs and constants are inlined;
+    /// Returns the program as text, one line per operation. Inputs and constants are inlined;
     /// operation k is named `vk`.
     pub fn text(&self, input: impl Fn(&I) -> String) -> String {
         let names: Vec<String> = (self.operations.iter().enumerate())
