@@ -20,9 +20,9 @@ pub struct Name {
 }
 
 /// A block: `[header] (const | equation | family | claim)*`.
+///
 /// `X` is the syntax beyond arithmetic in constants and right-hand sides: [`InFamily`], or
 /// [`InFormula`] in a block to be lifted.
-/// [`InFormula`] in a block that is to be lifted.
 #[derive(Clone, Debug)]
 pub struct Block<X = InFamily> {
     /// The header, such as `pub struct E7 { xi }`.

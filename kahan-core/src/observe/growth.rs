@@ -34,7 +34,7 @@ impl Size {
         Self { mantissa, exponent: 0 }
     }
 
-    /// Multiplies by `factor`, and brings the mantissa to a magnitude from ½ to 1.
+    /// Multiplies by `factor`, and normalises the mantissa to a magnitude from ½ to 1.
     pub(super) fn multiply(&mut self, factor: Self) {
         let (mantissa, exponent) = libm::frexp(self.mantissa * factor.mantissa);
         *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };

@@ -1,8 +1,8 @@
-//! The first pass: eliminates the interiors and leaves the Schur complements of the separators.
+//! The first pass: eliminates the interiors of parts, leaving Schur complements of the separators.
 //!
-//! In: the states of some groups, gathered with one part per lane. Out: for each part 2S rows, S =
-//! R·B, of 2S + 1 numbers, and their largest multiplier. Rows and columns of the right separator
-//! come first.
+//! In: the states of some groups, gathered with one part per lane. Out: per part 2S rows of 2S + 1
+//! numbers (S = R·B) and their largest multiplier. Rows and columns of the right separator come
+//! first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -96,7 +96,7 @@ impl<
                 }
             }
             for r in 0..R {
-                // Only the couplings to the interior; the rest belongs to the next part.
+                // Only couplings to this interior; the other entries belong to the next part.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -123,19 +123,18 @@ impl<
     }
 }
 
-/// A running elimination of the interiors.
+/// The state of an elimination of the interiors.
 struct Sweep<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     /// The rows of the left separator.
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest multiplier of these rows.
+    /// The largest multiplier of the border rows.
     worst: L,
 }
 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Sweep<L, B, R, LOWER, WIDTH>
 {
-    /// Appends the next row and eliminates a column.
     #[inline(always)]
     fn take<T>(&mut self, row: WindowRow<L, B, R, WIDTH>)
     where
@@ -152,8 +151,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The final dense system of the first pass, followed by the largest multipliers: eliminates its
-/// first columns, with pivots only from the first rows.
+/// The final dense system of the first pass, followed by the largest multipliers. Its first columns
+/// are eliminated, with pivots only from the first rows.
 struct Rest<'a, T> {
     dense: &'a mut [T],
     first: usize,

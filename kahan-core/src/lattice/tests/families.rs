@@ -1,4 +1,4 @@
-//! Families written by hand, in the form that the macro generates.
+//! Handwritten families, in the form that the macro generates.
 
 use std::vec;
 use std::vec::Vec;

@@ -1,4 +1,4 @@
-//! A float and its magnitude in one vector register, so that bounds cost no further operations.
+//! A float and its magnitude in one vector register, so that bounds need no further instructions.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -14,8 +14,8 @@ use super::pair::Pair;
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64
-        // processor; the fused operations are compiled only where the whole program is compiled for
-        // FMA. Nothing here touches memory.
+        // processor. Fused operations are compiled only if the whole program is compiled for FMA.
+        // No memory is accessed.
         #[allow(unsafe_code, reason = "compilers do not pair values and magnitudes by themselves")]
         unsafe {
             $expression
@@ -23,7 +23,7 @@ macro_rules! machine {
     };
 }
 
-/// A pair in a register: the value in the lowest lane, the magnitude in the next one.
+/// Defines a pair in a register: the value in the lowest lane, the magnitude in the next.
 macro_rules! packed {
     (
         $(#[$docs:meta])*
@@ -101,7 +101,7 @@ packed! {
 }
 
 packed! {
-    /// Two floats. The upper lanes repeat the magnitude, as subnormal numbers there are slow.
+    /// Two floats. The upper lanes repeat the magnitude, because subnormal contents would be slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

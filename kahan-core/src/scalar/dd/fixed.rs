@@ -1,15 +1,13 @@
-//! Binary fixed-point numbers that hold every sum of two `f64`, for conversion from and to text.
-//!
-//! In: floats, or limbs from decimal digits. Out: exact values, or the nearest float.
+//! Binary fixed-point numbers that can hold every sum of two `f64`, for conversion from and to
+//! text.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::Dd;
 
-/// The number of 64-bit limbs before the point, and of those behind: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
+/// The number of 64-bit limbs before and after the point: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
 pub(super) const HALF: usize = 17;
 
-/// The number of bits behind the point.
 const POINT: i32 = 64 * HALF as i32;
 
 /// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸.
@@ -72,11 +70,12 @@ impl Fixed {
         fixed
     }
 
-    /// Returns the nearest float, ties to even, of a number below 2¹⁰²⁴, plus a rest if `has_more`.
+    /// Rounds a number below 2¹⁰²⁴ to the nearest float, ties to even; `has_more` adds an
+    /// infinitesimal.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;
-        // The exponent of the last bit of a float of this size.
+        // The exponent of the last bit of a float of this magnitude.
         let last = (leading - POINT - 52).max(-1074);
         let (limb, shift) = place(last);
         let next = self.limbs.get(limb + 1).copied().unwrap_or(0);
@@ -94,7 +93,7 @@ impl Fixed {
     }
 }
 
-/// Returns limb and bit of 2^exponent.
+/// Returns the limb and bit of 2^exponent.
 fn place(exponent: i32) -> (usize, u32) {
     let bit = (exponent + POINT) as u32;
     ((bit / 64) as usize, bit % 64)
