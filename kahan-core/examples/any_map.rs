@@ -21,7 +21,6 @@ kahan! {
     for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }
 }
 
-/// A struct that contains a map, by its type.
 struct Clock {
     spring: KahanAt<Spring, f64, 2>,
     hand: SVector<f64, 2>,

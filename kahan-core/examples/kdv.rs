@@ -60,7 +60,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Returns mass, momentum Σ u², energy and modified energy.
 fn kept(chain: &mut LatticeAt<Kdv<f64>, f64>, u: &[f64]) -> [f64; 4] {
     let momentum = u.iter().map(|u| u * u).sum();
     [chain.integrals(u)[0], momentum, chain.hamiltonian(u), chain.modified_energy(u)]
@@ -76,7 +75,6 @@ fn trend(values: &[f64]) -> f64 {
     above / below * 2.0 * middle
 }
 
-/// Draws the profiles, each shifted up from the one before.
 fn picture(profiles: &[Vec<f64>]) -> String {
     let (width, gap, scale) = (720.0, 26.0, 40.0);
     let height = gap * (profiles.len() - 1) as f64 + 2.0 * scale + 40.0;

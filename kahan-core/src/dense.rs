@@ -69,6 +69,7 @@ pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     }
 }
 
+/// The workspace of a step.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     /// A(x,ε), column by column, then f(x).
@@ -339,10 +340,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         Some(is_large || L::any(largest.exceeds(L::spread(&most))))
     }
 
-    /// Reduces W columns, from `column` on, by pivots whose factors are known.
     #[inline(always)]
     fn reduce<const W: usize>(self, columns: &mut [T], factors: &[T], column: usize, pivots: Range<usize>) {
-        // Rows of pivots are reduced only by earlier pivots.
         let below = pivots.end.next_multiple_of(T::ROWS);
         for k in pivots.clone() {
             self.subtract::<W>(columns, factors, column, below, [k, k - pivots.start]);

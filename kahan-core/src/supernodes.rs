@@ -56,7 +56,6 @@ struct Reduction {
     /// The panel column after that of the last pivot.
     behind: usize,
     tasks: Range<usize>,
-    /// The runs of columns to reduce right of the pivots.
     runs: Range<usize>,
     /// The position in `lists` of the columns right of the last pivot, preceded by the pivots'
     /// columns. `Some` if rows are reduced one pivot at a time.
@@ -84,6 +83,7 @@ struct Run {
     length: u32,
 }
 
+/// The workspace of a factorisation.
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
     rows: Vec<T>,

@@ -113,7 +113,6 @@ fn modes_are_maps() {
     let expected = composed.orbit(start).compensated().nth(STEPS as usize).unwrap();
     assert_eq!(orbit.nth(STEPS as usize).unwrap()[..3], *expected.as_slice());
 
-    // Two vectors beside the point, propagated by the map and by its composition.
     let vectors = [vector![1.0, -2.0, 0.5], vector![0.0, 1.0, 3.0]];
     let beside: Vec<f64> = [start, vectors[0], vectors[1]].iter().flatten().copied().collect();
     with_vectors(&plain, &beside);

@@ -39,7 +39,6 @@ fn springs_lose_their_common_phase_and_keep_their_energies() {
     let (mean, change) = ensemble::run();
     // The mean velocity starts at 0.3.
     assert!(mean.abs() < 0.06, "{mean}");
-    // Four thousand steps.
     assert!(change < 1e-12, "{change:e}");
 }
 

@@ -71,7 +71,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// Emits the step by sparse elimination, and its Jacobian by the same factors.
+/// Emits the step by sparse elimination, and its Jacobian by sparse elimination too.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;

@@ -122,7 +122,6 @@ impl<T: 'static> Code<T> {
         }
     }
 
-    /// Runs a sweep with a table of `ROOM` column addresses.
     fn sweep_by<const ROOM: usize>(
         &self,
         mut table: [usize; ROOM],

@@ -11,6 +11,7 @@ pub enum Input {
     Constant(usize),
 }
 
+/// A function that a program may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
     /// a if a > b, else b.

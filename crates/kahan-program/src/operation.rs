@@ -47,6 +47,7 @@ impl Float {
         Float(value.to_bits())
     }
 
+    /// Returns the double.
     #[inline]
     #[must_use]
     pub const fn value(self) -> f64 {

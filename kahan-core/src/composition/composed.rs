@@ -21,7 +21,6 @@ pub struct Composed<S: Step> {
     eps: S::Scalar,
 }
 
-/// A palindromic sequence of up to 17 stages.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palindrome<P> {
     /// The distinct stages: the first `len` entries, then copies of the middle stage.
@@ -61,6 +60,7 @@ impl<S: Step> Composed<S> {
         Self { stages: Palindrome::new(gammas.len(), stage), composition, eps }
     }
 
+    /// Returns the composition.
     pub fn composition(&self) -> Composition {
         self.composition
     }

@@ -182,7 +182,7 @@ where
     work(first, columns)
 }
 
-/// A contiguous range of groups from every column.
+/// The same range of groups of every column.
 pub(crate) type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
 /// Splits the columns into two halves of whole tiles; `Err` if two tasks would not pay.

@@ -21,7 +21,6 @@ const LINE: usize = 64;
 /// A column takes an odd number of groups. Equal indices of different columns are then never a
 /// multiple of 4096 bytes apart, which would make them compete for the same cache sets.
 pub(crate) struct Columns<T, const N: usize> {
-    /// Alignment padding, then the columns.
     entries: Vec<T>,
     /// The index of the first entry that begins a cache line.
     start: usize,
@@ -56,12 +55,10 @@ impl<T: Copy, const N: usize> Columns<T, N> {
         self.len
     }
 
-    /// Returns the column of variable `c` without its padding.
     pub(crate) fn column(&self, c: usize) -> &[T] {
         &self.entries[self.start + c * stride(self.len)..][..self.len]
     }
 
-    /// Returns all columns as mutable groups, including the padding.
     pub(crate) fn groups_mut(&mut self) -> [&mut [Group<T>]; N] {
         let (stride, used) = (stride(self.len) / GROUP, self.len.div_ceil(GROUP));
         let (mut rest, _) = self.entries[self.start..].as_chunks_mut();

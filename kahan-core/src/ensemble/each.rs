@@ -17,7 +17,6 @@ use super::columns::{GROUP, Group};
 use super::lanes::{Lanes, OverLanes};
 use super::level::Instructions;
 
-/// The work on one group: its columns and the maps of its trajectories.
 struct Each<'a, 'c, S, T, const N: usize> {
     /// The map of each lane; padding lanes repeat the last map.
     maps: [&'a S; GROUP],

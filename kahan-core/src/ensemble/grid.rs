@@ -62,7 +62,6 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Converts the natural number `n` to a scalar.
 fn integer<T: Scalar>(n: usize) -> T {
     // No axis has 2⁶³ values.
     T::constant(&Constant::integer(n as i64))

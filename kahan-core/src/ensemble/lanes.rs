@@ -41,7 +41,6 @@ pub trait Lanes<T>: Scalar + Copy {
 
 pub(crate) type Square<T> = [[T; 4]; 4];
 
-/// Every scalar is a register of width 1.
 impl<T: Scalar + Copy> Lanes<T> for T {
     const WIDTH: usize = 1;
 
@@ -122,9 +121,7 @@ pub(super) trait LaneSweep: InLanes {
         S: Staged<Self, N>;
 }
 
-/// 2⁻⁶⁰
 pub(super) const NEGLIGIBLE_F32: f32 = 1.0 / (1_u64 << 60) as f32;
-/// 2⁻⁵⁰⁰
 pub(super) const NEGLIGIBLE_F64: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// c − a·b, fused if the program is compiled for FMA; AVX2 lanes always fuse.

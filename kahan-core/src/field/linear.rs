@@ -56,7 +56,6 @@ pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
     eliminated_determinant(&mut a)
 }
 
-/// Returns det A and overwrites A.
 #[inline(always)]
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
@@ -164,7 +163,6 @@ fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) ->
     })
 }
 
-/// Returns Σ c_ij·v_j over j < m.
 fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize, v: &[T; N]) -> T {
     let mut sum = T::zero();
     for j in 0..m {
@@ -203,6 +201,7 @@ pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
 }
 
+/// Returns a vector of these entries.
 #[inline(always)]
 pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))

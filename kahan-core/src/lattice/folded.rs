@@ -11,7 +11,6 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-/// The elimination order of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Order {
     /// 0, 1, 2, …
@@ -41,7 +40,6 @@ impl Order {
 pub(super) struct Folded<T> {
     order: Order,
     len: usize,
-    /// The lower bandwidth in elimination order.
     lower: usize,
     /// The number of entries of a row from its pivot on: `lower` + 1 + `upper`.
     width: usize,
@@ -84,7 +82,6 @@ impl<T: Scalar> Folded<T> {
 
     /// Like [`new`](Self::new), with little memory, but about twice the work for a long chain.
     pub(super) fn rarely(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
-        /// The length of a stretch, in windows.
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;
         Self::in_stretches(len, is_ring, lower, upper, WINDOWS * window)
@@ -129,14 +126,13 @@ impl<T: Scalar> Folded<T> {
         Some(&self.solution)
     }
 
-    /// Eliminates the stretch from column `begin` on.
+    /// Eliminates the window of columns from `begin` on.
     fn eliminate_stretch(
         &mut self,
         begin: usize,
         write: &mut impl FnMut(usize, &mut BandRow<'_, T>),
     ) -> Option<()> {
         let stride = self.width + 1;
-        // Rows that the previous stretches already wrote.
         let mut rows = if begin == 0 { 0 } else { self.len.min(begin + self.lower) };
         for place in begin..self.len.min(begin + self.stretch) {
             // All rows with an entry in this column; the window is full except near the end.

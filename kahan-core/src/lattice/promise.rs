@@ -29,7 +29,6 @@ pub(super) struct Promise<T: LatticeScalar> {
     far: Option<Rows<T::Far>>,
     /// The largest magnitude of ε and the parameters.
     largest: f64,
-    /// The state before the step.
     pub(super) before: Vec<T>,
     /// b − A·x̃, rounded.
     pub(super) residual: Vec<T>,

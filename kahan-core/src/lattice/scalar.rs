@@ -31,7 +31,6 @@ pub(super) trait Solved: Sized {
     /// Wider numbers with error bounds.
     type Near: Judge<Self>;
 
-    /// The workspace for steps of a long chain in parts.
     type Parts: Parted<Self>;
 
     /// The widest numbers with error bounds, without underflow, for cases that `Near` does not

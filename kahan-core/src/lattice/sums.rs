@@ -30,7 +30,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         totals.into_iter().map(Total::sum).collect()
     }
 
-    /// Evaluates the densities of every site over L.
     fn for_each_site<S, L: Scalar + FromScalar<T>>(
         &self,
         x: &[S],
@@ -116,7 +115,6 @@ impl<T: LatticeScalar> FromScalar<T> for Along<T> {
     }
 }
 
-/// A compensated sum.
 #[derive(Clone, Debug)]
 pub(super) struct Total<T> {
     sum: T,

@@ -24,7 +24,6 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     }
     let matrix = matrix();
     if !can_eliminate(&matrix) {
-        // The determinant may overflow as well.
         return Err(SingularStep::new(f64::NAN, eps.approximate()));
     }
     let increment = increment_by_elimination(matrix, map.field_at(x, eps), eps).ok_or_else(singular)?;

@@ -57,7 +57,6 @@ pub struct SideBySide<'a, T, P> {
 /// Consecutive points of every trajectory of a group.
 #[derive(Debug)]
 pub struct Burst<'a, P> {
-    /// The step number of the first of `seen`.
     pub(super) before: u64,
     /// The last point already shown, then the points of the following steps.
     pub(super) seen: &'a [P],

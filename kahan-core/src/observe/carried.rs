@@ -19,7 +19,6 @@ use super::{Observer, TangentMap};
 #[derive(Clone, Debug)]
 pub struct Carried<M: TangentMap, const K: usize> {
     map: M,
-    /// The base point of the vectors.
     place: M::State,
     vectors: [M::State; K],
     /// The binary exponent of each vector: tangent vector k is `vectors[k]`·2^`exponents[k]`.
@@ -165,7 +164,6 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
             vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, own)| *own = entry(k, i));
         }
         carried.place.as_mut_slice().copy_from_slice(x);
-        // The indicator gets each step once.
         if core::mem::replace(&mut carried.steps, step) < step {
             self.look(step);
         }

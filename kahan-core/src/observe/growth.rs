@@ -120,7 +120,6 @@ where
     // Enough scalings to cover the whole range of `f64`.
     for _ in 0..2 * 1100 / BITS {
         let squared = square(vector.as_slice());
-        // The square of a small vector may underflow to 0.
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {
             break;
         }

@@ -48,7 +48,6 @@ where
                 for (k, columns) in vectors.iter_mut().enumerate() {
                     let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
-                    // Steps over floats have a value at every point.
                     let stages = S::in_order(&stages).map(|(map, eps)| (map, eps));
                     let Some(carried) = carry_to(stages, &x, &y, &v) else { continue };
                     let mut squared = L::zero();

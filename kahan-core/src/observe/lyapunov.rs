@@ -64,7 +64,6 @@ impl Default for Doublings {
 }
 
 impl Doublings {
-    /// Records the squared length at a step that is a power of two.
     #[inline(always)]
     pub(super) fn pass(&mut self, step: u64, square: Size) {
         let [_, before, last] = self.0;

@@ -18,7 +18,6 @@ pub type Megno<M> = Follower<MeanGrowth, M, 1>;
 /// The partial sums of MEGNO.
 #[derive(Clone, Debug, Default)]
 pub struct MeanGrowth {
-    /// log |v₀|
     first: f64,
     /// The sum of log(|vₖ|/|v₀|) over the steps before the last.
     before: f64,

@@ -231,7 +231,6 @@ where
             if part.is_one() {
                 state.as_mut_slice()[..x.len()].copy_from_slice(x);
             } else {
-                // Steps over floats continue at poles.
                 let _ = map.part(&(part * eps), state.as_mut_slice(), workspace);
             }
             state.to_point()
@@ -342,7 +341,6 @@ where
     Orbit::new(&map, start).observe(steps, section).points
 }
 
-/// A sink that stores the first crossing and ends the run.
 #[derive(Clone, Debug)]
 pub(super) struct First<C>(pub(super) Option<C>);
 

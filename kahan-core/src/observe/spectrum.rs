@@ -27,7 +27,6 @@ pub struct Spectrum<M: TangentMap> {
     place: M::State,
     directions: Vec<GrowingVector<M::State>>,
     every: u64,
-    /// The steps until the next orthogonalisation.
     until: u64,
     turns: u64,
     steps: u64,

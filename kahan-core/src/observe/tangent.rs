@@ -105,7 +105,6 @@ macro_rules! implement_for_stages {
             #[inline(always)]
             fn carry(&self, x: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
-                // Steps over floats have a value at every point.
                 if let Some(carried) = carry(Self::in_order(&stages).copied(), &point(x), v) {
                     *v = carried;
                 }

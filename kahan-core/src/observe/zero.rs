@@ -63,7 +63,6 @@ pub(super) fn narrow<T: FloatScalar>([start, end]: [T; 2], mut level: impl FnMut
             at if at > 0.0 && at < closest => share,
             at if at > 1.0 - closest && at <= 1.0 => T::one() - share,
             at if at > 0.0 && at < 1.0 => secant,
-            // An end value is infinite.
             _ => half,
         };
         // The function may lack a value at an isolated argument, so try others.

@@ -9,11 +9,10 @@ use num_traits::{One, Zero};
 use super::tuning::fenced;
 use super::{Constant, Scalar, operators};
 
-/// A value with its derivative along one direction.
+/// A value and its derivative along one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Along<T> {
     pub(crate) value: T,
-    /// The derivative; `None` for a constant.
     pub(crate) slope: Option<T>,
 }
 

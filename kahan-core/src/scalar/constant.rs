@@ -30,7 +30,7 @@ struct Long<'a> {
     low: f64,
 }
 
-/// The largest absolute numerator and denominator of [`Constant::ratio`].
+/// The largest numerator and denominator of [`Constant::ratio`].
 const RATIO_LIMIT: u64 = 1 << 24;
 
 impl<'a> Constant<'a> {
@@ -145,7 +145,6 @@ const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     (p - leading * q) - rest * q
 }
 
-/// Creates a natural number from little-endian limbs.
 #[cfg(feature = "exact")]
 fn natural(limbs: &[u64]) -> num_bigint::BigUint {
     num_bigint::BigUint::new(limbs.iter().flat_map(|&limb| [limb as u32, (limb >> 32) as u32]).collect())

@@ -2,8 +2,8 @@
 //!
 //! In: the closed form of a step. Out: its value and exact derivatives. Only rational formulas are
 //! supported: dual numbers have no order and no roots. Operators are always inlined in optimised
-//! builds, so that steps over lanes stay in registers, and never in others, where they would
-//! enlarge stack frames.
+//! builds, so that steps over lanes stay in registers; in other builds they are calls, because
+//! inlining would enlarge stack frames.
 
 use core::array::from_fn;
 use core::ops::Neg;

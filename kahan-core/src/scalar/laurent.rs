@@ -11,7 +11,6 @@ use num_traits::{One, Zero};
 
 use super::{Constant, Scalar, operators};
 
-/// A number or a truncated Laurent series.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Laurent<T> {
     /// An exact number, without higher powers of δ.
@@ -28,7 +27,7 @@ pub(crate) enum Laurent<T> {
 use Laurent::{Number, Series};
 
 impl<T: Scalar> Laurent<T> {
-    /// Returns δ with the given number of terms.
+    /// Returns δ, known to this many terms.
     pub(crate) fn delta(terms: usize) -> Self {
         let terms = (0..terms.max(1)).map(|k| if k == 0 { T::one() } else { T::zero() });
         Series { start: 1, terms: terms.collect() }

@@ -329,7 +329,6 @@ impl Workspace {
     }
 }
 
-/// A clone is empty.
 impl Clone for Workspace {
     fn clone(&self) -> Self {
         Self::new()
@@ -385,7 +384,6 @@ impl<S: Step> Step for &S {
     }
 }
 
-// Maps chosen at run time have vectors as states.
 #[cfg(feature = "std")]
 macro_rules! implement_for_a_choice {
     ($($choice:ty),*) => {$(

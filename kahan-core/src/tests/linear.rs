@@ -6,7 +6,6 @@ use crate::field::linear::{determinant, determinant_and_adjugate_product, solve}
 
 type Matrix = SMatrix<f64, 3, 3>;
 
-/// Returns a matrix that needs pivoting.
 fn awkward() -> Matrix {
     Matrix::new(1e-20, 2.0, -1.0, 4.0, 0.5, 3.0, -2.0, 1.0, 7.0)
 }

@@ -57,7 +57,6 @@ fn check_top<T: ThroughPoles>(number: fn(f64) -> T, near: impl Fn(&SVector<T, 3>
         assert_eq!(points[1], Some(point([2.0; 3])), "{start:?}");
         assert_eq!(points[2], Some(point([-2.0; 3])), "{start:?}");
         let last = points[3].clone().expect("not at infinity");
-        // Back through the common point.
         let back = affine(Top.orbit(last, number(-0.5)).projective().take(4));
         assert_eq!(back[2], Some(point([2.0; 3])), "{start:?}");
         assert!(near(back[3].as_ref().expect("not at infinity"), &point(start)), "{start:?}: {back:?}");

@@ -23,7 +23,6 @@ mod neighbours;
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Ensemble, EnsembleScalar, Level};
 
-/// Iterates over the levels of this processor.
 fn levels() -> impl Iterator<Item = Level> {
     [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter(|level| {
         if !level.is_available() {
@@ -33,7 +32,6 @@ fn levels() -> impl Iterator<Item = Level> {
     })
 }
 
-/// Returns whether multiply-adds on this level are fused.
 fn fuses(level: Level) -> bool {
     level > Level::Baseline || cfg!(target_feature = "fma")
 }

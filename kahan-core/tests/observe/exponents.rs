@@ -13,7 +13,6 @@ use crate::systems::E6;
 fn lorenz_has_the_exponents_of_the_literature() {
     let map = LORENZ.at(0.0025);
     let observers = (Spectrum::new(&map, 3, 5), Lyapunov::new(&map));
-    // Starts near the attractor.
     let start = map.orbit(vector![1.0, 1.0, 20.0]).nth(8_000).unwrap();
     let (spectrum, largest) = map.orbit(start).observe(200_000, observers);
     for (found, known) in spectrum.iter().zip([0.9056, 0.0, -14.5723]) {
@@ -101,7 +100,6 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
         let observers = (Spectrum::new(&composed, 3, every), MeanLogDet::new(&composed));
         let (spectrum, mean) = composed.orbit(start).observe(steps, observers);
         let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
-        // Five stages per step.
         assert!((sum - mean).abs() < 5.0 * bound(eps), "{sum} {mean}");
         // The flow's divergence is constant, and a method of order 4 is close to it.
         assert!((mean + 41.0 / 3.0).abs() < 1e-3, "{mean}");

@@ -33,7 +33,6 @@ fn crossings_are_those_of_a_plain_loop() {
     assert_eq!(both.len(), rising.len() + falling.len());
     assert!(rising.len() > 100);
     for Crossing { step, part, time, point } in both {
-        // Bisects the part of the step.
         let before = &points[step as usize];
         let sign = before[0].signum();
         let (mut left, mut right) = (0.0, 1.0);

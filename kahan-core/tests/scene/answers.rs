@@ -41,7 +41,6 @@ fn a_trajectory_ends_at_the_horizon_and_for_integrals_epsilon_is_short() {
     for (horizon, tolerance) in [(10.0, 0.3), (10.0, 1e-2), (10.0, 1e-6), (10.0, 1e-20), (2e-4, 1e-12)] {
         let setting = Scene::trajectory(horizon, tolerance).choose(&E6, &START.into()).unwrap();
         let missed = (2.0 * setting.eps() * setting.steps() as f64 - horizon).abs();
-        // ε and the product are rounded.
         assert!(missed <= horizon * f64::EPSILON, "{missed:e}");
         assert!(setting.error() <= tolerance);
     }

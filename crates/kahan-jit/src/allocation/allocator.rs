@@ -19,7 +19,6 @@ pub(super) struct Allocator<'a> {
     pub(super) registers: Vec<Option<usize>>,
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
-    /// The memory location of each value.
     pub(super) home: Vec<Option<Place>>,
     pub(super) is_kept: Vec<bool>,
     pub(super) free_slots: Vec<usize>,
@@ -152,7 +151,7 @@ impl<'a> Allocator<'a> {
         self.drop_dead(value);
     }
 
-    /// Stores the results that had to be stored last.
+    /// Stores the results that had to wait for the end.
     fn store_last(&mut self) {
         for (i, output) in self.program.outputs.iter().enumerate() {
             if self.waits[i] {

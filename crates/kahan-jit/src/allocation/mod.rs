@@ -23,9 +23,7 @@ use uses::Uses;
 pub(crate) enum Place {
     State(usize),
     Constant(usize),
-    /// A constant embedded in the program.
     Literal(Float),
-    /// A spilled value on the stack.
     Slot(usize),
     Result(usize),
 }
@@ -54,6 +52,7 @@ pub(crate) struct Allocation {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
+    /// The destination of the results.
     pub(crate) ends: Ends,
     /// Whether many rounds use equal constants.
     pub(crate) keeps_constants: bool,

@@ -118,7 +118,6 @@ impl Allocator<'_> {
         }
     }
 
-    /// Frees the slots of values without further uses.
     pub(super) fn free_slots_of(&mut self, values: &[usize]) {
         for &value in values {
             if self.uses.next(value).is_none()
@@ -130,7 +129,6 @@ impl Allocator<'_> {
         }
     }
 
-    /// Records that a value is in a register.
     pub(super) fn define(&mut self, value: usize, register: Vector) {
         self.registers[usize::from(register.0)] = Some(value);
         self.register_of[value] = Some(register);

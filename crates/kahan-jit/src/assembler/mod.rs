@@ -32,7 +32,6 @@ pub(crate) enum Binary {
     ExclusiveOr,
 }
 
-/// A fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Fused {
     /// product + addend
@@ -63,7 +62,6 @@ pub(crate) struct Needs {
     pub(crate) uses_pointers: bool,
     /// The number of vector registers in use, from the first on.
     pub(crate) vectors: u8,
-    /// The number of machine instructions in its body.
     pub(crate) instructions: usize,
 }
 

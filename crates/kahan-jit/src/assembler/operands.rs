@@ -2,7 +2,6 @@
 
 use super::pool::Entry;
 
-/// A floating-point format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Element {
     Single,
@@ -52,11 +51,9 @@ pub(crate) struct Vector(pub(crate) u8);
 /// A memory operand; G is the processor's type of general-purpose registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory<G> {
-    /// base + offset
     At { base: G, offset: i32 },
     /// base + index; neither is the stack pointer.
     Indexed { base: G, index: G },
-    /// A constant of the pool.
     Pool(Entry),
 }
 

@@ -2,7 +2,6 @@
 
 use super::operands::{Element, Form};
 
-/// The index of a constant in the pool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Entry(usize);
 
@@ -34,7 +33,6 @@ impl Pool {
         }))
     }
 
-    /// Records that the code at `place` refers to `entry`.
     pub(super) fn note_use(&mut self, place: usize, entry: Entry) {
         self.uses.push((place, entry));
     }

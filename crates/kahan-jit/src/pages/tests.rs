@@ -31,7 +31,6 @@ mod on_linux {
 
     use super::{Pages, bytes};
 
-    /// A memory range of this process and its permissions, such as `r-xp`.
     struct Piece {
         addresses: Range<usize>,
         permissions: String,

@@ -9,7 +9,6 @@ use kahan_program::Operation::*;
 
 use crate::{Called, Program};
 
-/// Runs a program, with or without fused multiply-adds.
 pub(crate) fn run<T: Float>(program: &Program, states: &[T], constants: &[T], fuses: bool) -> Vec<T> {
     run_by(program, |i| states[i], |k| constants[k], fuses)
 }

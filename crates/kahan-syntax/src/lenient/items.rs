@@ -10,7 +10,6 @@ use super::Reader;
 use super::left::Left;
 
 pub(super) struct Item {
-    /// The tokens, without the separator after them.
     pub(super) tokens: Range<usize>,
     pub(super) left: Option<Left>,
     pub(super) is_ended: bool,

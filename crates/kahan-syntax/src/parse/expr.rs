@@ -24,7 +24,7 @@ use super::{Parsed, error};
 
 const DEEPEST_NESTING: usize = 256;
 
-/// Syntax beyond arithmetic.
+/// The syntax of a language beyond arithmetic.
 pub(super) trait Dialect: Sized {
     /// Reads what follows a name at `span`; `None` for a plain name.
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>>;

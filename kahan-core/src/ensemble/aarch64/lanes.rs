@@ -13,7 +13,6 @@ use crate::ensemble::registers::{Choosing, choosing, lanes};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-/// Runs an intrinsic of NEON.
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: every 64-bit Arm that has the standard library has NEON.

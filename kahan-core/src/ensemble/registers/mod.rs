@@ -19,7 +19,6 @@ pub(in crate::ensemble) trait Choosing: Copy {
     fn transposed(rows: Square<Self::Float>) -> Square<Self::Float>;
 }
 
-/// Implements [`Choosing`] for a register.
 macro_rules! choosing {
     ($register:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
         impl Choosing for $register {

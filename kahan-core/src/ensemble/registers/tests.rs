@@ -74,7 +74,6 @@ macro_rules! operands_of {
 operands_of!(operands_f32, f32, u32);
 operands_of!(operands_f64, f64, u64);
 
-/// The sequence SplitMix64.
 fn random_bits(seed: u64) -> impl Iterator<Item = u64> {
     (1_u64..).map(move |k| {
         let z = seed.wrapping_add(k.wrapping_mul(0x9e37_79b9_7f4a_7c15));

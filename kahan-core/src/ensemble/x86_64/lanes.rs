@@ -21,7 +21,6 @@ use crate::{Constant, Scalar};
 mod choosing;
 mod transposing;
 
-/// Runs intrinsics of a lane type's instruction set.
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: the instructions exist here. AVX lane types are used only inside `avx2`,

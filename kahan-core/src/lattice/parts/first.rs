@@ -123,7 +123,6 @@ impl<
     }
 }
 
-/// The state of an elimination of the interiors.
 struct Sweep<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     /// The rows of the left separator.

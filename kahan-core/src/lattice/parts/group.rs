@@ -98,7 +98,6 @@ impl Parts {
         T::run(Transposed { rows: self.width, columns: sites * block, from, to }, level);
     }
 
-    /// Scatters the sites of each part from site `from` on.
     pub(super) fn scatter_inner<T: InLanes>(
         self,
         chain: &mut [T],

@@ -81,7 +81,6 @@ impl<
         row
     }
 
-    /// Returns a row of site i among the first R interior sites.
     #[inline(always)]
     pub(super) fn row_at_edge<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

@@ -11,6 +11,7 @@ use super::first::First;
 use super::kernels::{Kernels, Pass};
 use super::second::Second;
 
+/// Kernels for a short list of stencil sizes.
 #[derive(Clone, Copy, Debug)]
 pub enum Menu {}
 

@@ -47,7 +47,6 @@ pub(super) struct InParts<T> {
     reduced: Folded<T>,
 }
 
-/// A workspace that steps long chains of T in parts.
 pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// The number of parts per group; `None` for scalars without lanes.
     const LANES: Option<usize>;

@@ -14,14 +14,12 @@ pub(in crate::lattice) struct Partition {
     reach: usize,
     lanes: usize,
     groups: usize,
-    /// The length of the shorter parts.
     length: usize,
     /// The number of leading groups whose parts have one more site.
     longer: usize,
 }
 
 impl Partition {
-    /// Divides a chain; `None` if it is too short.
     pub(in crate::lattice) fn new(sites: usize, reach: usize, lanes: usize) -> Option<Self> {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
@@ -44,7 +42,6 @@ impl Partition {
         (length >= least).then_some(Self { sites, reach, lanes, groups, length, longer })
     }
 
-    /// Returns the number of parts per group.
     pub(super) fn lanes(&self) -> usize {
         self.lanes
     }

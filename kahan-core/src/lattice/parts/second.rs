@@ -123,7 +123,6 @@ impl<
     }
 }
 
-/// The state of an elimination of the interiors, without columns of the separator.
 struct Sweep<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, 0, LOWER, WIDTH>,
     done: &'a mut [T],

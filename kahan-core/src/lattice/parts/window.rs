@@ -7,7 +7,6 @@
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
 
-/// A row from the current column on.
 #[derive(Clone, Copy)]
 pub(super) struct WindowRow<L, const B: usize, const R: usize, const WIDTH: usize> {
     pub(super) band: [L; WIDTH],
@@ -91,7 +90,6 @@ fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
     (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
 }
 
-/// The candidate pivot rows.
 pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     pub(super) rows: [WindowRow<L, B, R, WIDTH>; LOWER],
 }

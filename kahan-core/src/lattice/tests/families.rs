@@ -87,7 +87,6 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
 pub(super) struct Kdv<T, const OPEN: bool> {
     /// 1/h.
     pub(super) inverse: T,
-    /// The coefficients of the third derivative.
     pub(super) dispersion: Vec<T>,
 }
 

@@ -59,7 +59,6 @@ fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item
             for (a, b) in next.iter().zip(&expected) {
                 assert!((a - b).abs() <= 16.0 * f64::EPSILON, "{sites} sites on {level:?}: {a} and {b}");
             }
-            // Levels with fused multiply-adds have equal bits.
             if level != Level::Baseline {
                 assert_eq!(*fused.get_or_insert(next.clone()), next, "{sites} sites on {level:?}");
             }
@@ -114,7 +113,6 @@ fn a_singular_part_sends_the_step_to_the_whole() {
         let mut tried = start.clone();
         assert_eq!(at.try_step(&mut tried), Ok(()));
     }
-    // The parts of three groups.
     assert_eq!(sent, 24);
 }
 

@@ -27,7 +27,6 @@ const REFINEMENTS: usize = 2;
 
 /// The residual of a solution and its backward error.
 struct Rest<T, const N: usize> {
-    /// b − A·x̃, rounded.
     residual: [T; N],
     /// An upper bound of the backward error; infinite if unknown.
     bound: f64,
@@ -172,7 +171,6 @@ where
         solve_in_place(&mut matrix, b)
     }
 
-    /// Returns det A and the determinant of the scaled matrix.
     #[inline(never)]
     fn determinants(&self) -> [T; 2] {
         let mut matrix = zeros();
@@ -226,7 +224,6 @@ where
         self.rest(next, T::widen, T::narrow)
     }
 
-    /// Computes the residual and backward error of x̃ = `next` in the number type V.
     fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {

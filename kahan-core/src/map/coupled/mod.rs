@@ -53,11 +53,10 @@ pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: 
     }
 }
 
-/// The LU factors of A(x,ε), as its S entries.
+/// The LU factors of A(x,ε), in S entries.
 struct Factors<T, const S: usize>([T; S]);
 
 impl<T: Scalar, const S: usize> Factors<T, S> {
-    /// Factors A(x,ε); `None` if a pivot is too small.
     fn of<const N: usize, const M: usize>(
         couplings: &Couplings<'_>,
         slopes: &[T; M],

@@ -91,7 +91,6 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     fn part(&mut self, part: S::Scalar) -> PointOf<S> {
         let mut state = self.state.clone();
         if !part.is_zero() {
-            // Floats continue at poles.
             let _ = self.map.part(&(part * *self.map.eps()), state.as_mut_slice(), &mut self.workspace);
         }
         state.to_point()

@@ -17,7 +17,6 @@ pub(super) struct Attempt<V: Number, const N: usize> {
     pub(super) next: [V; N],
     /// The error bound in units u of V.
     error: V::Magnitude,
-    /// The limit on inputs; see [`Bounded::largest_input`].
     largest_input: Limit,
 }
 

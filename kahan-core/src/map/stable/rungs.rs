@@ -74,7 +74,6 @@ pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: Promised, const N: usize>
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
-/// Runs level 2 in its own stack frame.
 #[inline(never)]
 pub(super) fn second<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
@@ -211,7 +210,6 @@ impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
         Attempt::by_reduced_map(&self.map, &self.state, self.eps)
     }
 
-    /// Returns D of the reduced map, and det A(x,ε).
     #[inline(never)]
     fn denominators(&self) -> [Wide; 2] {
         let Self { map, state, eps } = self;

@@ -15,7 +15,6 @@ const LOST_OF_PAIRS: i32 = -1070;
 /// A narrow range; inputs outside are handled in `f64`.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
-/// The allowance for `f64` and pairs of `f64`.
 const ALLOWANCE_OF_DOUBLES: i32 = -150;
 const BITS_OF_DOUBLE_DIVISORS: u32 = 120;
 

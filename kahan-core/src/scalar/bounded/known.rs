@@ -12,7 +12,6 @@ pub(crate) struct Known<G> {
     pub(crate) size: G,
     /// An upper bound of |v̂ − v|.
     pub(crate) error: G,
-    /// The limit on the inputs; see [`Bounded::largest_input`].
     pub(crate) largest_input: Limit,
 }
 
@@ -62,7 +61,6 @@ mod tests {
         // (3 + 1)/(2 + 6·62/64)
         let expected = 4.0 / (2.0 + 6.0 * 62.0 / 64.0);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.0), 1.0), expected);
-        // A right-hand side that may be zero counts as zero.
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.1), 1.0), 2.0);
         assert_eq!(backward_error(known(0.0, 0.0), 0.0, known(0.0, 0.0), 1.0), 0.0);
     }

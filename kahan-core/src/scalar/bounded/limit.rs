@@ -8,7 +8,6 @@ use super::number::{Magnitude, power_of_two};
 pub(crate) struct Limit(u32);
 
 impl Limit {
-    /// Allows no input.
     pub(crate) const NONE: Self = Self(0);
     /// Allows all inputs, as nothing underflows.
     pub(crate) const ANY: Self = Self(u32::MAX);

@@ -115,7 +115,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Self { pair, roundings: 0, underflows: 0, inputs: 0, bits: 0, inverse: None, ratio: None }
     }
 
-    /// Makes an exact input.
     #[inline(always)]
     pub(crate) fn given(value: V) -> Self {
         Self { inputs: 1, ..Self::of(Pair::new(value, value.size())) }
@@ -130,7 +129,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
     }
 
-    /// Returns the limit L of the inputs.
     #[inline(always)]
     pub(crate) fn largest_input(&self) -> Limit {
         let Range { allowance, bits_of_products, .. } = V::RANGE;
@@ -189,13 +187,11 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.pair.magnitude()
     }
 
-    /// γₖ
     #[inline(always)]
     fn gamma(&self) -> V::Magnitude {
         V::Magnitude::of(SLACK * V::UNIT * f64::from(self.roundings))
     }
 
-    /// γₖ in units u.
     #[inline(always)]
     fn gamma_in_units(&self) -> V::Magnitude {
         V::Magnitude::of(SLACK * f64::from(self.roundings))

@@ -63,7 +63,6 @@ impl Range {
         Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }
     }
 
-    /// Returns the lower limit of divisors; 0 if nothing underflows.
     #[inline(always)]
     pub(crate) const fn least_divisor(&self) -> f64 {
         if self.allowance > 0.0 { power_of_two(-(self.bits_of_divisors as i32)) } else { 0.0 }

@@ -10,7 +10,6 @@ use core::arch::x86_64::{_mm_fmadd_pd, _mm_fmadd_ps};
 
 use super::pair::Pair;
 
-/// Runs intrinsics on registers of 128 bits.
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64
@@ -91,7 +90,6 @@ macro_rules! packed {
 }
 
 packed! {
-    /// Two doubles.
     PackedDouble(__m128d) of f64:
     new: |value, magnitude| _mm_set_pd(magnitude, value),
     value: _mm_cvtsd_f64,

@@ -26,7 +26,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.multiplied(other, pair).added(addend, pair)
     }
 
-    /// Returns a sum or difference with the given pair.
     #[inline(always)]
     fn added(self, other: Self, pair: P) -> Self {
         Self {
@@ -39,7 +38,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// Returns a product with the given pair.
     #[inline(always)]
     fn multiplied(self, other: Self, pair: P) -> Self {
         Self {

@@ -23,7 +23,6 @@ pub(super) struct Decimal {
     digits: [u8; CAPACITY],
     length: usize,
     pub(super) exponent: i64,
-    /// Whether nonzero digits did not fit.
     is_cut: bool,
 }
 
@@ -181,7 +180,6 @@ fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     count
 }
 
-/// Replaces `integer` by integer·10¹⁹ + chunk.
 fn append_chunk(integer: &mut [u64], chunk: u64) {
     let mut carry = chunk;
     for limb in integer {

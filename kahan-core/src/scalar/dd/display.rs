@@ -43,7 +43,6 @@ impl fmt::LowerExp for Dd {
     }
 }
 
-/// Like [`Display`](fmt::Display).
 impl fmt::Debug for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -55,7 +54,6 @@ fn places(f: &Formatter<'_>) -> Option<i64> {
 }
 
 impl Dd {
-    /// Writes sign, magnitude and padding; `write` writes the magnitude of a finite number.
     fn write_padded(
         self,
         f: &mut Formatter<'_>,

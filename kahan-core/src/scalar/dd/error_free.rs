@@ -20,7 +20,6 @@ pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-/// Returns √a, rounded once.
 #[inline(always)]
 pub(super) fn root(a: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -33,7 +32,6 @@ pub(super) use product::{multiply_add, remainder, two_product};
 
 #[cfg(all(feature = "std", target_feature = "fma"))]
 mod product {
-    /// Returns ab and its error.
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         let product = a * b;
@@ -46,7 +44,6 @@ mod product {
         (-a).mul_add(b, whole)
     }
 
-    /// Returns ab + c, rounded once.
     #[inline(always)]
     pub(in super::super) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
@@ -55,7 +52,7 @@ mod product {
 
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
-    /// The bound beyond which [`split`] would overflow.
+    /// 2⁹⁹⁵; above it, [`split`] could overflow.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
 
     /// Returns ab and its error, by splitting the factors (Dekker).

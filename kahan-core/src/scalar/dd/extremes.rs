@@ -44,7 +44,6 @@ pub(super) fn square_root(x: Dd) -> Dd {
         let half = exponent(x.high).div_euclid(2);
         scaled(moderate::square_root(scaled(x, -2 * half)), half)
     } else {
-        // Zeros keep their sign.
         Dd::leading(root(x.high))
     }
 }

@@ -8,6 +8,7 @@ use super::Dd;
 /// The number of 64-bit limbs before and after the point: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
 pub(super) const HALF: usize = 17;
 
+/// The number of bits after the binary point.
 const POINT: i32 = 64 * HALF as i32;
 
 /// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸.
@@ -19,7 +20,6 @@ pub(super) struct Fixed {
 impl Fixed {
     pub(super) const ZERO: Self = Self { limbs: [0; 2 * HALF] };
 
-    /// Returns |x| of a finite x.
     pub(super) fn magnitude(x: f64) -> Self {
         let bits = x.abs().to_bits();
         let biased = (bits >> 52) as i32;
@@ -48,7 +48,6 @@ impl Fixed {
         self
     }
 
-    /// Returns self − other, for other ≤ self.
     pub(super) fn minus(mut self, other: &Self) -> Self {
         let mut borrow = false;
         for (mine, theirs) in self.limbs.iter_mut().zip(&other.limbs) {

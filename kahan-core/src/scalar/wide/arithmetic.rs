@@ -42,7 +42,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         }
     }
 
-    /// Divides by the denominator, which becomes 1.
     #[inline(never)]
     pub(super) fn divided_out(&self) -> Self {
         if self.denominator == 1 {
@@ -135,7 +134,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Some(Self::of(&self.row().times(&factor).times(&power), denominator, Size::zero()))
     }
 
-    /// Compares |self| with |other|; `None` if either is undefined.
     pub(crate) fn compare_magnitudes(&self, other: &Self) -> Option<Ordering> {
         if !(self.is_defined() && other.is_defined()) {
             return None;

@@ -46,12 +46,10 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::from(high) + Self::from(low)
     }
 
-    /// Creates an integer of any length from little-endian limbs.
     pub(crate) fn from_limbs(negative: bool, limbs: &[u64]) -> Self {
         Self::of(&DigitRow::of_limbs(negative, limbs), 1, Size::zero())
     }
 
-    /// Creates ±numerator/denominator from little-endian limbs.
     pub(crate) fn from_ratio(negative: bool, numerator: &[u64], denominator: &[u64]) -> Self {
         Self::from_limbs(negative, numerator) / Self::from_limbs(false, denominator)
     }
@@ -62,7 +60,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// Returns the nearest `f32`, rounded once, like [`to_f64`](Self::to_f64).
     pub(crate) fn to_f32(self) -> f32 {
         // The low half contains the bits of the format.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
@@ -79,7 +76,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         (high, low)
     }
 
-    /// Returns the bits of |self| in a format, correctly rounded.
     fn encode(&self, format: &Format) -> u64 {
         let stored = format.precision - 1;
         let infinity = ((2 - 2 * format.lowest) as u64 + 1) << stored;

@@ -12,10 +12,9 @@ use super::{Digits, Size, Wide};
 use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
-/// The maximum number of digits in an elimination.
+/// The largest number of digits in an elimination.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
-    /// The digits of [`Wide`].
     Few,
     More,
     Most,
@@ -85,7 +84,6 @@ pub(crate) struct Long(Option<Number>);
 impl Long {
     pub(crate) const MOST_DIGITS: usize = Most::MOST_DIGITS;
 
-    /// Creates a number; `capacity` limits the digits of results computed from it.
     pub(crate) fn new(number: Wide, capacity: Capacity) -> Self {
         Self::of(match capacity {
             Capacity::Few => number.into(),
@@ -146,7 +144,6 @@ impl Long {
     fn times(self, other: Self) -> Self {
         match (self.0, other.0) {
             (Some(a), Some(b)) => Self::of(of_common_capacity!(a, *, b)),
-            // Zero times an undefined number is undefined.
             (None, Some(number)) | (Some(number), None)
                 if !of_any_capacity!(&number, |digits| digits.is_defined()) =>
             {

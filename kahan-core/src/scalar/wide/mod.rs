@@ -116,7 +116,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         self.radius
     }
 
-    /// Returns whether this is a number rather than undefined.
     pub(crate) fn is_defined(&self) -> bool {
         !self.radius.is_unknown()
     }

@@ -63,7 +63,6 @@ impl<const M: usize> DigitRow<M> {
         self.digits[self.start] = digit;
     }
 
-    /// Creates a row from a sign and little-endian limbs.
     pub(super) fn of_limbs(negative: bool, limbs: &[u64]) -> Self {
         let (mut row, mut carry, mut place) = (Self::EMPTY, 0, 0);
         for limb in limbs {
@@ -89,7 +88,6 @@ impl<const M: usize> DigitRow<M> {
         row
     }
 
-    /// Returns the digits, the leading one first.
     pub(super) fn digits(&self) -> &[(i64, i64)] {
         &self.digits[self.start..]
     }
@@ -126,7 +124,6 @@ impl<const M: usize> DigitRow<M> {
         Some((size.wrapping_add_signed(i128::from(second) * i128::from(first.signum())), place - 1))
     }
 
-    /// Returns self + sign·other, for a sign of 1 or −1.
     pub(super) fn plus(&self, other: &Self, sign: i64) -> Self {
         let mut sum = Self { cut: self.cut + other.cut, ..Self::EMPTY };
         let (mut these, mut those) = (self.digits(), other.digits());

@@ -26,7 +26,6 @@ fn least() -> Dyadic {
     Dyadic::new(1, -1072)
 }
 
-/// Asserts that high is the nearest float to the sum.
 #[track_caller]
 fn assert_normalised(x: Dd) {
     assert!(x.is_finite() && x.high() + x.low() == x.high(), "{:e} {:e}", x.high(), x.low());

@@ -30,7 +30,6 @@ impl General {
     ];
     /// The callee-saved registers among [`POINTERS`](Self::POINTERS), in adjacent pairs.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
-    /// The stack pointer.
     pub(crate) const STACK: Self = Self(31);
     /// Scratch register for offsets and addresses that do not fit an instruction.
     pub(super) const BEYOND: Self = Self(16);
@@ -85,7 +84,6 @@ impl Assembler {
         self.word(0x9100_0000 | number | to.number() << 5 | to.number());
     }
 
-    /// Loads 64 bits from base + offset.
     pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
@@ -203,7 +201,6 @@ impl Assembler {
         self.bytes.len() - 4
     }
 
-    /// Sets the target of a jump to the current position.
     pub(crate) fn bind(&mut self, Forward(place): Forward) {
         let target = self.bytes.len();
         set_target(&mut self.bytes, place, target);

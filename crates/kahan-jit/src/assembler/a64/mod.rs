@@ -29,7 +29,6 @@ const FIRST_SAVED: u8 = 22;
 /// The range of a 19-bit branch or load offset, in bytes.
 const REACH: usize = 1 << 20;
 
-/// Machine code under construction, for operands of one form.
 #[derive(Debug)]
 pub(crate) struct Assembler {
     bytes: Vec<u8>,
@@ -92,7 +91,6 @@ impl Assembler {
         self.bytes.extend(word.to_le_bytes());
     }
 
-    /// The bit that selects double precision.
     fn precision(&self) -> u32 {
         u32::from(self.form.element == Element::Double) << 22
     }
@@ -108,7 +106,6 @@ impl Assembler {
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));
     }
 
-    /// Writes a bitwise instruction on three registers.
     fn bits(&mut self, word: u32, to: Vector, a: Vector, b: Vector) {
         self.word(word | number(b) << 16 | number(a) << 5 | number(to));
     }
@@ -288,7 +285,6 @@ impl Assembler {
 /// The registers that a function saves, in pairs above the frame record.
 #[derive(Clone, Copy)]
 struct Saved {
-    /// The number of saved pairs of vector registers.
     vectors: u32,
     uses_pointers: bool,
     has_frame: bool,

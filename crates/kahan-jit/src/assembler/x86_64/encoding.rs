@@ -61,13 +61,11 @@ impl Opcode {
     }
 }
 
-/// Returns bit `k` of a number, inverted.
 fn inverted(number: u8, k: u8) -> u8 {
     !(number >> k) & 1
 }
 
 impl Assembler {
-    /// Writes an instruction with up to three operands.
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
         // The high bits of the last operand: bit 4 of a register or bit 3 of an index, and bit 3 of
         // a register or base.

@@ -32,7 +32,6 @@ impl General {
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
     /// The callee-saved registers among [`POINTERS`](Self::POINTERS).
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// The stack pointer.
     pub(crate) const STACK: Self = Self::Rsp;
 }
 
@@ -88,7 +87,6 @@ impl Assembler {
         self.on_registers(0x39, b as u8, a);
     }
 
-    /// Compares a register with zero.
     pub(super) fn test(&mut self, a: General) {
         self.on_registers(0x85, a as u8, a);
     }
@@ -97,7 +95,6 @@ impl Assembler {
         self.on_registers(0xff, 1, a);
     }
 
-    /// Loads 64 bits from base + offset.
     pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
         let register = to as u8;
         self.bytes.extend([0x48 | register >> 3 << 2 | base as u8 >> 3, 0x8b]);
@@ -164,7 +161,6 @@ impl Assembler {
         Forward(self.bytes.len())
     }
 
-    /// Sets the target of a jump to the current position.
     pub(crate) fn bind(&mut self, Forward(after): Forward) {
         self.set_target(after, self.bytes.len());
     }

@@ -24,7 +24,6 @@ impl Vector {
     const NONE: Self = Vector(0);
 }
 
-/// Machine code under construction, for operands of one form.
 #[derive(Debug)]
 pub(crate) struct Assembler {
     bytes: Vec<u8>,
@@ -45,7 +44,6 @@ impl Assembler {
     pub(crate) fn open(&mut self, needs: &Needs) {
         /// Slots of every width start on a cache line.
         const LINE: i32 = 64;
-        /// The approximate length of an instruction.
         const LENGTH: usize = 8;
 
         assert!(needs.vectors <= 32, "there are so many registers");

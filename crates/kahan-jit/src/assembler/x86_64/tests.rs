@@ -78,7 +78,6 @@ fn vector(form: Form, Vector(number): Vector) -> Register {
     first + u32::from(number)
 }
 
-/// Returns the suffix of a mnemonic.
 fn suffix(form: Form) -> &'static str {
     match (form.width, form.element) {
         (Width::Scalar, Element::Single) => "ss",
@@ -225,7 +224,6 @@ fn numbers_are_moved_as_was_asked_for() {
     }
 }
 
-/// Decodes all instructions of some code.
 fn all(bytes: &[u8]) -> Vec<Instruction> {
     let instructions: Vec<Instruction> = Decoder::new(64, bytes, DecoderOptions::NONE).iter().collect();
     assert!(instructions.iter().all(|instruction| !instruction.is_invalid()));

@@ -179,7 +179,6 @@ impl Case {
 
     pub(crate) fn has_run(&self) -> bool {
         if self.routine != Routine::Function && self.states() > self.program.outputs.len() {
-            // `compile` panics if a state has no result.
             return false;
         }
         let refusal = if self.is_double { self.run::<f64>() } else { self.run::<f32>() };

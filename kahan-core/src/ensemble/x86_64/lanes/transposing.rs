@@ -6,7 +6,6 @@ use crate::ensemble::lanes::Square;
 
 use super::machine;
 
-/// Uses registers of four doubles (AVX2 and AVX-512).
 #[inline(always)]
 pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
     // Each pointer is valid for the four numbers of its row.
@@ -32,7 +31,6 @@ pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
     square
 }
 
-/// Uses registers of two doubles (SSE2).
 #[inline(always)]
 pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
@@ -45,7 +43,6 @@ pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
     square
 }
 
-/// Uses registers of four floats (SSE).
 #[inline(always)]
 pub(super) fn singles(rows: Square<f32>) -> Square<f32> {
     // Each pointer is valid for the four numbers of its row.

@@ -44,14 +44,12 @@ pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
 
 #[derive(Clone)]
 enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
-    /// Before the first point is yielded.
     First(SVector<T, N>),
     Point {
         x: SVector<T, N>,
         /// Whether |εf′| is known to be small at x.
         is_flat: bool,
     },
-    /// During the passage through a pole.
     Passage(Box<Passage<M, T, N>>),
     Nowhere,
 }

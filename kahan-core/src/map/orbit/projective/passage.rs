@@ -64,7 +64,6 @@ pub(super) enum Lost {
     Unknown,
 }
 
-/// The state of an orbit on its way through a pole.
 #[derive(Clone)]
 pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     start: SVector<T, N>,

@@ -16,7 +16,7 @@ use super::memory::{has_small_slopes, is_far_from_singular};
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
 pub trait ThroughPoles: Pivot + Followed {}
 
-/// A scalar with numbers for the passage through poles.
+/// A scalar whose orbits can be continued through poles.
 pub(super) trait Followed: Scalar {
     type Germ: Germ<Self>;
 

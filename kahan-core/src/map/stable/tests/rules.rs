@@ -233,7 +233,6 @@ fn a_known_radius_is_the_error() {
     assert!(difference.error() <= (radius + radius) * Size::from(1.07));
 }
 
-/// Packed values and magnitudes equal separate ones bit for bit, unless multiply-adds are fused.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn packed_pairs_are_pairs() {

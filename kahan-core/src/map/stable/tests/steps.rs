@@ -39,7 +39,6 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// Linear.
     struct Decay;
     xdot = -x;
 }

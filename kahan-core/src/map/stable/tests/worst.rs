@@ -14,7 +14,6 @@ use crate::{Constant, Pivot, Scalar};
 
 pub(super) type Q = BigRational;
 
-/// A number of precision u = 2^−BITS.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Worst<const BITS: i32>(&'static Q);
 

@@ -12,7 +12,6 @@ use super::{Dyadic, Random, Wide};
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };
-        // A quarter are subnormal or nearly so.
         let bits = if random.bits() & 3 == 0 { bits & !(0x7fe << 52) } else { bits };
         let x = f64::from_bits(bits);
         if x.is_finite() {

@@ -30,7 +30,6 @@ impl Dyadic {
         Self::numerator(&number)
     }
 
-    /// Returns the number times its denominator.
     fn numerator(number: &Wide) -> Self {
         assert!(number.is_defined(), "an undefined number has no value");
         let digits = number.digits.iter().zip(&number.below).take(number.count.into());

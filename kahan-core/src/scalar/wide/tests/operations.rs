@@ -150,7 +150,6 @@ fn a_radius_holds_whatever_the_operands_stand_for() {
             assert!(error.is_within(&radius.scaled_up()), "{near_a:?} {near_b:?}");
         }
     }
-    // A divisor that may be zero.
     let doubtful = Wide { radius: Size::from(0.1), ..Wide::one() };
     assert!((Wide::one() / doubtful).radius() > Size::from(1e300));
 }
