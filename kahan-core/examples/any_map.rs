@@ -1,8 +1,7 @@
 //! One function over any map, and a map chosen at run time: a mass on a spring by Kahan's method,
 //! by a method of order eight, and as a chain.
 //!
-//! Every map at its ε implements `Step`, including the maps and chains that `kahan_runtime` reads
-//! at run time.
+//! Every map at its ε implements `Step`, also maps and chains that `kahan_runtime` reads.
 
 use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;

@@ -1,7 +1,6 @@
 //! Many trajectories at once: 2 500 springs that start close together lose their common phase.
 //!
-//! Each moves on its own closed curve, but larger oscillations take longer, so the mean velocity
-//! decays.
+//! Larger oscillations take longer, so the points lose step and the mean velocity decays.
 
 use kahan_core::prelude::*;
 

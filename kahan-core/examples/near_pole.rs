@@ -15,8 +15,7 @@ kahan! {
 /// Prints and returns both steps at several ε.
 pub(crate) fn run() -> Vec<(f64, Result<f64, SingularStep>)> {
     let x = vector![5.0];
-    // Three before the pole, one very near it, one behind it, and at x = 4, ε = 1/8 the pole
-    // itself.
+    // Three before the pole, one very near it, one behind it, and at last the pole itself.
     let cases = [(0.05, x), (0.09, x), (0.099_999_999, x), (0.1, x), (0.12, x), (0.125, vector![4.0])];
     let mut answers = Vec::new();
     for (eps, x) in cases {

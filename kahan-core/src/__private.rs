@@ -78,8 +78,7 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions named like method arguments. Importing them keeps user constants of these names from
-/// capturing patterns.
+/// Functions named like method arguments; imported, so that no user constant captures a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}

@@ -1,10 +1,8 @@
-//! Elimination for dense fields, with coefficients packed in reading order and loops over rows, or
-//! over the points of an ensemble.
+//! Elimination for dense fields, with loops over rows or over the points of an ensemble.
 //!
-//! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), in the operation order of the field's
-//! plans and of [`Couplings`](crate::__private::Couplings). The number of lanes never changes bits.
-//! Zero coefficients of missing products change at most the sign of a zero, while all numbers are
-//! finite.
+//! In: coefficients packed in reading order, a state, ε. Out: A(x,ε)⁻¹f(x), in the operation order
+//! of the field's plans and of [`Couplings`](crate::__private::Couplings), with any number of
+//! lanes. Zero coefficients of missing products change at most signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -176,8 +174,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// Returns the register indices between two aligned offsets; `step_by` ranges are not always
-    /// inlined.
+    /// Returns the register indices between two aligned offsets; `step_by` may not be inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH

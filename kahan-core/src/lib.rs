@@ -6,9 +6,8 @@
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
 //! In: code that the macro makes from a block, a point, ε. Out: steps, orbits, ensembles of
-//! trajectories. `kahan-algebra` handles syntax, polynomials and claims at compile time.
-//! `kahan-dynamics` finds step sizes for a tolerance, periodic points, and solutions of the
-//! equation.
+//! trajectories. `kahan-algebra` handles syntax, polynomials and claims at compile time;
+//! `kahan-dynamics` finds periodic points, step sizes for a tolerance, and exact solutions.
 //!
 //! ```
 //! use kahan_core::prelude::*;

@@ -5,13 +5,11 @@
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
-/// [The language](crate::language) has its own chapter with grammar, claims, `when`, limits and
-/// examples. In short:
+/// [The language](crate::language) has its own chapter with grammar, limits and examples. In short:
 ///
 /// A block is an optional header, one equation `NAMEdot = expression;` per state variable, and
 /// claims. Expressions are polynomials of degree at most 2 in the variables, with the usual
-/// precedence: `x^2 - z^2` is (x²) − (z²). Every number is exact: `1/2` is one half, `0.1` one
-/// tenth.
+/// precedence: `x^2 - z^2` is (x²) − (z²). Numbers are exact: `0.1` is one tenth.
 ///
 /// - With a header, `struct Name;` or `struct Name { a, b }`, the block becomes that struct
 ///   (`Name<T>` with one public field for each parameter) and its implementations of

@@ -182,8 +182,7 @@ impl Supernodes {
         self.panels.push(Panel { rows, width: columns.len(), reductions });
     }
 
-    /// Appends the tasks that reduce a panel's rows by pivots. If `apart`, each row is reduced
-    /// separately.
+    /// Appends the tasks that reduce a panel's rows by pivots, if `apart` each row separately.
     fn push_tasks(
         &mut self,
         couplings: &Couplings<'_>,
@@ -257,11 +256,10 @@ impl Supernodes {
     /// too small; the values are then useless.
     ///
     /// With `flushes`, an entry counts as 0 if it is below [`InLanes::NEGLIGIBLE`] times the
-    /// largest off-diagonal entry of its row in A, and likewise of its column. Without this,
-    /// factors decay into subnormal numbers, which are slow: they shrink like a power of ε with the
-    /// distance between variables. Changing a variable's unit scales a row and, inversely, a
-    /// column. In f64, solutions keep their bits for all units whose ratios are at least 2¹⁰⁰ times
-    /// `NEGLIGIBLE`.
+    /// largest off-diagonal entry of its row in A, and likewise of its column. Otherwise factors,
+    /// which shrink like a power of ε with the distance between variables, become subnormal and
+    /// slow. Changing a variable's unit scales a row and, inversely, a column. In f64, solutions
+    /// keep their bits if the ratios of units are at least 2¹⁰⁰ times `NEGLIGIBLE`.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -284,7 +282,7 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Returns whether the next row's columns right of the diagonal are this row's without the
+    /// Returns whether the next row's columns right of the diagonal are this row's except the
     /// first.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {

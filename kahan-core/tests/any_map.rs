@@ -262,8 +262,7 @@ fn a_run_ends_with_the_first_observer_that_is_done() {
     assert_eq!(reports, [[0, 1]]);
 }
 
-/// Groups have 16 trajectories and bursts 16 steps. Each trajectory ends in another burst and at
-/// another step.
+/// Groups have 16 trajectories and bursts 16 steps; each trajectory ends in another burst.
 #[test]
 fn in_an_ensemble_each_trajectory_is_seen_until_it_is_done() {
     let map = E6.at(EPS);

@@ -51,8 +51,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     }
 }
 
-/// Both integrals of the top in double-double: a hundred pieces with errors u = 2⁻¹⁰⁶, which the
-/// flow propagates linearly.
+/// Both integrals of the top in `Dd`, with a hundred errors 2⁻¹⁰⁶ that the flow adds linearly.
 #[test]
 fn the_integrals_of_the_top_are_kept_in_double_double() {
     let flow = through::<_, Dd, 3>(&Top, [0.5, 1.0, 0.75], 40.0).expect("it exists");

@@ -1,5 +1,4 @@
-//! Generated families: their steps against plain blocks and the defining equation, and their
-//! integrals.
+//! Steps of families against plain blocks and the defining equation, and their integrals.
 
 use kahan_core::LatticeError;
 use kahan_core::prelude::*;
@@ -187,8 +186,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
 }
 
-/// At half the step the error at time 1 is a quarter, up to the next term, which itself falls to a
-/// quarter.
+/// At half the step the error at time 1 is a quarter, up to the next term.
 #[test]
 fn chains_are_of_order_two_and_go_back() {
     fn check<M: LatticeMap<f64>>(map: &M, sites: usize, steps: u64) {

@@ -11,8 +11,7 @@ use kahan_emit::Expansion;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// Expands a block. `kahan_core::kahan!` inserts the first token, `[path]`, the path of the crate
-/// that holds `__private`. With the environment variable `KAHAN_TIMING` set, the expansion time is
-/// printed to standard error.
+/// that holds `__private`. The environment variable `KAHAN_TIMING` prints the expansion time.
 #[proc_macro]
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     timed(|| {

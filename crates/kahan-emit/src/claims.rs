@@ -18,8 +18,7 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. A marker trait lets rustc report missing integrals or
-/// densities.
+/// Emits the accessors of all claims; marker traits let rustc report missing ones.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -118,8 +117,7 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// Expands to the method of a claim. One with `when` is called `density_NAME`, or has the name of
-/// its integral.
+/// Expands to the method of a claim; one with `when` is `density_NAME`, or named by its integral.
 fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let name = match claim.kind {
         ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),

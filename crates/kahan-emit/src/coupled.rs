@@ -70,8 +70,7 @@ fn parameters(context: &Context<'_>) -> usize {
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
 }
 
-/// Expands to the parameters in order, `[self.mu.clone()]`, with `eps` last if coefficients depend
-/// on ε.
+/// Expands to `[self.mu.clone()]`, with `eps` last if coefficients depend on ε.
 pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> TokenStream {
     let eps = context.system.field.depends_on_eps().then_some(eps);
     let parameters = context.system.field.symbols.parameters.iter().map(|parameter| {
@@ -125,8 +124,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// Emits a plan after `let [__s_x, _] = x; let [__p_mu, _] = __parameters;`. Returns the bindings
-/// and the result expressions.
+/// Emits a plan after bindings of states and parameters; returns its bindings and results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = variables(plan);
@@ -218,8 +216,7 @@ fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     (lines, is_there)
 }
 
-/// Emits the LU elimination: multipliers replace the entries left of the diagonal, reciprocals the
-/// pivots.
+/// Emits the LU elimination: multipliers replace the lower entries, reciprocals the pivots.
 fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     let Couplings { rows, columns, .. } = couplings;
     let mut lines = TokenStream::new();

@@ -23,8 +23,7 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
-/// Returns the stack depth of a binary operation whose operands need depths a and b; the deeper
-/// operand comes first.
+/// Returns the stack depth of an operation on operands of depths a and b, the deeper first.
 fn pair(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }

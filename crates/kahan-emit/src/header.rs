@@ -18,8 +18,7 @@ pub(super) struct RustHeader {
 }
 
 impl RustHeader {
-    /// Parses the tokens of a header. Invalid attributes are skipped; the front end has reported
-    /// them.
+    /// Parses a header, without the invalid attributes, which the front end has reported.
     pub(super) fn of(header: &Header, input: &Flat) -> Self {
         let attributes = |written| Attribute::parse_outer.parse2(input.rust(written)).unwrap_or_default();
         let described = header.described.iter().map(attributes);

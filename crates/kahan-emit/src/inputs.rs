@@ -49,8 +49,7 @@ pub(super) fn emit_bound_parameters(
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
 ///
-/// All states are read at once. Reading them on first use misleads auto-vectorisation and slows
-/// large steps.
+/// All states are read at once; reading them on first use misleads auto-vectorisation.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()

@@ -95,9 +95,8 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items; without a header, a block that ends with the value `Field { mu:
-    /// Clone::clone(&mu) }`. Parameters in this value keep the user's tokens, so that they resolve
-    /// in the user's scope.
+    /// Returns the items; without a header, a block that ends with `Field { mu: Clone::clone(&mu)
+    /// }`. Parameters in this value keep the user's tokens, which resolve in the user's scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &Flat) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
@@ -150,8 +149,7 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     quote! { impl #this { #(#places)* } }
 }
 
-/// Expands to `impl<T> Named for E7<T> { … }`, and to the type's constants, `pub const VARIABLES
-/// …`.
+/// Expands to `impl<T> Named for E7<T> { … }` and to `pub const VARIABLES …` of the type.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let (this, generics) = (context.this.path(), context.this.generics());

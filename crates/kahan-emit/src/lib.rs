@@ -22,9 +22,8 @@
 //! further errors.
 //!
 //! Generated code names items through `__kahan` and prefixes bindings with `__` (state `x` is
-//! `__s_x`, parameter `mu` is `__p_mu`), because a user's constant would capture a pattern of the
-//! same name. Arguments have readable names for rustdoc; imported functions of these names shadow
-//! the user's.
+//! `__s_x`, parameter `mu` is `__p_mu`), because a user's constant of the same name would be taken
+//! for a pattern. Arguments have readable names; imported functions shadow the user's constants.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -115,8 +114,7 @@ fn read_block(input: &Flat) -> Read {
 /// Expands the block in a file, like `include_kahan!("FILE")`. `file` is the literal, and `beside`
 /// the source file that contains it. The compiler re-reads the block when the file changes.
 ///
-/// Mistakes become one `compile_error!` at the literal, with a caret under each position in the
-/// file.
+/// Mistakes become a `compile_error!` at the literal, with a caret under each position.
 #[must_use]
 pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
     included(core, file, beside)

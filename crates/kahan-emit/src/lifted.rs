@@ -205,8 +205,7 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`. Trait bounds stand on the methods, so that rustc names the
-/// scalars.
+/// Expands to `embed` and `project`, with the bounds on the methods, so that rustc names scalars.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));

@@ -14,8 +14,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
 
-/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`. Other methods
-/// have defaults.
+/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (items, prepared) = match (context.derived.couplings(), context.derived.step()) {

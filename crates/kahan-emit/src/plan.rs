@@ -5,9 +5,8 @@
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Operations keep the plan's order. Values with a `let`, and a kernel's states, are cloned except
-//! on their last use, which moves them. Other inputs and prepared constants are borrowed and cloned
-//! on every use.
+//! Operations keep the plan's order. Values with a `let`, and a kernel's states, move on their last
+//! use and are cloned before; other inputs and constants are borrowed and always cloned.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
@@ -74,8 +73,7 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants; `None` outside kernels, where a division by zero is
-    /// left to the scalar.
+    /// The names of the prepared constants in a kernel; `None` elsewhere, where scalars handle x/0.
     constants: Option<&'a [String]>,
     /// Whether `let`s contain fences against auto-vectorisation.
     has_fences: bool,
@@ -93,8 +91,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which returns `None` at a pole. Prepared constants are named `__e_`
-/// plus an entry of `constants`.
+/// Emits the kernel of a step; it returns `None` at a pole. Constants are `__e_` + `constants[k]`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -210,8 +207,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Writes a binary operation. Operators are left-associative, so only a right operand of equal
-    /// precedence needs parentheses.
+    /// Writes a binary operation; only a right operand of equal precedence needs parentheses.
     fn binary(&mut self, a: Node, b: Node, level: Level, operator: char) -> Expression {
         let tighter = if level == Level::Sum { Level::Product } else { Level::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));

@@ -5,8 +5,7 @@
 //! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! A plan with a second, general form also has a kernel `__General`. A type of `kahan-core` chooses
-//! between the two.
+//! A plan with a second, general form also has `__General`; `kahan-core` chooses between them.
 
 use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};

@@ -39,8 +39,7 @@ impl fmt::Display for NoText {
 
 impl Error for NoText {}
 
-/// Returns the expansion of `kahan! { block }` as formatted text, inside a function if the block
-/// has no header.
+/// Returns the formatted expansion of `kahan! { block }`, in a function if it has no header.
 ///
 /// # Errors
 /// [`NoText`]: the block is not made of Rust tokens, or the expansion is too long.

@@ -1,5 +1,4 @@
-//! Conversion of compiler tokens, or of text, to a flat list of front-end tokens. Each keeps its
-//! compiler span.
+//! Flattens compiler tokens, or text, to front-end tokens, each with its compiler span.
 
 use std::ops::Range;
 
@@ -18,8 +17,7 @@ pub(crate) struct Source {
 pub(crate) struct Flat {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,
-    /// The compiler's token tree that begins at each token, and the index of its last token; `None`
-    /// at a closing bracket.
+    /// The tree that begins at each token, and the index of its last; `None` at closing brackets.
     trees: Vec<Option<(TokenTree, usize)>>,
     /// The text, if the tokens come from a file.
     pub(crate) source: Option<Source>,
@@ -61,8 +59,7 @@ pub(crate) fn flatten(stream: TokenStream) -> Flat {
     flat
 }
 
-/// Returns the brackets of a group; groups without brackets, such as a captured `$e:expr`, get
-/// parentheses.
+/// Returns a group's brackets; one without, such as a captured `$e:expr`, gets parentheses.
 fn brackets(group: &Group) -> (char, char) {
     match group.delimiter() {
         Delimiter::Parenthesis | Delimiter::None => ('(', ')'),

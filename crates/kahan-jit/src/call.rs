@@ -37,10 +37,9 @@ impl<T: 'static> Code<T> {
     ///
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, with the calling convention of
-    /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. The function
-    /// may be entered only by the method below that passes the function's arguments. With these
-    /// arguments, and slices of the lengths in `extent`, it must read and write nothing else but
-    /// its own stack.
+    /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. It may be
+    /// entered only by the method below that passes its arguments. With these, and slices of the
+    /// lengths in `extent`, it must read and write nothing else but its own stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
@@ -53,8 +52,7 @@ impl<T: 'static> Code<T> {
         self.check(states, constants);
         let [.., r] = self.extent.numbers();
         assert!(results.len() >= r, "room for {r} results, not {}", results.len());
-        // SAFETY: `check` and the assertion above bound the slices; `results` is borrowed
-        // exclusively.
+        // SAFETY: `check` and the assertion bound the slices; `results` is borrowed exclusively.
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
@@ -69,8 +67,7 @@ impl<T: 'static> Code<T> {
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check(state, constants);
         self.check(next, constants);
-        // SAFETY: `check` bounds the slices; the code writes only `next`, which is borrowed
-        // exclusively.
+        // SAFETY: `check` bounds the slices; code writes only `next`, borrowed exclusively.
         unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
     }
 
@@ -91,8 +88,7 @@ impl<T: 'static> Code<T> {
             count += 1;
         }
         assert!(count > 0, "at least one stage");
-        // SAFETY: `check` bounds the slices, `state` is borrowed exclusively, and the table has an
-        // address per stage.
+        // SAFETY: `check` bounds the slices, `state` is exclusive, `table` has every stage.
         unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
@@ -109,8 +105,7 @@ impl<T: 'static> Code<T> {
     /// Runs `steps` rounds of a [`Sweep`](crate::Sweep) over columns. If `own`, each register of
     /// trajectories has constants of its own.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// Enough columns for nearly every field; a larger table takes longer to clear than their
-        /// step.
+        /// Enough columns for nearly every field; clearing a larger table would take longer.
         const FEW: usize = 32;
         /// The maximum number of columns; the interpreter steps larger fields.
         const MOST: usize = 256;
@@ -148,7 +143,7 @@ impl<T: 'static> Code<T> {
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();
         // SAFETY: the columns have equal lengths, a multiple of the register width, and are
-        // borrowed exclusively. The table holds their addresses. The constants suffice for the last
+        // borrowed exclusively; the table holds their addresses. The constants suffice for the last
         // register.
         unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), counted(steps)]) }
     }
@@ -166,8 +161,7 @@ impl<T: 'static> Code<T> {
         type Entry = unsafe extern "C" fn(usize, usize, usize, usize, usize);
         // SAFETY: the pages begin with a function of this calling convention and outlive the call.
         let entry: Entry = unsafe { core::mem::transmute(self.pages.entry()) };
-        // SAFETY: the caller guarantees the arguments. Code is only compiled for instruction sets
-        // that the processor supports.
+        // SAFETY: the caller guarantees the arguments; code is compiled only for supported sets.
         unsafe { entry(a, b, c, d, e) }
     }
 

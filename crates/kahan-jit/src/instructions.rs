@@ -15,8 +15,7 @@ pub enum InstructionSet {
     Avx2,
     /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer bits.
     Avx512,
-    /// A64 with Advanced SIMD, part of every 64-bit Arm: thirty-two registers of 128 bits, fused
-    /// multiply-adds.
+    /// A64 with Advanced SIMD, on every 64-bit Arm: 32 registers of 128 bits, fused multiply-adds.
     Neon,
 }
 
@@ -59,8 +58,7 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// Returns the extensions that code needs. Code of a larger set also uses shorter instructions
-    /// of smaller sets.
+    /// Returns the extensions needed; code of larger sets uses short forms of smaller ones too.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -75,8 +73,7 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // Registers beyond the first sixteen need AVX-512 encodings; below 512 bits these are
-            // AVX-512VL.
+            // Registers beyond the first sixteen need AVX-512; below 512 bits, AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }
@@ -169,8 +166,7 @@ impl Float for f64 {}
 mod tests {
     use super::InstructionSet;
 
-    /// Compares availability with the processor's feature report; other tests skip unavailable
-    /// sets.
+    /// Compares availability with the processor's features; other tests skip missing sets.
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {

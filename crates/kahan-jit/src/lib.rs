@@ -2,9 +2,8 @@
 //!
 //! In: a [`Program`] over two arrays. Out: code in `f64` or `f32`, scalar or in SIMD lanes. It runs
 //! the program once ([`Function`]), repeatedly on one state ([`Orbit`], [`ComposedOrbit`]), or over
-//! columns of trajectories ([`Sweep`]). Operations keep their order, and bits equal those of
-//! generated Rust with or without fused multiply-adds. Without the feature `pages` every program is
-//! refused.
+//! columns of trajectories ([`Sweep`]). Bits equal those of generated Rust, with or without fused
+//! multiply-adds. Without the feature `pages` every program is refused.
 //!
 //! Pipeline: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`, `call`. `unsafe`
 //! is confined to `call.rs`, the three files of `routine` and `pages/cache.rs`, plus a test helper.

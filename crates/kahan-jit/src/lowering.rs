@@ -1,8 +1,7 @@
 //! Lowering of programs to machine operations.
 //!
-//! In: a caller's program. Out: an equivalent program without duplicate or unneeded operations,
-//! with separate products and sums if multiply-adds are not fused. A result that is only an input
-//! or a constant gets a copy.
+//! In: a caller's program. Out: an equivalent one without duplicate or unneeded operations, with
+//! unfused multiply-adds separated, and with a copy for each result that is an input or constant.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,

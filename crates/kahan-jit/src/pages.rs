@@ -39,8 +39,7 @@ impl Pages {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Returns the address of the first byte, ready to run on this thread even if another thread
-    /// made the pages.
+    /// Returns the address of the first byte, ready to run on this thread whoever made the pages.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]

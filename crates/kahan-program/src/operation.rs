@@ -130,8 +130,7 @@ impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
     }
 }
 
-/// An iterator over the operands of one operation, faster than standard adapters in unoptimised
-/// builds.
+/// Iterates over the operands of an operation; in unoptimised builds faster than adapters.
 struct Operands {
     nodes: [Node; 3],
     next: usize,

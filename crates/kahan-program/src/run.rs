@@ -58,9 +58,8 @@ where
         Some(())
     }
 
-    /// Computes the operations from index `first` on. The workspace must hold the inputs, the
-    /// constants and the earlier results. Returns `None` at the first quotient or call without a
-    /// value.
+    /// Computes the operations from index `first` on, in a workspace that holds inputs, constants
+    /// and earlier results. Returns `None` at the first quotient or call without a value.
     #[inline(always)]
     pub fn compute<A: Calls<F, Constant = C>>(
         &self,

@@ -103,8 +103,7 @@ struct Reader<'a> {
     text: &'a str,
     given: Vec<Placed>,
     names: OnceCell<HashSet<String>>,
-    /// The states; for an equation of order n, also the names of the derivatives of order 1 to n −
-    /// 1.
+    /// The states, with the names of the derivatives of order 1 to n − 1 in equations of order n.
     states: HashMap<String, Vec<String>>,
     has_derivatives: bool,
     /// The formulas of auxiliary quantities, by name.

@@ -145,8 +145,7 @@ impl Lexer<'_> {
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// Translates the next characters into signs of the language; also returns their length in
-    /// bytes.
+    /// Translates the next characters to signs of the language, with their length in bytes.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),

@@ -1,9 +1,8 @@
 //! Exact rational numbers: the literals of the language and the coefficients of polynomials.
 //!
 //! In: integers, decimals and floats. Out: sums, products, quotients, and correctly rounded floats.
-//! Values are in lowest terms with a positive denominator, and equal numbers have equal
-//! representations. There is deliberately no division operator: [`Rational::checked_div`] makes
-//! callers handle division by zero.
+//! Values have lowest terms and positive denominators, so equal ones have equal representations.
+//! [`Rational::checked_div`] replaces a division operator, so callers handle division by zero.
 
 mod arithmetic;
 pub(crate) mod numeral;
@@ -23,14 +22,12 @@ pub(crate) use text::LARGEST_EXPONENT;
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
-/// Values whose numerator and denominator fit into 63 bits need no allocation; others are big
-/// integers.
+/// Values whose numerator and denominator fit into 63 bits need no allocation.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-/// The canonical representation. `Big` holds only values with |p| or q above `i64::MAX`, so derived
-/// equality and hashing are numerical. `i64::MIN` counts as big, so negating `Small` never
-/// overflows.
+/// The canonical representation: `Big` only holds values with |p| or q above `i64::MAX`, so derived
+/// equality and hashing are numerical. `i64::MIN` is big, so negating `Small` cannot overflow.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },

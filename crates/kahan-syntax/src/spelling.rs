@@ -1,5 +1,4 @@
-//! Spelling of names: Rust keywords, misspellings, derivative marks, and names proposed in
-//! messages.
+//! Spelling of names: keywords, misspellings, derivative marks, and names that messages propose.
 
 /// The page on non-quadratic fields, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
@@ -57,8 +56,7 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// Returns advice on writing the derivative of `state` of an order: `xdot = …`, or a chain of
-/// equations with unused names.
+/// Returns advice on a derivative of `state`: `xdot = …`, or a chain of equations if higher.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
     if order < 2 {

@@ -1,8 +1,7 @@
 //! The syntax tree of a block, item by item, with token spans.
 //!
 //! Nothing is checked here: names may be unknown, degrees too high, claims false. `kahan-algebra`
-//! turns a block into a field and claims. Long sums and products are flat lists, so they do not
-//! nest.
+//! turns a block into a field and claims. Long sums and products are flat, not nested.
 
 use core::fmt;
 use std::borrow::Cow;
@@ -233,8 +232,7 @@ impl Condition {
     }
 }
 
-/// An expression and its span. `X` is the syntax beyond arithmetic: sites of a family in a block,
-/// calls in a formula.
+/// An expression with its span; `X` is syntax beyond arithmetic: a family's sites, calls.
 #[derive(Clone, Debug)]
 pub struct Expr<X = InFamily> {
     /// The operation, with its operands.

@@ -81,7 +81,6 @@ pub struct Token {
     pub text: Cow<'static, str>,
     /// Whether the next token follows without white space, as in `**`.
     pub touches_next: bool,
-    /// Documentation lines before the token, `/// …`; rustc passes documentation as attributes
-    /// instead.
+    /// Documentation lines before the token, `/// …`; from rustc they come as attributes.
     pub docs: Box<[String]>,
 }

@@ -1,5 +1,4 @@
-//! Constants with 40 decimal digits after the point, rounded at compile time by exact long
-//! division.
+//! Constants with 40 decimals, rounded at compile time by exact long division.
 
 use crate::Constant;
 

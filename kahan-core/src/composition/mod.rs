@@ -1,9 +1,8 @@
 //! Compositions: steps of higher order made of several Kahan steps.
 //!
-//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. Since φ_ε is
-//! symmetric (φ_ε⁻¹ = φ₋ε), a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is symmetric
-//! too. Its order is even, and p if the coefficients ([`coefficients`]) satisfy the order
-//! conditions.
+//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. As φ_ε⁻¹ = φ₋ε,
+//! a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with symmetric γ and Σγ = 1 is symmetric too, of even order;
+//! it has order p if its [`coefficients`] satisfy the order conditions.
 
 mod coefficients;
 mod composed;
@@ -71,8 +70,7 @@ impl Composition {
     /// Suzuki, Phys. Lett. A 146 (1990) 319.
     pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, coefficients::SUZUKI_4);
 
-    /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a. W. Kahan, R.-C. Li, Math. Comp. 66
-    /// (1997) 1089.
+    /// Order 6, 9 stages, Σ|γ| = 3.82; s9odr6a of W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
     pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, coefficients::KAHAN_LI_6);
 
     /// Order 8 with 15 stages, the minimum, Σ|γ| = 6.53.

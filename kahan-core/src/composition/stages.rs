@@ -20,8 +20,7 @@ pub(crate) trait Staged<T: Scalar, const N: usize>:
 
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// Combines the k-th stages of several maps by `of`, for each k; `None` if the compositions
-    /// differ.
+    /// Combines the k-th stages of several maps by `of`; `None` if the compositions differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

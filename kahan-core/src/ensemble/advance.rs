@@ -95,8 +95,7 @@ where
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Advances every point by `steps` steps x ↦ x̃ of `map`, with the map's ε (half the time
-    /// step).
+    /// Advances every point by `steps` steps of `map`, each of time 2ε with the map's ε.
     ///
     /// `map` is a [`KahanAt`], or a [`composed`](KahanAt::composed) one for a higher order. Where ε
     /// or parameters differ, pass a slice or vector with one map per point. These also run in SIMD
@@ -104,9 +103,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// from its map in an ensemble of its own.
     ///
     /// No memory is allocated. With the feature `parallel`, large ensembles run on rayon's current
-    /// thread pool and small ones on the calling thread, with equal bits. After a pole, a
-    /// trajectory's floats are infinite or NaN; after overflow they may be wrong. Other
-    /// trajectories are unaffected.
+    /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN; after
+    /// overflow they may be wrong. Other trajectories are unaffected.
     ///
     /// # Panics
     /// If a trajectory meets a pole and the scalar has no reciprocal of zero; some points are then

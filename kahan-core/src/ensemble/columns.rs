@@ -1,5 +1,4 @@
-//! The memory layout of an ensemble: one column per variable, in whole groups, each column aligned
-//! to a cache line.
+//! The memory of an ensemble: an aligned column per variable, in whole groups of points.
 //!
 //! In: points. Out: columns whose length every register width divides, so loops need no tail.
 //! Copies of the last point pad the last group; they are never visible outside.
@@ -28,16 +27,14 @@ pub(crate) struct Columns<T, const N: usize> {
 }
 
 impl<T: Copy, const N: usize> Columns<T, N> {
-    /// Creates `len` points; `entry(i, c)` returns variable `c` of point `i`. Calls go column by
-    /// column.
+    /// Creates `len` points, column by column; `entry(i, c)` returns variable `c` of point `i`.
     pub(crate) fn new(len: usize, entry: impl Fn(usize, usize) -> T) -> Self {
         if len == 0 || N == 0 {
             return Self { entries: Vec::new(), start: 0, len };
         }
         let stride = stride(len);
         let skipped_at_most = LINE / size_of::<T>().max(1);
-        // The vector never grows beyond its capacity, so its address, and the alignment, stay
-        // fixed.
+        // The vector never outgrows its capacity, so its address and alignment stay fixed.
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
         let start = match entries.as_ptr().align_offset(LINE) {
             start if start <= skipped_at_most => start,

@@ -35,8 +35,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> Option<()> {
         let Self { maps, mut columns, steps } = self;
-        // Advances two registers at a time to hide latency. If one register holds the whole group,
-        // both are that register.
+        // Advances two registers at a time to hide latency; both are one if it holds the group.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
             let [first, second] = parts.map(|part| {
@@ -92,8 +91,7 @@ where
         Ok(())
     }
 
-    /// Advances one trajectory after another, copied into all lanes, for the bits of lane
-    /// arithmetic.
+    /// Advances one trajectory at a time, copied into all lanes, for the bits of lane arithmetic.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

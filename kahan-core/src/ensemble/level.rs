@@ -11,19 +11,17 @@
 #[non_exhaustive]
 pub enum Level {
     /// The instructions that the program was compiled for: two `f64` or four `f32` at a time on
-    /// x86-64 and 64-bit Arm, otherwise one. Fused or not, the arithmetic is that of
-    /// [`KahanAt::step`](crate::KahanAt::step), bit for bit, with one exception. If that step
-    /// divides more than once (one or two variables) or divides by the time step, lanes use the
-    /// form with a single division, because the divider limits throughput. The last digit may then
-    /// differ.
+    /// x86-64 and 64-bit Arm, otherwise one. The bits are those of
+    /// [`KahanAt::step`](crate::KahanAt::step), with one exception: if that step divides more than
+    /// once (one or two variables) or by the time step, lanes use the form with a single division,
+    /// because the divider limits throughput. The last digit may then differ.
     Baseline,
     /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
     Avx2,
     /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2). Its
     /// divider is no faster, so it helps mainly where multiplications limit the speed.
     Avx512,
-    /// NEON with fused multiply-adds on 64-bit Arm: two `f64` or four `f32` at a time, with the
-    /// bits of [`Avx2`](Self::Avx2).
+    /// NEON on 64-bit Arm: two `f64` or four `f32` at a time; bits of [`Avx2`](Self::Avx2).
     Neon,
 }
 

@@ -51,8 +51,7 @@ pub use scalar::EnsembleScalar;
 ///
 /// # Cost
 /// Memory: N numbers per point. Trajectories in different lanes and registers are independent, so
-/// the processor overlaps their steps. The busiest execution unit, usually the divider, sets the
-/// time.
+/// the busiest execution unit, usually the divider, sets the time.
 pub struct Ensemble<T, const N: usize> {
     pub(crate) columns: Columns<T, N>,
     pub(crate) instructions: Instructions,

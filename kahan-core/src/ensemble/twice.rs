@@ -1,7 +1,6 @@
 //! A pair of registers used as one of twice the width.
 //!
-//! Two independent chains of dependent operations overlap, so the pair takes the time of one
-//! register.
+//! Two independent chains of dependent operations overlap, so both take the time of one.
 
 use core::ops::Neg;
 

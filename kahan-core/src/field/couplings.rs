@@ -1,8 +1,7 @@
 //! Sparse elimination along the couplings of variables: tables of the entries of A(x,ε), and loops.
 //!
 //! In: the entries of A, in the order of the tables. Out: A = L·U in place, and solutions of A·X =
-//! B. Rows are never exchanged: [`factor`](Couplings::factor) reports pivots that are too small for
-//! that.
+//! B. Rows are never exchanged: [`factor`](Couplings::factor) reports pivots too small for that.
 
 use core::ops::Range;
 
@@ -11,8 +10,7 @@ use crate::{Constant, Scalar};
 /// The ratio above which a pivot is too small. If an entry of its row and an entry of its column
 /// both exceed the pivot by more than this factor, the step uses partial pivoting instead.
 ///
-/// Otherwise a product subtracted from an entry is at most 16 times another entry of its row or
-/// column, so no digits are lost.
+/// Otherwise a product subtracted from an entry is at most 16 times an entry of its row or column.
 pub const LARGEST_FACTOR: i64 = 16;
 
 /// The entries of A(x,ε) with fill-in, row by row. Rows and columns are in elimination order.
@@ -176,8 +174,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Returns bᵢ minus the sum of the entries at `places` times the components of b in their
-    /// columns.
+    /// Returns bᵢ − Σ entry·b[its column] over the entries at `places`.
     #[inline]
     fn reduced<T: Scalar>(&self, places: impl Iterator<Item = usize>, i: usize, values: &[T], b: &[T]) -> T {
         places.fold(b[i].clone(), |sum, place| {

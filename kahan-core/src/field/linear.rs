@@ -11,8 +11,7 @@ use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 use crate::Scalar;
 
-/// Solves A·X = B. If A is singular, returns `None` for scalars without a reciprocal of zero, and
-/// infinities or NaNs for floats.
+/// Solves A·X = B. If A is singular, floats become infinite or NaN, and exact scalars give `None`.
 pub fn solve<T: Scalar, const N: usize, const M: usize>(
     mut a: SMatrix<T, N, N>,
     mut b: SMatrix<T, N, M>,

@@ -26,7 +26,6 @@ pub trait QuadraticField<T: Scalar, const N: usize> {
     /// Returns Q(x,y) = ½[Q(x+y) − Q(x) − Q(y)]; Q(x,x) is the quadratic part of f.
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Returns Q(x,y) + ½B(x+y) + c, which is symmetric; it is f(x) at (x,x) and (x̃ − x)/(2ε) at
-    /// (x,x̃).
+    /// Returns Q(x,y) + ½B(x+y) + c, symmetric; it is f(x) for y = x, (x̃ − x)/(2ε) for y = x̃.
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 }

@@ -146,10 +146,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
-    /// Sets the instruction set level of the steps; `None` if this processor lacks it. The default
-    /// is the highest level.
+    /// Sets the level of the steps, by default the highest; `None` if this processor lacks it.
     ///
-    /// The level affects the last bits of long chains of `f32` and `f64`, as for an
+    /// It affects the last bits of long chains of `f32` and `f64`, as in an
     /// [`Ensemble`](crate::Ensemble).
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
@@ -295,8 +294,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes `steps` steps. After each it calls `visit` with the step's number, from 1 on, and the
-    /// state.
+    /// Takes `steps` steps; after each calls `visit` with its number, from 1 on, and the state.
     ///
     /// # Panics
     /// See [`step`](Self::step).
@@ -308,8 +306,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of `next` as the step from `x`, the maximum over
-    /// all unknowns of
+    /// Returns the componentwise backward error of the step from `x` to `next`, the maximum of
     ///
     ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
     ///

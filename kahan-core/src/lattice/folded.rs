@@ -1,10 +1,9 @@
 //! The solution of a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
 //! In: the rows of a square system, one at a time, in a requested order. Out: the solution. A
-//! cyclic band of half-bandwidth h becomes an ordinary band of 2h in the *folded* order 0, n−1, 1,
-//! n−2, …. Entries are added, so rings shorter than their band are handled correctly. For rare use
-//! little memory is needed: only one stretch of U is stored, and back substitution eliminates each
-//! stretch again.
+//! cyclic band of half-bandwidth h is an ordinary band of 2h in the *folded* order 0, n−1, 1, n−2,
+//! …. Entries are added, so rings may be shorter than their band. For rare use only one window of U
+//! is stored, and back substitution eliminates each window again.
 
 use std::vec;
 use std::vec::Vec;
@@ -45,8 +44,7 @@ pub(super) struct Folded<T> {
     width: usize,
     /// The number of columns whose rows of U are stored at once.
     stretch: usize,
-    /// The `lower` + 1 candidate pivot rows, from the current column on, with their right-hand
-    /// sides.
+    /// The `lower` + 1 candidate pivot rows from the current column on, with right-hand sides.
     window: Vec<T>,
     /// The finished rows of U in a stretch, in the layout of the window.
     done: Vec<T>,

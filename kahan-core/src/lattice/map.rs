@@ -1,8 +1,7 @@
 //! A family as a map of chains: names, integrals and equations.
 //!
-//! In: prepared constants, and the states and parameters of a site and its neighbours. Out: the
-//! site's field and its rows of A(x,ε), over any scalar: a number, SIMD lanes, numbers with error
-//! bounds.
+//! In: prepared constants, and states and parameters of a site and its neighbours. Out: the site's
+//! field and its rows of A(x,ε), over numbers, SIMD lanes or numbers with error bounds.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::fmt::Debug;
@@ -27,8 +26,7 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 /// - `registers`: [`Sizes::registers`] scalars of scratch space.
 ///
 /// In a short cyclic chain one site may occur several times in `x`; its results are then added.
-/// Implementations must be `#[inline(always)]` without closures, so that a caller's target features
-/// apply to lanes.
+/// Implementations are `#[inline(always)]` without closures, so that lanes get target features.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The names of the arrays, in their order within a site.
@@ -46,11 +44,9 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The name of H, if the family is ẋ = K∇H with a constant antisymmetric K.
     const HAMILTONIAN: Option<&'static str> = None;
 
-    /// Prepares the map at ε, half the time step, for a chain of `sites` sites, and allocates all
-    /// memory.
+    /// Prepares the map at ε, half the time step, for `sites` sites, and allocates all memory.
     ///
-    /// In a periodic chain shorter than the stencil a site is its own neighbour, and its couplings
-    /// add up.
+    /// In a ring shorter than the stencil a site is its own neighbour, and its couplings add up.
     ///
     /// # Errors
     /// If `sites` is 0, a site parameter has another number of values, or the equations divide by

@@ -22,8 +22,7 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct Promise<T: LatticeScalar> {
-    /// The equations in `T::Near`; `None` if a divisor of the constants is too small for these
-    /// numbers.
+    /// The equations in `T::Near`; `None` if a divisor of the constants is too small for them.
     near: Option<Rows<T::Near>>,
     /// The equations in `T::Far`; `None` if a divisor of the constants may be zero.
     far: Option<Rows<T::Far>>,
@@ -106,8 +105,7 @@ impl<J: Scalar> Rows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes residual and backward error in row b of the current site; `largest` bounds all
-    /// inputs.
+    /// Computes residual and backward error in row b of this site; `largest` bounds the inputs.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
     where
         M: LatticeMap<T>,

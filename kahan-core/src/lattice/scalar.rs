@@ -33,8 +33,7 @@ pub(super) trait Solved: Sized {
 
     type Parts: Parted<Self>;
 
-    /// The widest numbers with error bounds, without underflow, for cases that `Near` does not
-    /// decide.
+    /// The widest numbers with error bounds, which never underflow, for what `Near` leaves open.
     type Far: Judge<Self>;
 
     /// The unit roundoff u; 0 for an exact scalar.

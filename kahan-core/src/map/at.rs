@@ -1,7 +1,6 @@
 //! A map prepared at a fixed ε.
 //!
-//! In: a map and ε, once. Out: steps that take only a state, without allocation or dynamic
-//! dispatch.
+//! In: a map and ε, once. Out: steps that take a state only and neither allocate nor dispatch.
 
 use core::fmt;
 
@@ -70,8 +69,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the prepared step, for code that completes steps in its own way (in lanes,
-    /// compensated).
+    /// Returns the prepared step, for code that completes steps itself (in lanes, compensated).
     pub fn prepared(&self) -> &M::Prepared {
         &self.prepared
     }

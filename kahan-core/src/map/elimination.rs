@@ -1,8 +1,7 @@
 //! The step by elimination, for maps without a closed form.
 //!
-//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state.
-//! It works for every field, but has no value at det A(x,ε) = 0, where the reduced map may have
-//! one.
+//! In: a map and ε. Out: x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state. It works for
+//! every field, but not at det A(x,ε) = 0, where the reduced map may have a value.
 
 use nalgebra::SVector;
 

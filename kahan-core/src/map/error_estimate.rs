@@ -18,10 +18,9 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     ///
     ///   h³[f′f′f/12 − f″(f,f)/6] + O(h⁴)
     ///
-    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles. If
-    /// coefficients depend on ε, 2ε(f at ε − f at 0) is added. Subtracting the estimate from x̃
-    /// raises the order to 3, but the map loses its structure. Cost: f, f′ and Q once, and two
-    /// products with f′.
+    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles, plus 2ε(f at ε
+    /// − f at 0) if coefficients depend on ε. Subtracting the estimate from x̃ raises the order to
+    /// 3 but destroys the map's structure. Cost: f, f′, Q, and two products with f′.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -100,9 +99,8 @@ impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> 
     ///
     ///   eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁)
     ///
-    /// At a fixed time the error is O(ε²) and the estimate is off by O(ε⁴), as long as the error is
-    /// small compared with the scale on which φ′ varies. Rounding errors are not included. Cost:
-    /// about three steps per step.
+    /// At a fixed time the error is O(ε²), and the estimate is off by O(ε⁴) while the error is
+    /// small on the scale on which φ′ varies. Rounding is not included. Cost: three steps per step.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -1,5 +1,4 @@
-//! Systems converted to another scalar, for steps in a wider precision, in dual numbers, or with
-//! error bounds.
+//! Systems over another scalar: wider numbers, dual numbers, or numbers with error bounds.
 
 use nalgebra::SVector;
 
@@ -28,8 +27,7 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
     type Extended<U: Scalar>: ExtendScalars<U, N>;
 
-    /// Returns the system with each parameter converted to U by `convert`. Literals are exact, and
-    /// each scalar rounds them itself.
+    /// Returns the system with each parameter converted by `convert`; U rounds the exact literals.
     fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
     /// Returns J(x)·v, for x̃ = `y`; `None` at a pole of an exact scalar.

@@ -59,8 +59,7 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// as every field of more than eight variables, has a pole wherever det A vanishes.
 ///
 /// # Range
-/// If a denominator overflows, a float step may be wrong without notice; only `try_step` detects
-/// this.
+/// If a denominator overflows, a float step may be wrong without notice, except in `try_step`.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -153,8 +152,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// found at compile time. If a pivot is more than 16 times smaller than an entry of its row and
     /// an entry of its column, that step uses partial pivoting on the whole matrix.
     ///
-    /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit), which prepare the step
-    /// once and give equal bits.
+    /// At a fixed ε use [`at`](Self::at) or [`orbit`](Self::orbit): prepared once, with equal bits.
     ///
     /// # Panics
     /// For exact scalars, at a pole; floats become infinite or NaN.
@@ -234,8 +232,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns D(x,ε) = det A(x,ε), which vanishes at every pole and at points where reduction
-    /// removed one.
+    /// Returns D(x,ε) = det A(x,ε), which is 0 at every pole and where reduction removed one.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }

@@ -69,8 +69,7 @@ impl<P> Burst<'_, P> {
         (self.before + 1..).zip(&self.seen[1..])
     }
 
-    /// Shows the new points of one trajectory with their step numbers, except the first `done`
-    /// ones.
+    /// Shows the new points of one trajectory except the first `done`, with their step numbers.
     #[inline(always)]
     pub fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where

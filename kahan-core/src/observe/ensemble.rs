@@ -21,13 +21,11 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// shows each trajectory to its own observers.
     ///
     /// `observers(i)` creates the observers of trajectory i; step 0 is [`point`](Self::point) i.
-    /// The bits of a report depend neither on the trajectory's index nor on threads. With the
-    /// feature `parallel`, large ensembles run on rayon's current thread pool. Each group of 16
-    /// trajectories allocates once.
+    /// The bits of a report depend neither on i nor on threads. With the feature `parallel`, large
+    /// ensembles run on rayon's current thread pool. Each group of 16 trajectories allocates once.
     ///
     /// # Panics
-    /// At a pole, for scalars without a reciprocal of zero. If the numbers of maps and points
-    /// differ.
+    /// At a pole of an exact scalar. If the numbers of maps and points differ.
     ///
     /// ```
     /// use kahan_core::Ensemble;

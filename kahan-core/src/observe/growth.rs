@@ -21,7 +21,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length of a vector that had squared length `squared` after scaling by
+    /// Returns the squared length before a vector of squared length `squared` was scaled by
     /// 2^−`exponent`.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
@@ -90,8 +90,7 @@ pub(super) fn most<T: Scalar>() -> T {
     root.clone() * root
 }
 
-/// Returns whether all squared lengths of a group are moderate or NaN, so that no vector needs
-/// scaling.
+/// Returns whether no vector of a group needs scaling: all squared lengths are moderate or NaN.
 #[cfg(feature = "std")]
 pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
     let most: f64 = most::<T>().approximate();

@@ -6,8 +6,8 @@ use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
 
 impl<S: Step> Orbit<S> {
-    /// Shows the orbit's next point, as step 0, and `steps` further points to the observers;
-    /// returns the report.
+    /// Shows the next point, as step 0, and `steps` further points to observers; returns their
+    /// report.
     ///
     /// The run ends early if the observers are [done](Observer::is_done), or at a pole of an exact
     /// orbit, which [`stopped`](Self::stopped) then returns. The next call starts after the last

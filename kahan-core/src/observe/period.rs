@@ -4,8 +4,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of the first return to a ball around the initial point, after the orbit has left the
-/// ball.
+/// An observer of the first return to a ball around the initial point after leaving it.
 ///
 /// Radius 0 finds periods of exact orbits.
 ///

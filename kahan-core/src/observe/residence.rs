@@ -49,8 +49,7 @@ where
     F: Fn(&[T]) -> T,
     V: AsMut<[u64]>,
 {
-    /// Counts `quantity` in equal subintervals of `range`, one per entry of `counts`, which must be
-    /// zeros.
+    /// Counts `quantity` in equal parts of `range`, one per entry of `counts`, initially all zero.
     pub fn of(quantity: F, range: Range<f64>, mut counts: V) -> Self {
         let parts_to_unit = counts.as_mut().len() as f64 / (range.end - range.start);
         let stays = Stays { within: counts, outside: 0 };

@@ -1,8 +1,7 @@
 //! The rotation number of an orbit.
 //!
 //! In: a projection of the orbit to a plane. Out: a weighted mean of the angles between consecutive
-//! points around the origin. For quasi-periodic motion it converges faster than any power of the
-//! number of steps.
+//! points around the origin, which converges fast for quasi-periodic motion.
 
 use core::f64::consts::TAU;
 use core::marker::PhantomData;

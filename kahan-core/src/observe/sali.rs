@@ -6,9 +6,8 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::{Size, square};
 
-/// An observer of the smaller alignment index of two unit tangent vectors v, w: the smaller of |v +
-/// w| and
-/// |v − w| after the last step.
+/// An observer of the smaller alignment index of two unit tangent vectors v and w: the smaller of
+/// |v+w| and |v−w| after the last step.
 ///
 /// For chaotic motion both vectors align with the direction of fastest growth, and the index falls
 /// exponentially to the rounding level or 0. For regular motion in four or more variables it stays

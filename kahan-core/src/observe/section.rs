@@ -197,8 +197,7 @@ where
     T: FloatScalar,
     S: Sink<Crossing<PointOf<M>, T>>,
 {
-    /// Creates an observer of the crossings with `level` = 0 on orbits of `map`; `sink` receives
-    /// them.
+    /// Creates an observer that gives each crossing of `level` = 0, by orbits of `map`, to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
         Self {
@@ -286,8 +285,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // A fraction of a step ignores the numbers stored after the point, so they may keep old
-        // values.
+        // The numbers stored after the point may be old, because a fraction of a step ignores them.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 

@@ -43,8 +43,7 @@ struct GrowingVector<P> {
 }
 
 impl<M: TangentMap> Spectrum<M> {
-    /// Creates an observer of the `k` largest exponents of a prepared map, given by value or
-    /// reference.
+    /// Creates an observer of the `k` largest exponents of a prepared map or a reference to one.
     ///
     /// Vectors are orthogonalised every `every` steps. This must be often enough that no vector
     /// outgrows another beyond the precision of the scalar.

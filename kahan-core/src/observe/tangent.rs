@@ -51,7 +51,7 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// and writes the squared lengths after each step if `work` has room for them.
     ///
     /// Returns the number of steps taken, which is smaller if a squared length leaves the moderate
-    /// range. Returns `None` for different maps and for steps without lanes. The bits are those of
+    /// range; `None` for different maps and steps without lanes. Bits are those of
     /// [`carry_to`](Self::carry_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]

@@ -1,8 +1,7 @@
 //! Dual numbers v + s·d, d² = 0, with one derivative, which know whether they are constant.
 //!
 //! In: the closed form of a step. Out: its value and its derivative along one direction. Constants
-//! have no slope, so nothing is multiplied by 0, and in an inlined step compilers know which
-//! numbers are constant.
+//! have no slope, so nothing is multiplied by 0, which compilers see in an inlined step.
 
 use num_traits::{One, Zero};
 

@@ -14,8 +14,7 @@ pub struct Constant<'a>(Form<'a>);
 #[derive(Clone, Copy, Debug)]
 enum Form<'a> {
     Integer(i64),
-    /// Numbers up to 2²⁴ are exact in `f32`, so a single division rounds correctly to `f32` and
-    /// `f64`.
+    /// Both are at most 2²⁴, so exact in `f32`: a single division rounds correctly to any float.
     Ratio(i64, i64),
     Long(Long<'a>),
 }

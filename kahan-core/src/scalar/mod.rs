@@ -44,8 +44,7 @@ pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
 ///
-/// To implement it, provide the operators and [`constant`](Scalar::constant). The default methods
-/// suit an exact field.
+/// Implement the operators and [`constant`](Scalar::constant); the other methods suit exact fields.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",
@@ -92,8 +91,7 @@ pub trait Scalar:
         than.is_zero() && !self.is_zero()
     }
 
-    /// Returns self·factor + addend, with one rounding if the target has a fused instruction,
-    /// otherwise two.
+    /// Returns self·factor + addend, with one rounding if the target can fuse it, otherwise two.
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend

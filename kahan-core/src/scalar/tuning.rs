@@ -1,7 +1,6 @@
 //! Tuning for compilers and processors: steps divided by ε, and fences against auto-vectorisation.
 //!
-//! Results stay equal. The scalar type is known at compile time, so optimised programs contain none
-//! of the type tests below.
+//! Results stay equal. Optimised programs contain no type tests: types are known at compile time.
 
 use core::any::{Any, TypeId};
 
@@ -81,9 +80,8 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃. It is fenced in `f32`, whose vectors have more lanes than components,
-/// and after `several` successive reciprocals, when one component is on the critical path of an
-/// orbit.
+/// Returns a component of x̃. It is fenced in `f32`, which has more lanes than components, and
+/// after `several` successive reciprocals, when one component is on an orbit's critical path.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }
@@ -110,8 +108,7 @@ mod fence {
         ($name:ident, $float:ty) => {
             #[inline(always)]
             pub(super) fn $name(mut number: $float) -> $float {
-                // SAFETY: the assembler text is a comment; it changes no register and accesses no
-                // memory.
+                // SAFETY: the assembler text is a comment, which changes no register and no memory.
                 unsafe {
                     core::arch::asm!(
                         "/* {0} stands alone */",

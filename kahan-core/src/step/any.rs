@@ -1,8 +1,7 @@
 //! The common interface of all maps at their ε.
 //!
 //! In: a state as a slice. Out: the state after some steps, in place. A function over [`Step`]
-//! accepts compiled maps, maps read at run time, chains and compositions, by type or as `&dyn
-//! Step`.
+//! accepts compiled maps, maps read at run time, chains and compositions, as type or `&dyn Step`.
 
 #[cfg(feature = "std")]
 use std::any::Any;
@@ -120,8 +119,7 @@ pub trait Step {
     /// If the length of `x` is not [`dimension`](Self::dimension).
     fn advance(&self, x: &mut [Self::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped>;
 
-    /// Replaces `x` by the state after one step at another ε; everything that depends on ε is
-    /// recomputed.
+    /// Replaces `x` by the state after one step at another ε, which is prepared anew.
     ///
     /// The curve θ ↦ φ_{θε}(x), 0 ≤ θ ≤ 1, joins x to x̃ and is as close to the flow as a step is.
     ///
@@ -193,8 +191,7 @@ pub(crate) fn check_length(found: usize, expected: usize) {
     assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
-/// A state as a slice: the numbers of a point, then others such as compensations or tangent
-/// vectors.
+/// A state as a slice: a point, then other numbers such as compensations or tangent vectors.
 pub trait StateVector<T>: Clone + fmt::Debug {
     /// The type of the point; for a `Vec` it is the whole state.
     type Point: StateVector<T>;

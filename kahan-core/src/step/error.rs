@@ -6,8 +6,7 @@ use core::fmt;
 
 use crate::Scalar;
 
-/// The error of a step without a finite value: a pole of the map, overflow, or insufficient
-/// precision.
+/// The error of a step without a finite value: pole, overflow, or insufficient precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SingularStep {

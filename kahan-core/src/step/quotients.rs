@@ -36,8 +36,8 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         Self { numerators, reciprocals, several: false }
     }
 
-    /// Like [`over_each`](Self::over_each), for reciprocals computed in sequence; some components
-    /// need only the first.
+    /// Like [`over_each`](Self::over_each), for reciprocals in sequence, of which some components
+    /// need one.
     #[inline(always)]
     pub fn over_several(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: true }
@@ -80,8 +80,8 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     ///
     /// t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
-    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding of n·r is lost. Otherwise t − b is rounded,
-    /// and the carry errs by at most u·|t − b|, no more than that rounding. Hence no branch is
+    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding of n·r is lost. Otherwise t − b is rounded
+    /// too, and the carry errs by no more than that rounding, at most u·|t − b|. So no branch is
     /// needed.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {

@@ -9,9 +9,8 @@ use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
 /// A step with a form divided by ε, for floats at an ordinary ε, and a general form.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, which removes a multiplication
-/// from the critical path. The divided form is undefined at ε = 0, overflows sooner, and is not for
-/// lanes.
+/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, a multiplication less on the
+/// critical path. The divided form is undefined at ε = 0, overflows sooner, and is not for lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
     /// The divided form; `None` if ε or the scalar does not allow it.
@@ -24,8 +23,7 @@ pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// Creates the step at `eps` from the constants of both forms; `over_eps` is called only if
-    /// allowed.
+    /// Creates the step at `eps` from the constants of both forms; calls `over_eps` if allowed.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -96,8 +94,7 @@ where
     })
 }
 
-/// A step for single orbits, whose second division shortens the critical path, and a form for
-/// lanes, which share one divider.
+/// A form for orbits, whose second division shortens the critical path, and one for lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,

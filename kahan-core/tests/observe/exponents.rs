@@ -7,8 +7,7 @@ use kahan_core::{Composition, Ensemble};
 use super::LORENZ;
 use crate::systems::E6;
 
-/// Within twice the exponents' own error estimates, and O(ε²): at ε = 0.01 their sum errs by 0.13,
-/// so here by less than 0.02.
+/// Within twice their error estimates, and O(ε²): the sum errs by 0.13 at ε = 0.01, here by < 0.02.
 #[test]
 fn lorenz_has_the_exponents_of_the_literature() {
     let map = LORENZ.at(0.0025);
@@ -45,9 +44,8 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Vectors that grow or shrink by 2⁴⁰ per step and are scaled every 16 steps; here they are read 15
-/// steps later. A shrinking vector is the difference of itself and its increment, which leaves 13
-/// bits.
+/// Vectors that grow or shrink by 2⁴⁰ per step and are scaled every 16 steps, read after 15. A
+/// shrinking vector is the difference of itself and its increment, which leaves 13 bits.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);

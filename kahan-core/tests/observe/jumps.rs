@@ -1,5 +1,4 @@
-//! Sign changes at zeros and at jumps: for maps with poles, and for functions with poles, gaps and
-//! steps.
+//! Sign changes at zeros and at jumps: poles of maps, poles and gaps of functions.
 
 use kahan_core::observe::{AtMost, Crossing, Direction, Kept, Observer, Section, Sectioned, first_crossing};
 use kahan_core::prelude::*;
@@ -10,8 +9,7 @@ use crate::lattices::Ring;
 use crate::systems::{Burst, Turn};
 
 kahan! {
-    /// The angle of the tangent x grows by arctan 2ε a step, so x rises through 0 and falls through
-    /// infinity.
+    /// The angle of the tangent x grows by arctan 2ε a step: x rises through 0, falls through ∞.
     pub(crate) struct Tangent;
     xdot = x^2 + 1;
     ydot = 1;

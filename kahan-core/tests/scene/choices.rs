@@ -10,8 +10,7 @@ use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 /// The largest ratio of the chosen cost to the cheapest possible one.
 const RATIO: f64 = 3.0;
 
-/// Checks that the choice for each tolerance meets it, and that no setting of a third of its cost
-/// does.
+/// Checks that the choice for each tolerance meets it, and no setting of a third of its cost.
 fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
 where
     M: ExtendScalars<f64, N>,
@@ -31,7 +30,7 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // The most expensive setting of a third of the cost errs least; fewer steps exclude bad
+            // The most expensive setting of a third of the cost errs least; fewer steps exclude
             // luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {

@@ -50,9 +50,8 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
         if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
-    /// Returns the largest relative distance of a setting's orbit at about `samples` points and its
-    /// end, or the first distance above `enough`. Points in `Dd` are rounded to `f64` first, which
-    /// adds half an ulp.
+    /// Returns the largest relative distance of a setting's orbit at its end and about `samples`
+    /// points, or the first above `enough`. `Dd` is rounded to `f64` first, which adds half an ulp.
     pub(crate) fn error(
         &self,
         setting: &Setting,

@@ -4,8 +4,7 @@ use crate::assembler::{Source, Vector};
 
 use super::{Allocation, MachineInstruction, Place};
 
-/// Moves `sources[i]` into register i for all i. Cycles are broken through a free register,
-/// otherwise through a stack slot.
+/// Moves `sources[i]` into register i for all i; a free register or a stack slot breaks cycles.
 pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Allocation) {
     let states = sources.len();
     let mut moves: Vec<(Vector, Source<Place>)> =

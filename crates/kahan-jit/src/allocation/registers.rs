@@ -99,8 +99,7 @@ impl Allocator<'_> {
         register
     }
 
-    /// Ends the uses of these operands at the current operation, and frees registers of dead
-    /// values.
+    /// Ends the uses of these operands at this operation; frees the registers of dead values.
     pub(super) fn release(&mut self, values: &[usize]) {
         for &value in values {
             self.uses.end(value, self.time);

@@ -1,9 +1,8 @@
 //! Assemblers for straight-line floating-point code, one per processor.
 //!
-//! In: one call per instruction, on registers and memory. Out: machine code. Each processor's
-//! module has an `Assembler` and register names with a common interface. Tests also compile the
-//! other processor's module and compare its bytes with those of established assemblers. Constants
-//! lie in a pool behind the code.
+//! In: one call per instruction, on registers and memory. Out: machine code, with constants in a
+//! pool behind it. Both processors' modules have an `Assembler` and register names with one
+//! interface. Tests compile both and compare their bytes with those of established assemblers.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -65,6 +64,5 @@ pub(crate) struct Needs {
     pub(crate) instructions: usize,
 }
 
-/// The smallest page size. The system grows the stack page by page, so each new page is touched in
-/// order.
+/// The smallest page size; the stack grows page by page, so each page is touched in order.
 const PAGE: usize = 4096;

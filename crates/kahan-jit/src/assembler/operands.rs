@@ -51,9 +51,11 @@ pub(crate) struct Vector(pub(crate) u8);
 /// A memory operand; G is the processor's type of general-purpose registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory<G> {
+    /// base + offset
     At { base: G, offset: i32 },
     /// base + index; neither is the stack pointer.
     Indexed { base: G, index: G },
+    /// A number of the pool.
     Pool(Entry),
 }
 

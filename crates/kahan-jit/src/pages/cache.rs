@@ -40,8 +40,7 @@ fn lines(code: &[u8], length: usize) -> impl Iterator<Item = usize> {
     (start / length * length..start + code.len()).step_by(length)
 }
 
-/// Discards instructions that this thread has prefetched, so that it runs [published](publish)
-/// code.
+/// Discards prefetched instructions, so that this thread runs [published](publish) code.
 pub(super) fn discard_fetched() {
     // SAFETY: only prefetched instructions are discarded.
     unsafe { asm!("isb", options(nostack, preserves_flags)) };

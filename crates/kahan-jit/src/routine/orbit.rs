@@ -37,8 +37,7 @@ impl<T: Float> Orbit<T> {
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = General::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
-        // Carried states are read from one array and written to another, which may be the same
-        // array.
+        // Carried states are read from one array and written to another or the same.
         let last = |assembler: &mut Assembler, place| match place {
             Place::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),

@@ -19,8 +19,7 @@ impl Draw {
         (self.next() % bound as u64) as usize
     }
 
-    /// Draws a number: ordinary with weight `ordinary`, otherwise special. Special values propagate
-    /// through results.
+    /// Draws a number: ordinary with weight `ordinary`, otherwise special, such as NaN.
     pub(crate) fn number(&mut self, ordinary: usize) -> f64 {
         match self.below(5 + ordinary) {
             0 => 0.0,

@@ -96,8 +96,7 @@ impl Reader<'_> {
         end
     }
 
-    /// Returns the root of a number, such as `sqrt(2)`. An irrational root becomes a parameter with
-    /// the nearest `f64` as its value.
+    /// Returns a root, such as `sqrt(2)`; an irrational one becomes a parameter, rounded to `f64`.
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);

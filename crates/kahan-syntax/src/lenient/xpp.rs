@@ -38,8 +38,7 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// Returns the end of a line that starts with a directive: options after `@` or `%`, or a
-    /// directive that will be refused.
+    /// Returns the end of a line that starts with `@`, `%`, or a directive to be refused.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;
@@ -156,8 +155,7 @@ impl Reader<'_> {
         Some(end)
     }
 
-    /// Returns the arguments of the call whose bracket is at `open`, and the index of the next
-    /// token.
+    /// Returns the arguments of the call with bracket at `open`, and the index of the next token.
     fn call(&self, open: usize) -> Option<(Vec<Range<usize>>, usize)> {
         let (mut depth, mut start, mut given) = (0, open + 1, Vec::new());
         for at in open..self.given.len() {

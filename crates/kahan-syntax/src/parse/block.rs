@@ -15,8 +15,7 @@ use super::{Parsed, error};
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
-/// Reads one item. After a mistake the cursor stays inside the item, and the block holds all that
-/// was read.
+/// Reads an item into the block; after a mistake, what precedes it, with the cursor inside.
 pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
@@ -149,8 +148,7 @@ fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }
 
-/// Returns the state and order that a left-hand side without `dot` probably means: `x` for `xdto`,
-/// `xDot`, `dxdt`, `dx` and `ẋ`.
+/// Returns the state and order that a left-hand side probably means: `xdto`, `xDot`, `dxdt`, `ẋ`.
 fn meant(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;

@@ -32,8 +32,7 @@ pub(super) enum End {
     Equals,
     /// `by`, in the function of a drift.
     By,
-    /// Any punctuation except operators, in formulas outside blocks; the caller checks what
-    /// follows.
+    /// All punctuation but operators, in formulas outside blocks; callers check what follows.
     Formula,
 }
 

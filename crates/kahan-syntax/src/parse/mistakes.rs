@@ -126,8 +126,7 @@ pub(crate) fn is_function(name: &str) -> bool {
     [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
-/// Returns the proposal for a function call: a new state if an argument contains states, otherwise
-/// a constant or a parameter.
+/// Proposes for a function call a new state if an argument contains states, else a constant.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
     if ROUGH.split(' ').any(|known| known == name) {
         return format!(

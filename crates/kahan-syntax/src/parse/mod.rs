@@ -42,8 +42,7 @@ pub fn asks_for_lift(tokens: &[Token]) -> bool {
     block.lift.is_some()
 }
 
-/// Reads a block. If it requests a lift, only the header is read and the lift is reported as a
-/// mistake.
+/// Reads a block; of one that requests a lift only the header, with the lift as a mistake.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     let (mut cursor, mut block) = begin(tokens, diagnostics);

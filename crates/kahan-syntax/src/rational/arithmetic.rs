@@ -30,8 +30,7 @@ impl Rational {
         }
     }
 
-    /// Returns the power, with about |exponent| times the bits; 0⁰ = 1. `None` for 0 to a negative
-    /// exponent.
+    /// Returns the power, of |exponent| times the bits; 0⁰ = 1, and `None` for 1/0.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
@@ -61,8 +60,7 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // In lowest terms: a prime of the lcm divides b or d, so it does not divide both
-            // numerators.
+            // Reduced: a prime of the lcm divides b or d, so not both numerators.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());

@@ -11,8 +11,7 @@ use super::{Rational, Repr};
 pub(crate) const LARGEST_EXPONENT: i64 = 4096;
 
 impl Rational {
-    /// Reads a decimal or a quotient of two, with an optional sign: `3/7`, `-2`, `0.25`, `1e-3`,
-    /// `1_000`, `.5`, `5.`.
+    /// Reads a signed decimal or a quotient of two: `3/7`, `-2`, `1e-3`, `1_000`, `.5`, `5.`.
     ///
     /// Returns `None` for other texts, for a zero divisor, and for exponents beyond ±4096.
     #[must_use]

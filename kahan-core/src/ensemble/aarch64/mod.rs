@@ -1,9 +1,7 @@
-//! Runs ensembles and other `OverLanes` work (chains, dense and sparse elimination) in the vector
-//! registers of 64-bit Arm.
+//! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of 64-bit Arm.
 //!
-//! Every 64-bit Arm processor with the standard library has NEON, so no run-time check is needed.
-//! Two lane types exist per float: `Level::Baseline` rounds multiply-adds twice, `Level::Neon`
-//! once.
+//! Every 64-bit Arm processor with the standard library has NEON, so nothing is detected. A float
+//! has two lane types: `Level::Baseline` rounds multiply-adds twice, `Level::Neon` once.
 #![expect(unsafe_code, reason = "registers of vectors, which every 64-bit Arm has")]
 
 mod lanes;

@@ -1,5 +1,4 @@
-//! AVX-512 lanes that divide by estimation: a 14-bit estimate of 1/x, refined by Newton's
-//! iteration.
+//! AVX-512 lanes that divide by a 14-bit estimate of 1/x, refined by Newton's iteration.
 //!
 //! The divider would delay all other operations of a step. Each iteration r + r·(1 − x·r) costs two
 //! multiply-adds and doubles the correct bits: two iterations for `f64`, one for `f32`.

@@ -1,5 +1,4 @@
-//! Runs ensembles and other `OverLanes` work (chains, dense and sparse elimination) in the vector
-//! registers of x86-64.
+//! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of x86-64.
 //!
 //! The lane types are private, so this module justifies their `unsafe`. SSE2 lanes are valid on
 //! every x86-64 processor. Others exist only inside [`avx2`], [`avx512`], [`work_on_avx2`] and

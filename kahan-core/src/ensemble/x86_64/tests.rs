@@ -1,5 +1,4 @@
-//! Compares each lane of each lane type with one float, operation by operation, and the estimated
-//! reciprocal with division.
+//! Compares each lane of every lane type with a float, and the estimated reciprocal with division.
 //!
 //! Levels that the processor lacks are skipped with a message.
 

@@ -1,8 +1,7 @@
 //! The first pass: eliminates the interiors of parts, leaving Schur complements of the separators.
 //!
-//! In: the states of some groups, gathered with one part per lane. Out: per part 2S rows of 2S + 1
-//! numbers (S = R·B) and their largest multiplier. Rows and columns of the right separator come
-//! first.
+//! In: the states of some groups, with one part per lane. Out: per part its largest multiplier and
+//! 2S rows of 2S + 1 numbers (S = R·B). Those of the right separator come first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -48,8 +47,7 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let First { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The final system: last interior columns, right separator, left separator, right-hand
-        // side.
+        // The final system: last interior, right separator, left separator, right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(joints::size(s));

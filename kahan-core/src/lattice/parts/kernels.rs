@@ -88,8 +88,7 @@ impl<
     }
 }
 
-/// Splits the parts of some groups into batches of `width`, with the index of each batch's first
-/// part.
+/// Splits the parts of groups into batches of `width`, each with the index of its first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,
@@ -103,8 +102,7 @@ pub(super) fn batches(
     })
 }
 
-/// Returns whether two sets of `rows` rows of `numbers` numbers fit into the sixteen AVX2
-/// registers.
+/// Returns whether two sets of `rows` rows of `numbers` numbers fit into 16 AVX2 registers.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

@@ -29,8 +29,7 @@ pub struct Gathered<'a, T, L, const C: usize> {
     pub x: &'a [T],
     /// Parameters, site by site.
     pub c: &'a [T],
-    /// Scratch space of [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast)
-    /// registers.
+    /// [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast) scratch registers.
     pub registers: &'a mut [T],
     /// The instruction set level of the registers.
     pub level: Level,

@@ -1,9 +1,8 @@
 //! Steps of a long chain in parts, which are eliminated in SIMD lanes.
 //!
-//! In: a state. Out: the next state in place, or a refusal. The first pass eliminates every
-//! interior and reduces the separators' rows to a small banded system. From its solution the second
-//! pass computes the interiors. A step is refused if a separator's entry far exceeds a pivot,
-//! because digits would be lost.
+//! In: a state. Out: the next state in place, or a refusal. The first pass eliminates the interiors
+//! and reduces the separators' rows to a small banded system; the second computes the interiors
+//! from its solution. A step is refused if an entry far exceeds a pivot, which would lose digits.
 
 mod buffer;
 mod first;
@@ -54,8 +53,7 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     /// Allocates a workspace; `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// Takes one step. On too small a pivot or a non-finite number it refuses and leaves the state
-    /// unchanged.
+    /// Takes one step; refuses small pivots and non-finite numbers, with the state unchanged.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,

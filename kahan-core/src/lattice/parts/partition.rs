@@ -4,8 +4,7 @@
 //! followed by an interior, in groups of one part per lane. All parts of a group have equal
 //! lengths. At least R sites remain at the end and close the chain.
 
-/// The intended length of a part: long compared with its separator, but small enough for a fast
-/// cache.
+/// The intended length of a part: long compared with its separator, short enough for a cache.
 const LENGTH: usize = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,8 +23,7 @@ impl Partition {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites; `None` if they would have fewer than
-    /// `least`.
+    /// Divides a chain into parts of about `about` sites; `None` if that is less than `least`.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,
@@ -77,8 +75,7 @@ impl Partition {
         self.parts() * self.reach + self.left_over()
     }
 
-    /// Iterates over the runs of the reduced system: index in the system, first site, number of
-    /// sites.
+    /// Iterates over the runs of the reduced system: index there, first site, number of sites.
     pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {

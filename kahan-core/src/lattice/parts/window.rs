@@ -1,8 +1,7 @@
 //! Elimination with partial pivoting in a window of rows that moves along a band, in registers.
 //!
-//! In: the rows of a band, one at a time. Out: for each the finished row, starting with its
-//! reciprocal pivot. All loops have constant lengths, so they are unrolled and every number has a
-//! register.
+//! In: the rows of a band, one at a time. Out: each finished row, starting with its reciprocal
+//! pivot. Loops have constant lengths, so they are unrolled and numbers stay in registers.
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;

@@ -38,8 +38,7 @@ struct Tally {
     whole: u64,
 }
 
-/// Compares the step of a random state, in short parts and in one elimination, with the dense
-/// solution.
+/// Compares a random step, in short parts and in one elimination, with the dense solution.
 fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally: &mut Tally) {
     let len = sites * M::BLOCK;
     // Some entries are 0 or ±1/ε, which makes entries of A vanish.

@@ -25,8 +25,7 @@ use super::stable::Promised;
 use backward::promised;
 pub use formulas::Postfix;
 
-/// The formulas of a field: N variables, P parameters, M entries of f′, S entries of A with
-/// fill-in.
+/// A field's formulas: N variables, P parameters, M entries of f′, S entries of A with fill-in.
 pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: usize>: 'static {
     /// The positions of the entries of A.
     const COUPLINGS: Couplings<'static>;

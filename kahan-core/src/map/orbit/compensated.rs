@@ -138,14 +138,12 @@ impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
     /// Benefit: a plain step rounds each component to half an ulp. A compensated step only has the
     /// error of its increment, O(ε)·u, so the integrals of the map drift less.
     ///
-    /// Limits: increments are still rounded, and their errors may have a nonzero mean, which grows
-    /// linearly. In `f32` this shows beyond about 10⁶ steps, in `f64` for an ε whose powers round
-    /// badly; [`nearest_short_eps`](crate::nearest_short_eps) helps. Linear fields gain little,
-    /// because their increments are a constant matrix times the state. Near a pole the increment
-    /// itself is inaccurate.
+    /// Limits: increments are still rounded. If these errors have a nonzero mean, drift grows
+    /// linearly, visible beyond about 10⁶ steps in `f32`, and in `f64` if powers of ε round badly;
+    /// [`nearest_short_eps`](crate::nearest_short_eps) helps. Linear fields gain little, because
+    /// their increments are a constant matrix times the state. Near poles increments are off.
     ///
-    /// Cost: seven operations per component, off the critical path; `benches/results` has the
-    /// times.
+    /// Cost: seven operations per component, off the critical path; times: `benches/results`.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -21,10 +21,9 @@ pub struct Scaled<S: Step> {
 impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// Continues this orbit with ε scaled out; `None` if the field has linear or constant terms.
     ///
-    /// Intended for long runs at an ε whose powers round badly and that cannot be replaced by a
-    /// [short one](crate::nearest_short_eps). Unless ε is a power of two, each yielded point has
-    /// two more roundings, X = εx and x = X/ε, which do not accumulate. Cost: one division per
-    /// component of each yielded point.
+    /// For long runs at an ε whose powers round badly and that cannot be replaced by a [short
+    /// one](crate::nearest_short_eps). Unless ε is a power of two, each yielded point has two more
+    /// roundings, X = εx and x = X/ε, which do not accumulate. Cost: a division per component.
     ///
     /// ```
     /// use kahan_core::prelude::*;

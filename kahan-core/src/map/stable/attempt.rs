@@ -88,8 +88,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         }
     }
 
-    /// Computes the expanded and reduced form N/D, in which increments cannot cancel against the
-    /// state.
+    /// Computes the expanded, reduced form N/D, whose increments cannot cancel against the state.
     pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,

@@ -1,8 +1,7 @@
 //! The stable step, with an error of at most 64 u of the largest component.
 //!
 //! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. The step is computed with error bounds, at increasing levels of
-//! precision:
+//! the reason for failure. Error bounds are computed at increasing levels of precision:
 //!
 //! | level | numbers | suffices for |
 //! |---|---|---|

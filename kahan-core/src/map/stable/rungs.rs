@@ -1,7 +1,6 @@
 //! The levels of precision, and the report if all of them fail.
 //!
-//! Each level returns before the next is called, because a step over wide numbers can need hundreds
-//! of kilobytes of stack.
+//! Each level returns before the next is called, because wide numbers may need much stack.
 
 #[cfg(feature = "std")]
 use core::array::from_fn;
@@ -27,9 +26,8 @@ use super::scalars::Promised;
 /// The bound in units u: one of the 64 is reserved for the difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The number of operations up to which values and magnitudes are computed separately. Short steps
-/// leave execution units idle, so magnitudes take no extra time, and packing would delay the
-/// values.
+/// Up to this number of operations, values and magnitudes are computed separately: short steps
+/// leave execution units idle, and packing would delay the values.
 const SHORT: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -190,8 +188,7 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// The inputs of levels 3 and 4, whose functions are not inlined, which frees the stack between
-/// them.
+/// The inputs of levels 3 and 4, two functions not inlined, so that the stack is freed between.
 struct InWide<M, const N: usize> {
     map: M,
     state: SVector<Bounded<Wide>, N>,
@@ -221,8 +218,7 @@ fn is_exactly_zero(number: &Wide) -> bool {
     number.is_zero() && number.radius().is_zero()
 }
 
-/// Rounds a determinant to a float that is 0 only if it is exactly zero; NaN if it would be
-/// infinite.
+/// Rounds a determinant to a float: 0 only if it is exactly zero, NaN instead of infinity.
 fn rounded(determinant: &Wide) -> f64 {
     match determinant.to_f64() {
         near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,

@@ -1,5 +1,4 @@
-//! The scalars with a stable step, each with a wider scalar for level 2, and the conversions
-//! between them.
+//! The scalars with a stable step, each with a wider scalar for level 2, and their conversions.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -33,8 +32,7 @@ impl Promised for f32 {
     type Wider = f64;
     const IS_WIDEST: bool = false;
 
-    /// In more variables, products of ordinary numbers exceed the range of `f32`, and nearly every
-    /// step would need `f64`.
+    /// In more variables products exceed the range of `f32`, and most steps would need `f64`.
     const MOST_VARIABLES: usize = 4;
 
     #[inline(always)]
@@ -124,8 +122,7 @@ impl<T: Promised> Eliminated<T> {
     }
 }
 
-/// Eliminates with growing capacity until its digits prove x̃ or `is_kept` accepts it; `None` if
-/// neither.
+/// Eliminates with growing capacity until x̃ is proved or `is_kept` accepts it; else `None`.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<Eliminated<T>>,

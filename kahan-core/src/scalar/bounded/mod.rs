@@ -5,9 +5,8 @@
 //!
 //! > |v| ≤ m and |v̂ − v| ≤ γₖ·m, γₖ = (1+u)ᵏ − 1.
 //!
-//! The magnitude is the formula with every term made positive; its operations share registers with
-//! those of the values. The count depends only on the formula, so compilers compute it. Every rule
-//! preserves both inequalities:
+//! The magnitude is the formula with every term made positive; values and magnitudes share
+//! registers. The count depends only on the formula, so it is known at compile time. The rules are:
 //!
 //! - v = a ± b: m = mₐ + m_b, k = max(kₐ, k_b) + 1, since |a ± b| ≤ mₐ + m_b and one rounding is
 //!   added.
@@ -34,7 +33,7 @@
 //! above, because m is rounded whenever k grows. Magnitudes of numbers wider than `f64` are rounded
 //! to 53 bits; all roundings that a `u32` can count amount to less than 2⁻²⁰.
 //!
-//! In quotients v̂ replaces v. Let q = â/b̂. The error of b̂ is at most |b̂|/64, so |v| ≤
+//! In quotients v̂ replaces v. With q = â/b̂ and an error of b̂ of at most |b̂|/64, |v| ≤
 //! 64/63·(|q| + γ_kₐ·Mₐ/|b̂|), and
 //!
 //! > |q − v| ≤ (γ_kₐ·Mₐ + |v|·γ_k_b·M_b)/|b̂| ≤ 64/63·γ_max(kₐ, k_b)·(Mₐ + |q|·M_b)/|b̂|.
@@ -145,8 +144,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Limit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Creates a value without a bound, which allows no input; an infinite m would give NaN times
-    /// zero.
+    /// Creates a value that has no bound and allows no input; with infinite m, 0·m would be NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));

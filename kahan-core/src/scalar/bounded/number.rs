@@ -42,8 +42,7 @@ pub(crate) struct Range {
     pub(crate) bits_of_products: u32,
     /// The lower limit of divisors is 2 to the power −`bits_of_divisors`.
     pub(crate) bits_of_divisors: u32,
-    /// The lower limit of an ε that steps divide by is 2 to the power −`bits_of_steps`; 0 forbids
-    /// division.
+    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`; 0 forbids division.
     pub(crate) bits_of_steps: u32,
 }
 

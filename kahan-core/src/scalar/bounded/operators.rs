@@ -19,8 +19,7 @@ impl<V: Number, P: Pair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
-    /// Integers that are exact in the number and in `f64` are exact; other literals are rounded
-    /// once.
+    /// Integers that the number and `f64` represent are exact; other literals are rounded once.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);

@@ -12,9 +12,8 @@ use super::pair::Pair;
 
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64
-        // processor. Fused operations are compiled only if the whole program is compiled for FMA.
-        // No memory is accessed.
+        // SAFETY: SSE2 registers of two doubles or four floats exist on every x86-64 processor, and
+        // fused operations are compiled only if the whole program is. No memory is accessed.
         #[allow(unsafe_code, reason = "compilers do not pair values and magnitudes by themselves")]
         unsafe {
             $expression

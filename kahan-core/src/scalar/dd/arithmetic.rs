@@ -71,11 +71,11 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 /// Returns x/y with an error of at most 14u²·|x/y|.
 ///
 /// The remainder r = x − qy of the leading quotient q is known up to its last bits, because x.high
-/// − q·y.high is a float. The correction is r times the float nearest to 1/y.high, a division in
-/// parallel with that for q. With x.high, y.high and q scaled into [1,2), the errors in u² of x/y
-/// are: 3 from the products and sums in r, which is at most 3u·x.high; 3 each from its last
-/// addition, from omitting y.low and from the last product; 1.5 from the reciprocal. Away from y =
-/// q = 1 their sum is less.
+/// − q·y.high is a float. The correction is r times the float nearest to 1/y.high, computed in
+/// parallel with q. With x.high, y.high and q scaled into [1,2), the errors in u² of x/y are: 3
+/// from the products and sums in r, which is at most 3u·x.high; 3 each from its last addition, from
+/// omitting y.low and from the last product; 1.5 from the reciprocal. Unless y = q = 1, they add up
+/// to less.
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     if is_moderate(x.high) && is_moderate(y.high) {

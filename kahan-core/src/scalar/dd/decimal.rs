@@ -11,8 +11,7 @@ const CHUNK: usize = 19;
 /// 10¹⁹; a chunk has 19 digits.
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// An upper bound on the digits of a sum, or tie, of two `f64`: 309 before the point, 1075 after
-/// it.
+/// An upper bound on the digits of sums and ties of two `f64`: 309 before the point, 1075 after.
 const CAPACITY: usize = 1444;
 
 /// An upper bound on the zeros after the point; powers of ten in `f64` go down to −324.
@@ -211,8 +210,7 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// Parses the texts that `f64` parses: high is the nearest float, low the one nearest to the
-/// remainder.
+/// Parses what `f64` parses: high is the nearest float, low the one nearest to the remainder.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 

@@ -1,8 +1,7 @@
 //! Error-free sums and products of two floats.
 //!
-//! In: two floats. Out: the rounded result and its error. Both sum to the exact result unless
-//! overflow or, for products below 2⁻⁹⁶⁹, underflow occurs. Multiply-adds are fused only if the
-//! target supports it.
+//! In: two floats. Out: the rounded result and its error, which are exact together unless the
+//! result overflows or is a product below 2⁻⁹⁶⁹. Multiply-adds are fused if the target can.
 
 /// Returns a + b and its error (Knuth).
 #[inline(always)]

@@ -1,5 +1,4 @@
-//! Binary fixed-point numbers that can hold every sum of two `f64`, for conversion from and to
-//! text.
+//! Binary fixed-point numbers that hold any sum of two `f64`, for conversion from and to text.
 
 use crate::scalar::bounded::power_of_two;
 
@@ -69,8 +68,7 @@ impl Fixed {
         fixed
     }
 
-    /// Rounds a number below 2¹⁰²⁴ to the nearest float, ties to even; `has_more` adds an
-    /// infinitesimal.
+    /// Rounds a number below 2¹⁰²⁴ to nearest, ties to even; with `has_more` slightly above it.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;

@@ -35,15 +35,13 @@ mod traits;
 /// | [`multiply_add`](crate::Scalar::multiply_add) and variants | 16u² of the product and 5u² of the result | the product is not normalised |
 ///
 /// Products and quotients below 2⁻⁹⁶⁹ lose low bits, an additional error of at most 2⁻¹⁰⁷². Sums
-/// never underflow. Results that round to 2¹⁰²⁴ or more become infinite, and so do multiply-adds
-/// whose product does.
+/// never underflow. Results (and products in multiply-adds) from 2¹⁰²⁴ on become infinite.
 ///
 /// Bits depend on whether the target fuses multiply-adds; if so, xy and yx may differ.
 ///
 /// # Cost
-/// With fused multiply-adds (a target that has them, and `std`) a sum takes 20 operations, a
-/// product 8, a multiply-add 15, a quotient 7 and two parallel divisions. Without them a product
-/// takes 24.
+/// With fused multiply-adds (on a target that has them, with `std`) a sum takes 20 operations, a
+/// product 8 (without: 24), a multiply-add 15, a quotient 7 and two parallel divisions.
 ///
 /// # Text
 /// Decimals of any length are read exactly, and each part is correctly rounded. Numbers are written
@@ -65,8 +63,7 @@ pub struct Dd {
 }
 
 impl Dd {
-    /// Returns high + low exactly, for floats of any size and order; an infinite or NaN sum has low
-    /// = 0.
+    /// Returns high + low exactly, for floats of any size and order; low = 0 if it is not finite.
     #[inline]
     pub const fn new(high: f64, low: f64) -> Self {
         // In this order only the sum itself can overflow.
@@ -134,8 +131,7 @@ impl Dd {
         elementary::ln(self)
     }
 
-    /// Returns sine and cosine, each with a relative error of at most 16u² plus 2⁻¹⁵⁵·|self|; NaN
-    /// for |self| > 2⁴⁰.
+    /// Returns sin and cos with relative errors of at most 16u² + 2⁻¹⁵⁵·|self|; NaN beyond 2⁴⁰.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         elementary::sin_cos(self)

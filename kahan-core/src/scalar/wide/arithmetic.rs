@@ -1,7 +1,6 @@
 //! The four operations on [`Digits`], comparison and equality.
 //!
-//! Operations are exact until digits are cut off. The radius of a result covers the cut digits and
-//! the operands' radii.
+//! The radius of a result covers the operands' radii and the digits cut off; all else is exact.
 
 use core::cmp::Ordering;
 use core::ops::Neg;

@@ -36,8 +36,7 @@ const FARTHEST: u64 = 1 << 40;
 ///
 /// Σ digit·2^(64·(place − below)) / denominator.
 ///
-/// An operation adds at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) times its result to the
-/// radius.
+/// An operation adds at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT)·|result| to the radius.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Digits<const D: usize, const M: usize> {
     digits: [i64; D],

@@ -222,8 +222,7 @@ impl<const M: usize> DigitRow<M> {
     }
 
     /// Returns q and r with self = q·divisor + r, for a nonzero divisor. r is zero, or less than a
-    /// unit of a number relative to self. Remainders are exact, so later rounds correct earlier
-    /// estimates.
+    /// unit of a number relative to self. It is exact, so later rounds correct earlier estimates.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {

@@ -1,5 +1,4 @@
-//! Magnitudes of [`Wide`](super::Wide) numbers: an exponent and 53 bits of mantissa, for error
-//! bounds.
+//! Magnitudes of [`Wide`](super::Wide) numbers, for error bounds: an exponent and 53 bits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul};

@@ -1,8 +1,7 @@
 //! The stated error bounds of `Dd`, on seeded operands with exponents over the whole range.
 //!
-//! Results are compared exactly, as integers times powers of two, and must be normalised. The
-//! default run is a sample of `cargo test --release -p kahan-core --features exact -- --ignored
-//! millions`.
+//! Results are compared exactly, as integers times powers of two, and must be normalised. More
+//! samples: `cargo test --release -p kahan-core --features exact -- --ignored millions`.
 
 use super::dyadic::Dyadic;
 use super::operands::Operands;

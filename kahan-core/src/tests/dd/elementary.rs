@@ -1,8 +1,7 @@
 //! The bounds of the elementary functions, against fixed-point numbers of 700 bits.
 //!
-//! Taylor series are summed until a term is 0. Each of the fewer than 2000 divisions errs by less
-//! than one unit, and the remainder of a series is below its last term once terms halve. All sums
-//! are accurate to 2⁻⁶⁰⁰.
+//! Taylor series are summed until a term is 0. Each of at most 2000 divisions errs by less than a
+//! unit, and the remainder is below the last term once terms halve: in all below 2⁻⁶⁰⁰.
 
 use std::vec::Vec;
 

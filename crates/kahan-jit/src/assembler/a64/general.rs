@@ -2,8 +2,7 @@
 
 use super::Assembler;
 
-/// A general-purpose register, by its number. Number 31 is the stack pointer as a base address and
-/// zero elsewhere.
+/// A general-purpose register, by number; 31 is the stack pointer as a base, otherwise zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct General(u8);
 
@@ -225,8 +224,7 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Patches an adrp and a load: the distance in pages, and the offset in the page. Code begins at a
-/// page boundary.
+/// Patches adrp and load: distance in pages, offset in the page. Code begins at a page boundary.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

@@ -99,8 +99,7 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// Writes an instruction on three registers. The two words are the scalar and the vector
-    /// encoding.
+    /// Writes an instruction on three registers, from its scalar and its vector encoding.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));
@@ -222,8 +221,7 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // Encodings with an immediate offset, a register offset, and relative to the program
-        // counter.
+        // Encodings with an immediate offset, a register offset, and relative to the counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],

@@ -1,8 +1,7 @@
 //! The encoding of vector instructions: prefix, opcode, operands.
 //!
-//! VEX prefixes have two or three bytes and address sixteen registers. EVEX prefixes address
-//! thirty-two, and 512-bit ones. The operand bytes hold three bits of a register number; the prefix
-//! holds the other bits, inverted.
+//! VEX prefixes of two or three bytes address 16 registers; EVEX prefixes address 32, of up to 512
+//! bits. Operand bytes hold three bits of a register number, the prefix the others, inverted.
 
 use super::{Assembler, Element, Form, General, Memory, Source, Vector, Width};
 
@@ -67,8 +66,7 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // The high bits of the last operand: bit 4 of a register or bit 3 of an index, and bit 3 of
-        // a register or base.
+        // The last operand's high bits: 4 of a register or 3 of an index; 3 of a register or base.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -102,8 +100,7 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// Writes the ModRM byte, the SIB byte and the offset. EVEX scales 8-bit offsets, so its
-    /// offsets all take four bytes.
+    /// Writes ModRM, SIB and offset, of four bytes in EVEX, which would scale 8-bit offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
         /// ModRM base codes: a SIB byte follows; relative to the program counter.
         const MORE: u8 = 4;

@@ -1,8 +1,7 @@
 //! An assembler for x86-64.
 //!
-//! It writes AVX and FMA instructions. Registers beyond the first sixteen or of 512 bits take
-//! AVX-512F and AVX-512VL (Intel, Software Developer's Manual, volume 2). Functions follow the
-//! System V calling convention.
+//! It writes AVX and FMA, and for registers beyond the first sixteen or of 512 bits AVX-512F and
+//! AVX-512VL (Intel, Software Developer's Manual, volume 2). Functions follow System V.
 
 mod encoding;
 mod general;
@@ -76,8 +75,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// to = a ∘ b. Flipping the sign of a scalar changes other bits of the register too, because
-    /// xor reads at least 16 bytes.
+    /// to = a ∘ b. A scalar sign flip changes other bits too: xor reads at least 16 bytes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,

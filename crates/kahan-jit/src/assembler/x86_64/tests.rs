@@ -1,5 +1,4 @@
-//! Decodes every form of every instruction, with every register in every operand position, by an
-//! independent disassembler.
+//! Decodes all forms of all instructions, with all registers, by an independent disassembler.
 
 use iced_x86::{
     Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
@@ -333,8 +332,7 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        // The third constant shares its lower half with the first and its upper half with the
-        // second.
+        // The third constant shares its lower half with the first, its upper with the second.
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);

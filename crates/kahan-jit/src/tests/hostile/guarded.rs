@@ -62,8 +62,7 @@ impl<T> Deref for Guarded<T> {
 
 impl<T> DerefMut for Guarded<T> {
     fn deref_mut(&mut self) -> &mut [T] {
-        // SAFETY: `len` numbers begin at `start` and live as long as `self`, which is borrowed
-        // exclusively.
+        // SAFETY: `len` numbers at `start` live as long as `self`, borrowed exclusively.
         unsafe { slice::from_raw_parts_mut(self.start.as_ptr(), self.len) }
     }
 }

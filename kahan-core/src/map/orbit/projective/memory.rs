@@ -1,8 +1,7 @@
 //! Tests whether an ordinary step preserves enough digits; otherwise an orbit follows lines.
 //!
 //! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. If A(x,ε) is nearly singular, x̃ is large or
-//! inaccurate. If A(x̃,−ε) is nearly singular, the step merges many points, whose differences fall
-//! below the last digit of x̃.
+//! inaccurate; if A(x̃,−ε) is, the step merges points whose differences the digits of x̃ lose.
 
 use nalgebra::SMatrix;
 
@@ -24,9 +23,8 @@ pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N,
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Returns whether A = I − εf′ is far from singular. Either every pivot must be at least
-/// `LEAST_PIVOT` times 1 + Σ|εf′ᵢⱼ| over its column, or every pivot that times the sum over its
-/// row.
+/// Returns whether A = I − εf′ is far from singular: every pivot is at least `LEAST_PIVOT` times
+/// (1 + Σ|εf′ᵢⱼ|), with all sums over its column or all over its row.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;

@@ -1,9 +1,8 @@
 //! Orbits that continue through poles, in projective space.
 //!
-//! In: an orbit. Out: its points, including those at infinity and after poles. Ordinary steps are
-//! taken while they preserve enough digits ([`memory`]). Otherwise the orbit follows lines
-//! ([`passage`]) over numbers that depend on a small δ ([`germ`]), until points merged by the pole
-//! separate.
+//! In: an orbit. Out: its points, including those at infinity and after poles. Steps are ordinary
+//! while they preserve enough digits ([`memory`]). Otherwise the orbit follows lines ([`passage`])
+//! over numbers that depend on a small δ ([`germ`]), until points merged by the pole separate.
 
 mod germ;
 mod memory;
@@ -67,8 +66,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
     /// value of the n-th iterate as a rational map of projective space. A map may contract a curve
     /// or surface to one point, finite or infinite, and separate its points some steps later;
     /// `kahan poles` finds such curves. Until then the orbit follows lines through the point before
-    /// the contraction. If the points are still merged after twelve steps, the orbit continues from
-    /// the merged point.
+    /// the contraction; if twelve steps separate nothing, it continues from the merged point.
     ///
     /// Exact orbits are exact: lines are series in δ. Over floats, points have the bits of
     /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular:
@@ -198,8 +196,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Proje
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        // Updates the state in place, because moving it would lengthen the critical path of the
-        // orbit.
+        // Updates the state in place; moving it would lengthen the critical path of the orbit.
         if let At::Point { x, is_flat } = &mut self.at
             && let Some(next) = self.prepared.next(x)
             && T::keeps(&self.map, x, &next, &self.eps, is_flat)

@@ -289,8 +289,7 @@ crate::kahan! {
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
 }
 
-/// Steps of many variables at every magnitude, even if constants or elimination in doubles
-/// overflow.
+/// Steps of many variables at every magnitude, even if doubles overflow.
 #[test]
 fn many_variables_are_promised_at_every_size() {
     let rational = |x: f64| Q::from_float(x).unwrap();

@@ -1,5 +1,4 @@
-//! Conversions: exact from floats, and to the nearest float, compared with neighbours and parsed
-//! decimals.
+//! Conversions from floats, and to the nearest float by comparison with neighbours and decimals.
 
 use std::string::ToString;
 
@@ -153,8 +152,7 @@ fn ties_go_to_even() {
 
 #[test]
 fn beyond_the_largest_float_there_is_infinity() {
-    // The tie between the largest float and the next power of two rounds to the even side,
-    // infinity.
+    // The tie between the largest float and the next power of two rounds to even: to infinity.
     let tie = Wide::from(f64::MAX) + Wide::one().scaled(970);
     assert_eq!(tie.to_f64(), f64::INFINITY);
     assert_eq!((-tie).to_f64(), f64::NEG_INFINITY);

@@ -8,8 +8,7 @@ use crate::Scalar;
 
 const TRIALS: usize = 2_000;
 
-/// Asserts that the error of a result of exact operands is within its radius, and the radius within
-/// the unit.
+/// Asserts error ≤ radius ≤ unit of a result of exact operands.
 fn assert_close(computed: Wide, exact: &Dyadic, what: &str, operands: [Wide; 2]) {
     let (error, radius) = (Dyadic::of(computed).minus(exact), Dyadic::size(computed.radius()));
     assert!(error.is_within(&radius.scaled_up()), "{what} of {operands:?} is {computed:?}");

@@ -1,5 +1,4 @@
-//! Compares encoded instructions with the words that GNU binutils assembles from the text beside
-//! them.
+//! Compares encoded instructions with the words that GNU binutils makes of the text beside.
 
 mod memory;
 mod operations;

@@ -22,8 +22,7 @@ const INFINITE: i64 = 96;
 /// The number of bits to which a limit must be known, more than any float of this crate has.
 const KNOWN: i64 = 110;
 
-/// Returns the limit of a coordinate as δ → 0, by dropping traces of δ far below its leading
-/// digits.
+/// Returns the limit of a coordinate as δ → 0: drops traces of δ far below its leading digits.
 fn without_delta(entry: Wide, size: Size) -> Wide {
     if entry.size() < size.scaled(-INFINITE) {
         return Wide::zero();

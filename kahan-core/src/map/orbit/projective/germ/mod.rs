@@ -30,8 +30,7 @@ pub(super) trait Germ<T: Scalar>: Scalar {
     /// Returns the magnitude of coordinates near a point, the unit of δ.
     fn unit(point: &[T]) -> Self;
 
-    /// Returns the limit of a point as δ → 0, in these units; `None` if it is not known well
-    /// enough.
+    /// Returns the limit of a point as δ → 0, in these units; `None` if its digits do not suffice.
     fn limit<const N: usize>(
         point: &SVector<Self, N>,
         unit: &Self,
@@ -39,8 +38,7 @@ pub(super) trait Germ<T: Scalar>: Scalar {
     ) -> Option<ProjectivePoint<T, N>>;
 
     /// Returns whether the steps map neighbourhoods of the first point to those of `point`
-    /// one-to-one. `derivative` is that of the first point by `point`. `None` if it is not known
-    /// well enough.
+    /// one-to-one, by the `derivative` of the former by the latter; `None` if digits are too few.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
