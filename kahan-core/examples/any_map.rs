@@ -1,5 +1,4 @@
-//! One function over any map, and a map chosen at run time: a mass on a spring by Kahan's method,
-//! by a method of order eight, and as a chain.
+//! One function over any map: a mass on a spring by Kahan's method, by order eight, and as a chain.
 //!
 //! Every map at its ε implements `Step`, also maps and chains that `kahan_runtime` reads.
 

@@ -1,7 +1,6 @@
 //! An orbit and its integrals: a freely rotating rigid body, ten thousand steps.
 //!
-//! Kahan's map of the Euler top has two integrals, which the macro has proved. Along an orbit in
-//! floats they change only by rounding.
+//! Kahan's map of the Euler top has two proved integrals; in floats they change only by rounding.
 
 use kahan_core::prelude::*;
 

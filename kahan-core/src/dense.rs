@@ -211,8 +211,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds the products with W variables, from `first` on, to f′ in the rows of a register, and
-    /// the contribution of these variables to f.
+    /// Adds the products with W variables, from `first` on, to f and to f′ in a register's rows.
     #[inline(always)]
     fn block<const W: usize>(
         self,

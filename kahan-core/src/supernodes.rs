@@ -282,8 +282,7 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Returns whether the next row's columns right of the diagonal are this row's except the
-    /// first.
+    /// Returns whether the next row's columns right of the diagonal are this row's but the first.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {
             Some((&next, others)) => next as usize == row + 1 && self.columns_right(row + 1) == others,

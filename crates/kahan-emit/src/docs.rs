@@ -27,8 +27,7 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Returns the documentation of a system: field, A(x,ε), reduced map, claims. `follows` says
-/// whether the user's documentation comes first.
+/// Returns the documentation of a system; if `follows`, the user's documentation comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);

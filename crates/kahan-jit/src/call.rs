@@ -102,8 +102,7 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep) over columns. If `own`, each register of
-    /// trajectories has constants of its own.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep); if `own`, each register has its constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// Enough columns for nearly every field; clearing a larger table would take longer.
         const FEW: usize = 32;

@@ -2,8 +2,7 @@
 
 use core::convert::Infallible;
 
-/// Field operations on values of one type. Divisions may fail, and so may constants, for example
-/// modulo a prime that divides the denominator.
+/// Field operations on values of one type. Divisions may fail; constants too, modulo a prime.
 pub trait Arithmetic {
     /// The type of values.
     type Value: Clone;

@@ -138,8 +138,7 @@ where
         self.is_constant(node, 0)
     }
 
-    /// Returns the node of a constant. A negative constant becomes the negation of its absolute
-    /// value, so that its sign can be factored out.
+    /// Returns the node of a constant; a negative one is a negation, so that signs factor out.
     pub fn constant(&mut self, value: &C) -> Node {
         if value.is_negative() {
             let size = self.push(Operation::Constant(value.negated()));

@@ -74,8 +74,7 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
     )
 }
 
-/// Removes Newton's dots above letters and counts them: `ẋ` is `x` with one dot, `ẍ` with two.
-/// Returns `None` for a name without dots.
+/// Counts and removes Newton's dots: `ẋ` is `x` with one, `ẍ` with two; `None` without dots.
 ///
 /// ```
 /// use kahan_syntax::spelling::without_dots;

@@ -1,7 +1,6 @@
 //! The scalars that ensembles are made of, and the sweep for each.
 //!
-//! In: the prepared stages of a step, and columns. Out: the columns after a number of steps, by the
-//! widest registers that the scalar has.
+//! In: the prepared stages of a step, and columns. Out: the columns some steps later.
 
 #![expect(private_bounds, reason = "the stages of a step are nobody else's")]
 

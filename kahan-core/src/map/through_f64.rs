@@ -1,7 +1,6 @@
 //! Steps on `f32` states that are computed in `f64` and rounded once.
 //!
-//! In: a map over `f32`, or any step over `f64`. Out: a step over `f32`. Parameters, ε and state of
-//! a map over `f32` convert to `f64` exactly.
+//! In: a map over `f32`, converted exactly, or any step over `f64`. Out: a step over `f32`.
 
 use core::array::from_fn;
 #[cfg(feature = "std")]

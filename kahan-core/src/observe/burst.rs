@@ -1,7 +1,6 @@
 //! Bursts: the points of several consecutive steps of a group of trajectories.
 //!
-//! A group has as many trajectories as the widest register has lanes. Observers of one trajectory,
-//! or of the whole group, read the points.
+//! A group has as many trajectories as the widest register has lanes; observers read its points.
 
 use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};

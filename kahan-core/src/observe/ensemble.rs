@@ -17,8 +17,7 @@ use super::Observer;
 use super::burst::{BURST, Burst, Grouped};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Advances every point by `steps` steps, with the bits of [`advance`](Self::advance), and
-    /// shows each trajectory to its own observers.
+    /// Steps like [`advance`](Self::advance) and shows each trajectory to its own observers.
     ///
     /// `observers(i)` creates the observers of trajectory i; step 0 is [`point`](Self::point) i.
     /// The bits of a report depend neither on i nor on threads. With the feature `parallel`, large

@@ -21,8 +21,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length before a vector of squared length `squared` was scaled by
-    /// 2^−`exponent`.
+    /// Returns the squared length before scaling by 2^−`exponent`, from `squared` after it.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }

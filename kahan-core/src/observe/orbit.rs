@@ -6,8 +6,7 @@ use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
 
 impl<S: Step> Orbit<S> {
-    /// Shows the next point, as step 0, and `steps` further points to observers; returns their
-    /// report.
+    /// Shows the next point, as step 0, and `steps` further points; returns the observers' report.
     ///
     /// The run ends early if the observers are [done](Observer::is_done), or at a pole of an exact
     /// orbit, which [`stopped`](Self::stopped) then returns. The next call starts after the last

@@ -6,8 +6,7 @@
 
 use super::wide::Digits;
 
-/// An exact rational number p/q, convertible to every [`Scalar`](crate::Scalar). Its digits are
-/// borrowed, usually from static data.
+/// An exact rational number p/q, convertible to every [`Scalar`](crate::Scalar).
 #[derive(Clone, Copy, Debug)]
 pub struct Constant<'a>(Form<'a>);
 

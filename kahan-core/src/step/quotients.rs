@@ -36,8 +36,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         Self { numerators, reciprocals, several: false }
     }
 
-    /// Like [`over_each`](Self::over_each), for reciprocals in sequence, of which some components
-    /// need one.
+    /// Like [`over_each`](Self::over_each), for reciprocals in sequence; some components need one.
     #[inline(always)]
     pub fn over_several(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: true }

@@ -1,7 +1,6 @@
 //! Steps as straight-line programs over prepared constants.
 //!
-//! In: a [`Kernel`] with generated formulas, and the constants fixed by ε and the parameters. Out:
-//! a [`PreparedStep`] over any scalar.
+//! In: a generated [`Kernel`], and constants fixed by ε and parameters. Out: a [`PreparedStep`].
 
 use core::array::from_fn;
 use core::marker::PhantomData;

@@ -1,5 +1,4 @@
-//! More maps for ensembles, beside those of `systems`: one to six variables, with and without
-//! parameters, and one by elimination.
+//! More maps for ensembles: one to six variables, with or without parameters, one by elimination.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};

@@ -30,8 +30,7 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // The most expensive setting of a third of the cost errs least; fewer steps exclude
-            // luck.
+            // The dearest setting of a third of the cost errs least; fewer steps rule out luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {

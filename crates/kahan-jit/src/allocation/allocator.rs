@@ -59,8 +59,7 @@ impl<'a> Allocator<'a> {
         allocator
     }
 
-    /// Finds the destination of each result. A result must be stored last if a later operation
-    /// reads the state that it overwrites.
+    /// Finds each result's destination; it is stored last if later operations read that state.
     fn expect_results(&mut self) {
         let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];

@@ -16,8 +16,7 @@ use crate::lowering::{Ends, lowered};
 use crate::program::{Program, entries};
 use crate::{Refusal, Shape};
 
-/// The maximum number of instructions, so that all jumps and offsets fit. Longer programs would be
-/// no faster than an interpreter loop.
+/// The maximum number of instructions, so that all jumps and offsets fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
 /// The maximum stack for slots, half of a thread's stack in bytes.
 const MOST_STACK: usize = 1 << 20;

@@ -41,8 +41,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Removes values and auxiliary quantities from the text. Returns the replacement tokens of
-    /// each item; `None` if the item stays.
+    /// Removes values and auxiliary quantities; returns the replacements, `None` if an item stays.
     pub(super) fn read_quantities(&mut self, items: &[Item]) -> Vec<Option<Vec<Placed>>> {
         let mut instead = vec![None; items.len()];
         let is_value = |item: &Item| item.left.as_ref().is_some_and(Left::is_value);

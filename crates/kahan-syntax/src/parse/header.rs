@@ -1,7 +1,6 @@
 //! The header: `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
 //!
-//! Parameters are bare names; the macro adds their type and the type parameter. Attributes stay
-//! tokens for the crate that emits Rust.
+//! Parameters are bare names; the macro adds types. Attributes stay tokens for `kahan-emit`.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Header, Name, Written};

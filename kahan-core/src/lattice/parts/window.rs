@@ -106,8 +106,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
         Self { rows }
     }
 
-    /// Appends the row that starts at the current column and eliminates that column. Returns the
-    /// pivot row, with a reciprocal pivot.
+    /// Appends a row, eliminates the current column, and returns its row with reciprocal pivot.
     #[inline(always)]
     pub(super) fn push<T>(&mut self, row: WindowRow<L, B, R, WIDTH>) -> WindowRow<L, B, R, WIDTH>
     where

@@ -63,8 +63,7 @@ where
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Tries sparse elimination, then partial pivoting. `rest` computes residuals; wide numbers
-    /// without overflow replace it if necessary.
+    /// Tries sparse elimination, then partial pivoting, with residuals by `rest` or wide numbers.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {

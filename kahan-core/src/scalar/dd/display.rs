@@ -13,8 +13,7 @@ const DIGITS: i64 = 32;
 /// The decimal exponents of numbers written without an exponent: 10⁻⁵ up to below 10³².
 const POSITIONAL: core::ops::Range<i64> = -5..32;
 
-/// Positional from 10⁻⁵ to below 10³², otherwise with an exponent. A precision makes all numbers
-/// positional, with that many decimals.
+/// Positional from 10⁻⁵ to below 10³² or with a precision (decimals), otherwise with an exponent.
 impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);

@@ -1,5 +1,4 @@
-//! [`Digits`] as a scalar, on which generated steps run. Zero has no reciprocal, so an exact pole
-//! ends the step without an undefined number.
+//! [`Digits`] as a scalar. Zero has no reciprocal, so steps end at exact poles.
 
 use core::cmp::Ordering;
 

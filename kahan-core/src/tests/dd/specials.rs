@@ -34,7 +34,7 @@ fn what_is_not_finite_is_what_floats_say() {
             let pairs =
                 [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (x.recip(), 1.0 / a)];
             for (result, float) in pairs {
-                // The result is the float nearest to the exact one, except subnormal ones rounded
+                // The result is the float nearest to the exact one; subnormals may be rounded
                 // twice.
                 let is_near = is_same(result.high(), float)
                     || float.is_subnormal() && (result.high() - float).abs() <= f64::from_bits(1);
