@@ -1,8 +1,6 @@
-//! One function over any map, and a map that is chosen at run time: a pendulum of springs, as a
-//! field, by a method of order eight, and as a chain.
+//! One function over any map: a mass on a spring by Kahan's method, by order eight, and as a chain.
 //!
-//! `Step` is what every map at its ε has, whatever it was made of; maps and chains of
-//! `kahan_runtime`, which are read at run time, have it, too.
+//! Every map at its ε implements `Step`, also maps and chains that `kahan_runtime` reads.
 
 use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;
@@ -21,18 +19,17 @@ kahan! {
     for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }
 }
 
-/// A map in a struct, by its type.
 struct Clock {
     spring: KahanAt<Spring, f64, 2>,
     hand: SVector<f64, 2>,
 }
 
-/// When the first number of a state first crosses zero: of any map.
+/// Returns the time of the first zero of a state's first entry, for any map.
 fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
     first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// Prints and returns the times; a quarter of a turn takes π/2.
+/// Prints and returns the times; a quarter of a period takes π/2.
 pub(crate) fn run() -> [f64; 4] {
     let eps = 0.01; // half the time step
     let clock = Clock { spring: Spring.at(eps), hand: vector![1.0, 0.0] };
@@ -43,7 +40,7 @@ pub(crate) fn run() -> [f64; 4] {
     let maps: [(&str, Box<dyn Step<Scalar = f64>>); 3] =
         [("plain", Box::new(clock.spring)), ("order 8", Box::new(order_eight)), ("chain", Box::new(chain))];
     let [plain, of_order_eight, of_chain] = maps.map(|(name, map)| {
-        // All masses alike swing as one does.
+        // Equal masses swing like one.
         let start = [1.0, 0.0].repeat(map.dimension() / 2);
         let time = zero(&*map, start).expect("it swings");
         println!("{name:8} {time:.15}");

@@ -1,7 +1,7 @@
-//! Exact orbits: big rationals run through the same map, and their growth tells what it keeps.
+//! Exact orbits over big rationals, whose growth of digits reveals integrals.
 //!
-//! The digits grow like n² where integrals confine the orbit to a curve (E6), and double with every
-//! step where nothing does (Lotka–Volterra). There and back is the identity, with `==`.
+//! The number of digits grows like n² if integrals confine the orbit to a curve (E6), and doubles
+//! with every step otherwise (Lotka–Volterra). Steps forward and back are exactly the identity.
 
 use kahan_core::prelude::*;
 
@@ -18,7 +18,7 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// The digits of x's denominator after each of twelve steps, which are then taken back.
+/// Returns the digits of x's denominator after each of twelve steps, and checks the steps back.
 fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N]) -> Vec<usize> {
     let start = SVector::from(x.map(|(p, q)| BigRational::new(p.into(), q.into())));
     let eps = BigRational::new(1.into(), 3.into());
@@ -28,7 +28,7 @@ fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N
     points[1..].iter().map(|x| x[0].denom().to_string().len()).collect()
 }
 
-/// Prints the digits along both orbits, and returns them.
+/// Prints and returns the numbers of digits along both orbits.
 pub(crate) fn run() -> [Vec<usize>; 2] {
     let grown = [digits(&E6, [(3, 7), (11, 13), (23, 47)]), digits(&LotkaVolterra, [(1, 2), (5, 3)])];
     println!("E6             {:?}\nLotka–Volterra {:?}", grown[0], grown[1]);

@@ -1,5 +1,5 @@
-//! Two solitons of the equation of Korteweg and de Vries on a ring of 512 sites: what the map keeps
-//! over 100 000 steps, and a picture where a file is named.
+//! Two solitons of the Korteweg–de Vries equation on a ring of 512 sites: what the map conserves
+//! over 100 000 steps, and a picture if a file is named.
 //!
 //! `cargo run --release -p kahan-core --example kdv [picture.svg]`
 
@@ -60,14 +60,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Mass, momentum Σ u², energy and modified energy.
 fn kept(chain: &mut LatticeAt<Kdv<f64>, f64>, u: &[f64]) -> [f64; 4] {
     let momentum = u.iter().map(|u| u * u).sum();
     [chain.integrals(u)[0], momentum, chain.hamiltonian(u), chain.modified_energy(u)]
 }
 
-/// By how much the straight line through evenly spaced values, of least squares, rises from the
-/// first to the last of them.
+/// Returns the rise of the least-squares line through evenly spaced values, from end to end.
 fn trend(values: &[f64]) -> f64 {
     let middle = (values.len() - 1) as f64 / 2.0;
     let place = |k: usize| k as f64 - middle;
@@ -76,7 +74,6 @@ fn trend(values: &[f64]) -> f64 {
     above / below * 2.0 * middle
 }
 
-/// The profiles, each some way above the one before.
 fn picture(profiles: &[Vec<f64>]) -> String {
     let (width, gap, scale) = (720.0, 26.0, 40.0);
     let height = gap * (profiles.len() - 1) as f64 + 2.0 * scale + 40.0;
@@ -84,7 +81,7 @@ fn picture(profiles: &[Vec<f64>]) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" \
          font-size=\"13\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n"
     );
-    // The last time stands at the back.
+    // The last time is drawn behind the others.
     for (k, profile) in profiles.iter().enumerate().rev() {
         let base = height - 24.0 - gap * k as f64;
         let mut points = format!("8,{base:.1}");

@@ -1,7 +1,6 @@
-//! An orbit, and what it keeps: a rigid body that turns freely, ten thousand steps.
+//! An orbit and its integrals: a freely rotating rigid body, ten thousand steps.
 //!
-//! Kahan's map of the Euler top has two integrals. The macro has proved them, so along an orbit in
-//! floats they change by roundings only.
+//! Kahan's map of the Euler top has two proved integrals; in floats they change only by rounding.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,7 @@
-//! The interface of generated code: not public, not stable, versioned with the macro.
+//! The interface for generated code: not public, not stable, versioned with the macro.
 //!
-//! In: the formulas of a field, from the macro. Out: implementations of the traits, by code that is
-//! tested here. Generated code uses no other path, so that it works in scopes without a prelude and
-//! beside user types called `Option` or `Clone`.
+//! Generated code names items only through this module. It therefore works in scopes without a
+//! prelude and beside user types called `Option` or `Clone`.
 
 pub use core;
 pub use core::clone::Clone;
@@ -17,12 +16,12 @@ pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-/// The step of a dense field that is read at run time, for `kahan-runtime`.
+/// The step of a dense field read at run time, for `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod dense {
     pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
-/// Several numbers as one scalar, for interpretation over columns in `kahan-runtime`.
+/// SIMD lanes as scalars, for interpretation over columns in `kahan-runtime`.
 #[cfg(feature = "std")]
 pub use crate::ensemble::{
     lanes::{InLanes, Lanes, OverLanes},
@@ -34,7 +33,7 @@ pub use crate::field::linear::{components, vector};
 pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
-/// The solver of chains that are read at run time, for `kahan-runtime`.
+/// The solver of chains read at run time, for `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::lattice::{Gathered, Menu, SiteLine};
@@ -62,14 +61,14 @@ pub fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))
 }
 
-/// Returns the quotient `p`/`q` as a scalar, both at most 2²⁴ in size.
+/// Returns p/q as a scalar; |p| and q must not exceed 2²⁴.
 #[inline(always)]
 pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Stores a result. Scalars other than floats are stored by a call: compilers examine every pair
-/// of adjacent stores, which takes minutes for thousands of them.
+/// Stores a result, by a call unless the scalar is a float. Compilers examine every pair of
+/// adjacent stores, which takes minutes for thousands of them.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -79,7 +78,7 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions named like arguments, imported so that user constants do not capture patterns.
+/// Functions named like method arguments; imported, so that no user constant captures a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}
@@ -94,7 +93,7 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Returns whether a step at this ε may be divided by it.
+/// Returns whether a step at this ε may use its form divided by ε.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }
@@ -105,7 +104,7 @@ pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> 
     SMatrix::from_fn(|i, j| rows[i][j].clone())
 }
 
-/// Returns ∂x̃/∂x = I + ∂(x̃ − x)/∂x, by one increment of the map over dual numbers.
+/// Returns ∂x̃/∂x = I + ∂(x̃ − x)/∂x by forward differentiation with dual numbers.
 ///
 /// # Panics
 /// At a pole of an exact scalar.
@@ -125,9 +124,8 @@ where
     })
 }
 
-/// Returns the antisymmetric matrix with the given entries above its diagonal, row by row.
+/// Returns the antisymmetric matrix whose entries above the diagonal are given row by row.
 pub fn antisymmetric<T: Scalar, const N: usize, const ABOVE: usize>(above: [T; ABOVE]) -> SMatrix<T, N, N> {
-    // The number of entries in rows before row i, plus those before j in row i.
     let place = |i: usize, j: usize| i * (2 * N - i - 1) / 2 + (j - i - 1);
     SMatrix::from_fn(|i, j| match i.cmp(&j) {
         Ordering::Less => above[place(i, j)].clone(),

@@ -1,10 +1,8 @@
-//! Elimination for fields with very many products of two variables: coefficients packed in reading
-//! order, and loops over rows, or over the points of an ensemble.
+//! Elimination for dense fields, with loops over rows or over the points of an ensemble.
 //!
-//! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), by the operations of the field's
-//! plans and of [`Couplings`](crate::__private::Couplings), in equal order. Rows or points are
-//! computed side by side, so any number of lanes gives equal bits. Zeros for missing products
-//! change at most the sign of a zero, while all numbers are finite.
+//! In: coefficients packed in reading order, a state, ε. Out: A(x,ε)⁻¹f(x), in the operation order
+//! of the field's plans and of [`Couplings`](crate::__private::Couplings), with any number of
+//! lanes. Zero coefficients of missing products change at most signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -20,13 +18,12 @@ use crate::{Constant, Level};
 
 pub use points::{points, velocities};
 
-/// The number of pivots eliminated together.
 const PIVOTS: usize = 8;
-/// The number of columns computed together.
+/// The number of columns reduced together.
 const COLUMNS: usize = 4;
 
-/// Returns the number of coefficients of a component: the constant, those of the variables, then
-/// those of the products xⱼxₖ with j ≤ k, row by row of this triangle.
+/// Returns the number of coefficients of a component: the constant, those of the variables, and
+/// those of the products xⱼxₖ with j ≤ k, row by row.
 #[must_use]
 pub const fn coefficients(variables: usize) -> usize {
     1 + variables + variables * (variables + 1) / 2
@@ -37,7 +34,7 @@ const fn place(variables: usize, j: usize, k: usize) -> usize {
     1 + variables + j * variables - j * (j + 1) / 2 + k
 }
 
-/// Returns the rows of a column, including padding to whole registers.
+/// Returns the padded height of a column, a multiple of the register width.
 const fn height<T: InLanes>(variables: usize) -> usize {
     variables.next_multiple_of(T::ROWS)
 }
@@ -48,8 +45,8 @@ fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     blocks.chain((whole..columns.end).map(|column| column..column + 1))
 }
 
-/// Appends the coefficients of a field in the reading order of [`velocity`]. `field` holds
-/// `coefficients(variables)` numbers for each component in turn.
+/// Appends the coefficients of a field in the order in which [`velocity`] reads them. `field` holds
+/// `coefficients(variables)` numbers per component.
 pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     let mut places: Vec<usize> = (0..=variables).collect();
     for block in blocks(0..variables) {
@@ -75,9 +72,9 @@ pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
 pub struct Workspace<T> {
     /// A(x,ε), column by column, then f(x).
     columns: Vec<T>,
-    /// The elimination factors of each row, for the pivots eliminated together.
+    /// The elimination factors of each row for the current group of pivots.
     factors: Vec<T>,
-    /// The pivots with a large factor.
+    /// The pivots with a factor above the limit, to be checked again.
     suspects: Vec<usize>,
 }
 
@@ -102,7 +99,7 @@ impl<T: InLanes> Workspace<T> {
 }
 
 /// Computes A(x,ε)⁻¹f(x) from [packed](pack) coefficients into the [last](Workspace::last) column.
-/// Returns `false` if a pivot is 0 or too small, like
+/// Returns `false` if a pivot is 0 or too small by the rule of
 /// [`Couplings::factor`](crate::__private::Couplings::factor).
 #[must_use]
 pub fn velocity<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
@@ -152,12 +149,9 @@ struct Loops<T, L, const POINTS: bool> {
 }
 
 impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
-    /// The numbers per entry.
     const ENTRY: usize = if POINTS { L::WIDTH } else { 1 };
-    /// The rows per register.
     const STEP: usize = if POINTS { 1 } else { L::WIDTH };
 
-    /// Returns the offset of the entry in row i and column j.
     #[inline(always)]
     fn at(self, i: usize, j: usize) -> usize {
         (j * self.height + i) * Self::ENTRY
@@ -168,20 +162,19 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         self.at(0, j)
     }
 
-    /// Loads the coefficient at `place` for the rows of a register from `row` on.
+    /// Loads coefficient number `place` for the rows of a register from `row` on.
     #[inline(always)]
     fn coefficient(packed: &[T], place: usize, row: usize) -> L {
         let place = place * T::ROWS + row % T::ROWS;
         if POINTS { L::spread(&packed[place]) } else { L::load(packed, place) }
     }
 
-    /// Loads a variable for all points of a register.
     #[inline(always)]
     fn state(x: &[T], k: usize) -> L {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// Returns the registers between two aligned offsets; `step_by` ranges are not always inlined.
+    /// Returns the register indices between two aligned offsets; `step_by` may not be inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -218,8 +211,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds the products with W variables, from `first` on, to the slopes in the rows of a
-    /// register, and the contribution of these variables to the field.
+    /// Adds the products with W variables, from `first` on, to f and to f′ in a register's rows.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -275,7 +267,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
-    /// Replaces the last column by the solution; `false` if a pivot is 0 or too small.
+    /// Solves for the last column in place; `false` if a pivot is 0 or too small.
     #[inline(always)]
     fn eliminate(self, workspace: &mut Workspace<T>) -> bool {
         let Workspace { columns, factors, suspects } = workspace;
@@ -313,14 +305,13 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         true
     }
 
-    /// Returns the offset of the factors of a register of rows, by a pivot of the group.
     #[inline(always)]
     fn place_of_factors(row: usize, pivot: usize) -> usize {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
-    /// Writes the factors of a pivot, 0 for the rows up to the pivot, and replaces the pivot by its
-    /// reciprocal. Returns whether a factor is larger than `most`; `None` if the pivot is 0.
+    /// Writes the factors of a pivot (0 down to the pivot's row) and replaces the pivot by its
+    /// reciprocal. Returns whether a factor exceeds `most`; `None` if the pivot is 0.
     #[inline(always)]
     fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
         let own = &mut columns[self.column(k)..][..self.height];
@@ -345,10 +336,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         Some(is_large || L::any(largest.exceeds(L::spread(&most))))
     }
 
-    /// Reduces W columns, from `column` on, by pivots with known factors.
     #[inline(always)]
     fn reduce<const W: usize>(self, columns: &mut [T], factors: &[T], column: usize, pivots: Range<usize>) {
-        // Rows of pivots are reduced only by earlier pivots.
         let below = pivots.end.next_multiple_of(T::ROWS);
         for k in pivots.clone() {
             self.subtract::<W>(columns, factors, column, below, [k, k - pivots.start]);
@@ -358,7 +347,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts a pivot's row, times its factors, down to row `end`, in W columns from `column`.
+    /// Subtracts the multiples of one pivot row, down to row `end`, in W columns from `column` on.
     #[inline(always)]
     fn subtract<const W: usize>(
         self,
@@ -379,7 +368,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts `PIVOTS` pivots' rows, times their factors, from row `below` on, in W columns.
+    /// Subtracts the multiples of all `PIVOTS` pivot rows, from row `below` on, in W columns.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(

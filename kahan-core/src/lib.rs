@@ -5,9 +5,9 @@
 //! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! In: the code that the macro makes from a block, a point, ε. Out: steps, orbits, ensembles of
-//! trajectories. Syntax, polynomials and claims belong to `kahan-algebra`, at compile time; step
-//! sizes for a tolerance, periodic points and the equation's own solution to `kahan-dynamics`.
+//! In: code that the macro makes from a block, a point, ε. Out: steps, orbits, ensembles of
+//! trajectories. `kahan-algebra` handles syntax, polynomials and claims at compile time;
+//! `kahan-dynamics` finds periodic points, step sizes for a tolerance, and exact solutions.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -30,9 +30,9 @@
 //!
 //! | task | item |
 //! |---|---|
-//! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`]; [`include_kahan!`] for one in a file |
+//! | write a field, and claim what its map conserves | [`kahan!`], explained in [`language`]; [`include_kahan!`] for one in a file |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
-//! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]); [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
+//! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]); [`compensated`](Orbit::compensated) reduces rounding, [`composed`](Orbit::composed) raises the order to 4, 6 or 8 ([`Composition`]) |
 //! | states at given times, up to a time, the first zero of a function | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |
 //! | an orbit through its poles | [`Orbit::projective`], points of projective space |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
@@ -48,7 +48,7 @@
 //!
 //! | task | item |
 //! |---|---|
-//! | a scalar of your own | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
+//! | your own scalar | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
 //! | a function over any map: compiled, composed, a chain, read at run time | `fn f<M: Step<Scalar = f64>>(map: M, start: M::State)` with [`Step`]; [`Orbit::new`] and [`observe::first_crossing`] take any |
 //! | a map chosen at run time | `&dyn Step<Scalar = f64>`, itself a [`Step`] with `Vec`s as states; `kahan-runtime` makes maps and chains from text |
 //! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`ExtendScalars`] |

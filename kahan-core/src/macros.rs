@@ -1,17 +1,15 @@
 //! The macros of the crate.
 //!
-//! `kahan!` hands `$crate` to the procedural macro, so that renamed dependencies work. `vector!`
-//! replaces that of nalgebra, whose expansion would require a dependency on `nalgebra`.
+//! `kahan!` passes `$crate` to the procedural macro, so that renamed dependencies work. `vector!`
+//! replaces nalgebra's macro, whose expansion would require a dependency on `nalgebra`.
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
-/// [The language](crate::language) is described in full, with grammar, claims, `when`, limits and
-/// examples, in a chapter of its own. In short:
+/// [The language](crate::language) has its own chapter with grammar, limits and examples. In short:
 ///
-/// A block is an optional header, then one equation `NAMEdot = expression;` for each state
-/// variable, then claims. Expressions are polynomials of degree at most 2 in the variables, with
-/// the usual precedence: `x^2 - z^2` is (x²) − (z²), and every number is exact (`1/2` is one half,
-/// `0.1` one tenth).
+/// A block is an optional header, one equation `NAMEdot = expression;` per state variable, and
+/// claims. Expressions are polynomials of degree at most 2 in the variables, with the usual
+/// precedence: `x^2 - z^2` is (x²) − (z²). Numbers are exact: `0.1` is one tenth.
 ///
 /// - With a header, `struct Name;` or `struct Name { a, b }`, the block becomes that struct
 ///   (`Name<T>` with one public field for each parameter) and its implementations of
@@ -20,14 +18,14 @@
 /// - Without a header, the block is an expression: a value of an anonymous type that captures its
 ///   parameters from the scope.
 ///
-/// A block that begins with `lift` may have functions, quotients and any powers:
-/// `lift pub struct Pendulum { g }`, or `lift;` without a header. New variables make the equations
-/// quadratic; `embed` maps states to points of the lift, and `project` maps points to states.
+/// A block that begins with `lift` may contain functions, quotients and arbitrary powers: `lift pub
+/// struct Pendulum { g }`, or `lift;` without a header. New variables make the equations quadratic;
+/// `embed` maps states to points of the lift, and `project` maps points back to states.
 ///
-/// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
-/// invariant measure, `bracket` a Poisson tensor, `drift` a function whose next value follows from
-/// its value. Claims are proved at compile time, and a false claim does not compile. In claims and
-/// coefficients `eps` is ε, **half** the time step.
+/// `integral NAME = expression;` claims a function that the map conserves, `density` an invariant
+/// measure, `bracket` a Poisson tensor, and `drift` a function whose next value depends only on its
+/// current value. Claims are proved at compile time, and a false claim does not compile. In claims
+/// and coefficients `eps` is ε, **half** the time step.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -61,10 +59,10 @@ macro_rules! kahan {
     };
 }
 
-/// Turns the block in a file into its Kahan map, like [`kahan!`](crate::kahan) with its text.
+/// Turns the block in a file into its Kahan map, like [`kahan!`](crate::kahan).
 ///
-/// The path is relative to the file of the macro call; a change of the file triggers recompilation.
-/// Errors are shown with line and caret, like by the command `kahan`, which reads such files too.
+/// The path is relative to the file of the macro call, and changes of the file trigger
+/// recompilation. Errors are shown with line and caret, as the command `kahan` shows them.
 ///
 /// ```ignore
 /// include_kahan!("toda.kahan");

@@ -1,14 +1,14 @@
-//! Serialisation by hand, with the feature `serde`.
+//! Serialisation of double-doubles and compositions, with the feature `serde`.
 //!
-//! In: a double-double number, a composition. Out: its two parts, and the name of its constant, and
-//! back. `serde_json` needs its feature `float_roundtrip` to read back every bit of a float.
+//! A double-double is stored as its two parts, a composition as its name. `serde_json` needs its
+//! feature `float_roundtrip` to read back every bit of a float.
 
 use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{Composition, Dd};
 
-/// Writes \[high, low\] without loss.
+/// Writes \[high, low\], which is exact.
 impl Serialize for Dd {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         (self.high(), self.low()).serialize(serializer)

@@ -1,9 +1,9 @@
-//! Elimination along the couplings over floats, by panels (supernodes): consecutive rows with equal
-//! columns right of the diagonal. Loops over lanes reduce several rows by several pivots.
+//! Sparse LU elimination over floats by panels (supernodes): consecutive rows with equal columns
+//! right of the diagonal, reduced together in SIMD lanes.
 //!
-//! In: the tables of [`Couplings`], and A(x,ε) in their places. Out: the factors in these places,
-//! bit for bit those of [`Couplings::factor`], because the order of operations is equal. (J. W. H.
-//! Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252, on supernodes.)
+//! In: the tables of [`Couplings`], and the entries of A(x,ε). Out: the LU factors in place, with
+//! the operation order and therefore the bits of [`Couplings::factor`]. On supernodes see J. W. H.
+//! Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252.
 
 #[cfg(test)]
 mod tests;
@@ -15,15 +15,15 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The largest number of rows of a panel, which fit a fast cache.
+/// The maximum number of rows of a panel, which fit a fast cache.
 const MOST_ROWS: usize = 32;
 /// The number of rows reduced together.
 const ROWS: usize = 4;
-/// The number of pivots applied to rows at once.
+/// The maximum number of pivots applied to rows at once.
 const PIVOTS: usize = 16;
-/// The largest number of pivots of a panel that may reduce rows one by one along a list.
+/// The maximum number of pivots of a panel that may reduce rows one pivot at a time along a list.
 const FEWEST: usize = 4;
-/// The smallest number of columns for loops over lanes.
+/// The minimum number of columns for loops over lanes.
 const SHORTEST: u32 = 4;
 
 /// The panels of an elimination.
@@ -33,53 +33,51 @@ pub struct Supernodes {
     reductions: Vec<Reduction>,
     tasks: Vec<Task>,
     runs: Vec<Run>,
-    /// The column within its panel, for each entry of A.
+    /// For each entry of A, its column within its panel.
     columns: Vec<u32>,
-    /// Columns of a panel, for the entries of rows of pivots.
+    /// Lists of panel columns, one per entry of a pivot row.
     lists: Vec<u32>,
 }
 
-/// Consecutive rows: each has, right of the diagonal, an entry in the column of the next row and in
-/// all of that row's columns. The panel's columns are those of all its rows.
+/// Consecutive rows. Right of the diagonal, each has entries in the next row's column and in all of
+/// that row's columns. The panel's columns are the union of its rows' columns.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
     width: usize,
-    /// The reductions of the rows, in the order of their pivots.
     reductions: Range<usize>,
 }
 
-/// The reduction of the rows of a panel by the pivots of a panel.
+/// The reduction of a panel's rows by the pivots of a panel.
 #[derive(Clone, Debug)]
 struct Reduction {
     /// The row after the last pivot.
     end: usize,
-    /// The column after that of the last pivot.
+    /// The panel column after that of the last pivot.
     behind: usize,
     tasks: Range<usize>,
-    /// The runs of reduced columns right of the pivots.
     runs: Range<usize>,
-    /// The position in `lists` of the columns right of the last pivot, preceded by the columns of
-    /// the pivots; set if rows are reduced by one pivot after the other.
+    /// The position in `lists` of the columns right of the last pivot, preceded by the pivots'
+    /// columns. `Some` if rows are reduced one pivot at a time.
     list: Option<usize>,
 }
 
-/// The reduction of rows by consecutive pivots of a reduction.
+/// The reduction of one or [`ROWS`] rows by consecutive pivots.
 #[derive(Clone, Debug)]
 struct Task {
-    /// [`ROWS`] rows, or only the first.
+    /// The rows within the panel; only the first counts if `is_alone`.
     rows: [u32; ROWS],
     is_alone: bool,
-    /// Whether the row is complete.
+    /// Whether the row is fully reduced afterwards.
     is_last: bool,
     first: u32,
     count: u32,
 }
 
-/// Consecutive columns of a panel in which a row of pivots has entries.
+/// Consecutive panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
 struct Run {
-    /// The number of entries of the last pivot's row between the diagonal and this run.
+    /// The number of entries of the last pivot row between the diagonal and this run.
     before: u32,
     column: u32,
     length: u32,
@@ -89,12 +87,13 @@ struct Run {
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
     rows: Vec<T>,
-    /// For each row the magnitude below which an entry may count as 0.
+    /// For each row, the magnitude below which an entry is negligible within the row.
     limits: Vec<T>,
-    /// The limits of all columns of A; an entry counts as 0 if it is below both.
+    /// For each column of A, the magnitude below which an entry is negligible within the column. An
+    /// entry counts as 0 if it is negligible in both.
     column_limits: Vec<T>,
     factors: Vec<T>,
-    /// The offsets of the entries of the rows of pivots.
+    /// The offsets of the entries of the pivot rows.
     uppers: Vec<usize>,
 }
 
@@ -132,8 +131,8 @@ impl Supernodes {
         all
     }
 
-    /// Appends a panel of these rows. `panel_of` holds the panel of each row up to the last of
-    /// them; `places` is scratch with one number per row.
+    /// Appends a panel of these rows. `panel_of` maps each row to its panel, up to the last of
+    /// `rows`; `places` is scratch space with one number per row.
     fn push(
         &mut self,
         couplings: &Couplings<'_>,
@@ -183,8 +182,7 @@ impl Supernodes {
         self.panels.push(Panel { rows, width: columns.len(), reductions });
     }
 
-    /// Appends the tasks of a reduction of a panel's rows by pivots. If `apart`, rows are never
-    /// reduced together.
+    /// Appends the tasks that reduce a panel's rows by pivots, if `apart` each row separately.
     fn push_tasks(
         &mut self,
         couplings: &Couplings<'_>,
@@ -228,7 +226,8 @@ impl Supernodes {
         begin..self.tasks.len()
     }
 
-    /// Appends the reduction of `ROWS` rows by pivots before `end`, each from its first one on.
+    /// Appends the joint reduction of `ROWS` rows by the pivots before `end`. Pivots that only some
+    /// of the rows need are applied to each row separately.
     fn push_together(&mut self, rows: [usize; ROWS], firsts: [usize; ROWS], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
@@ -237,7 +236,7 @@ impl Supernodes {
         self.push_pivots(rows, false, first..end);
     }
 
-    /// Appends the reduction of one row by these pivots, and its completion if `is_last`.
+    /// Appends the reduction of one row by these pivots; `is_last` marks it as the row's last.
     fn push_alone(&mut self, r: usize, pivots: Range<usize>, is_last: bool) {
         self.push_pivots([r, 0, 0, 0], true, pivots);
         if is_last {
@@ -253,14 +252,14 @@ impl Supernodes {
         }
     }
 
-    /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
-    /// or too small; the values are then useless.
+    /// Replaces A by its LU factors, like [`Couplings::factor`]. Returns `false` if a pivot is 0 or
+    /// too small; the values are then useless.
     ///
-    /// With `flushes` an entry counts as 0 if it is smaller than [`InLanes::NEGLIGIBLE`] times the
-    /// largest off-diagonal entry of A in its row, and in its column. Factors decay like a power of
-    /// ε with the distance between variables, and processors are slow on subnormal numbers. A unit
-    /// of a variable multiplies a row and divides a column: in f64, solutions keep their bits for
-    /// all units whose quotients are at least 2¹⁰⁰ times `NEGLIGIBLE`.
+    /// With `flushes`, an entry counts as 0 if it is below [`InLanes::NEGLIGIBLE`] times the
+    /// largest off-diagonal entry of its row in A, and likewise of its column. Otherwise factors,
+    /// which shrink like a power of ε with the distance between variables, become subnormal and
+    /// slow. Changing a variable's unit scales a row and, inversely, a column. In f64, solutions
+    /// keep their bits if the ratios of units are at least 2¹⁰⁰ times `NEGLIGIBLE`.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -283,7 +282,7 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Returns whether the next row has this row's columns but the first, right of the diagonals.
+    /// Returns whether the next row's columns right of the diagonal are this row's but the first.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {
             Some((&next, others)) => next as usize == row + 1 && self.columns_right(row + 1) == others,
@@ -321,7 +320,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// Returns the magnitude that may count as 0 beside the largest entry; 0 if not finite.
+/// Returns the magnitude that is negligible beside the largest entry; 0 if not finite.
 #[inline(always)]
 fn negligible<T: InLanes>(largest: T) -> T {
     let limit = largest * T::NEGLIGIBLE;
@@ -330,7 +329,7 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> Work<'_, T> {
-    /// Each function has one call site for each number of rows, because its body is inlined there.
+    /// Each function has one call site per number of rows, because its body is inlined there.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;
@@ -362,7 +361,7 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// Reduces a row by one pivot after the other, in the columns of a list.
+    /// Reduces a row one pivot at a time, in the columns of a list.
     #[inline(always)]
     fn has_reduced_along(&mut self, task: &Task, reduction: &Reduction, list: usize, width: usize) -> bool {
         let (r, first) = (task.rows[0] as usize, task.first as usize);
@@ -417,7 +416,7 @@ impl<T: InLanes> Work<'_, T> {
         self.workspace.limits[r] = negligible(largest);
     }
 
-    /// Returns an entry of row r of the panel in a column of A, or 0 if negligible.
+    /// Returns an entry of row r of the panel in a column of A, or 0 if it is negligible.
     #[inline(always)]
     fn flushed(&self, entry: T, r: usize, column: usize) -> T {
         let PanelWorkspace { limits, column_limits, .. } = &*self.workspace;
@@ -426,7 +425,7 @@ impl<T: InLanes> Work<'_, T> {
         if is_negligible { T::zero() } else { entry }
     }
 
-    /// Copies row r of the panel back, with the reciprocal of its pivot; `false` if the pivot is 0.
+    /// Copies row r of the panel back with its reciprocal pivot; `false` if the pivot is 0.
     #[inline(always)]
     fn has_scattered(&mut self, panel: &Panel, r: usize) -> bool {
         let own = &self.workspace.rows[r * panel.width..][..panel.width];
@@ -447,7 +446,7 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// Returns the place of a pivot, and the end of its row.
+    /// Returns the index of a pivot's entry, and the end of its row.
     #[inline(always)]
     fn pivot(&self, row: usize) -> [usize; 2] {
         let right = self.couplings.rows[row].right();
@@ -472,7 +471,7 @@ impl<T: InLanes> Work<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // The columns right of these pivots in their panel; the pivots' rows have entries in all.
+        // The panel columns right of these pivots; the pivot rows have entries in all of them.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
@@ -497,7 +496,7 @@ impl<T: InLanes> Work<'_, T> {
     }
 
     /// Returns the factor of a row for a pivot, and reduces the row's columns before `end`; `None`
-    /// if the pivot is too small. The row's entry in the pivot's column is at `place`.
+    /// if the pivot is too small. `place` is the index of the row's entry in the pivot's column.
     #[inline(always)]
     fn factor(&mut self, row: usize, place: usize, pivot: usize, end: usize) -> Option<T> {
         let [diagonal, behind] = self.pivot(pivot);
@@ -519,7 +518,7 @@ impl<T: InLanes> Work<'_, T> {
         Some(factor)
     }
 
-    /// Subtracts rows of `count` pivots, times their factors, from the rows at these places.
+    /// Subtracts the multiples of `count` pivot rows from R rows, which start at `places`.
     #[inline(always)]
     fn subtract<L: Lanes<T>, const R: usize>(&mut self, places: [usize; R], count: usize, run: &Run) {
         let (mut before, mut column) = (run.before as usize, run.column as usize);

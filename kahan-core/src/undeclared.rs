@@ -1,9 +1,9 @@
-//! Methods that a system lacks, with diagnostics that say what to declare or write.
+//! Methods that a system lacks, with diagnostics that say what to declare.
 //!
-//! A block without an integral, without a density, or with integer parameters has these methods in
-//! place of the real ones. No type satisfies their bounds, so every call is a compile error, and no
-//! code is generated. They take `&mut self`: rustc tries methods with `&self` first, so handwritten
-//! integrals take precedence, and so does the map of a system whose scalar is not yet inferred.
+//! A block without an integral, without a density, or with integer parameters gets these methods
+//! instead. Their bounds are never satisfied, so every call is a compile error. They take `&mut
+//! self`, because rustc tries `&self` methods first; handwritten integrals, and maps with a scalar
+//! not yet inferred, therefore take precedence.
 
 use core::iter::Empty;
 
@@ -11,7 +11,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// A type without implementations of the traits below, whose messages therefore appear as errors.
+/// A type that implements none of the traits below, so that their diagnostics appear.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
@@ -45,7 +45,7 @@ fn unanswered() -> ! {
 
 /// The methods of a block without integrals.
 pub trait WithoutIntegrals {
-    /// Not to be called.
+    /// Always a compile error.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
     where
         Block: DeclaresIntegral<Self, T>,
@@ -56,7 +56,7 @@ pub trait WithoutIntegrals {
 
 /// The methods of a block without a density.
 pub trait WithoutDensity {
-    /// Not to be called.
+    /// Always a compile error.
     fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
     where
         Block: DeclaresDensity<Self, T>,
@@ -67,7 +67,7 @@ pub trait WithoutDensity {
 
 /// The methods of a system with integer parameters.
 pub trait IntegerParameters {
-    /// Not to be called.
+    /// Always a compile error.
     fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -75,7 +75,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Not to be called.
+    /// Always a compile error.
     fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -84,7 +84,7 @@ pub trait IntegerParameters {
     }
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
-    /// Not to be called.
+    /// Always a compile error.
     fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
         Block: HasScalars<Self, T>,
@@ -92,7 +92,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Not to be called.
+    /// Always a compile error.
     fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
         Block: HasScalars<Self, T>,
@@ -100,7 +100,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Not to be called.
+    /// Always a compile error.
     fn at<T>(&mut self, _: T)
     where
         Block: HasScalars<Self, T>,
@@ -108,7 +108,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Not to be called.
+    /// Always a compile error.
     fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -116,7 +116,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Not to be called.
+    /// Always a compile error.
     fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
         Block: HasScalars<Self, T>,

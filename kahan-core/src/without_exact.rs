@@ -1,20 +1,19 @@
-//! `BigRational` where the feature `exact` is off: a name that cannot be used, so that rustc says
-//! how to have it.
+//! A placeholder for `BigRational` without the feature `exact`; rustc then says how to enable it.
 
 use core::marker::PhantomData;
 
-/// Stands in for the big rationals, which need the feature `exact`.
+/// A placeholder for big rationals, which need the feature `exact`.
 pub type BigRational = Unavailable<FeatureExact>;
 
-/// A number that is not there.
+/// A number type that is not available.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unavailable<F>(PhantomData<F>);
 
-/// The feature `exact`, which is off.
+/// The feature `exact`, disabled in this build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FeatureExact;
 
-/// No type is this.
+/// Never implemented.
 #[diagnostic::on_unimplemented(
     message = "`BigRational` needs the feature `exact` of `kahan-core`",
     label = "enable it in Cargo.toml: `kahan-core = {{ …, features = [\"exact\"] }}`"
@@ -23,7 +22,7 @@ trait IsEnabled {}
 
 #[expect(private_bounds, reason = "no feature that is off can be enabled by a type")]
 impl<F> Unavailable<F> {
-    /// numer/denom, with the feature.
+    /// numer/denom; needs the feature `exact`.
     pub fn new(_numer: i128, _denom: i128) -> Self
     where
         F: IsEnabled,
@@ -31,7 +30,7 @@ impl<F> Unavailable<F> {
         Self(PhantomData)
     }
 
-    /// An integer, with the feature.
+    /// An integer; needs the feature `exact`.
     pub fn from_integer(_integer: i128) -> Self
     where
         F: IsEnabled,
@@ -39,7 +38,7 @@ impl<F> Unavailable<F> {
         Self(PhantomData)
     }
 
-    /// A float's value, with the feature.
+    /// The value of a float; needs the feature `exact`.
     pub fn from_float(_float: f64) -> Option<Self>
     where
         F: IsEnabled,

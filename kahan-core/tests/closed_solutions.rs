@@ -1,4 +1,4 @@
-//! The flow itself, against closed solutions, and at the ends of what it can do.
+//! The flow against closed solutions, including limits of its domain.
 
 use kahan_core::prelude::*;
 use kahan_core::{FloatScalar, QuadraticField};
@@ -34,8 +34,8 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// Over some forty pieces each errs by less than u relative to x ≤ 1, and the flow, which contracts
-/// at the end, carries an error of its beginning on by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
+/// About forty pieces each err by less than u relative to x ≤ 1. The flow finally contracts, and
+/// amplifies an early error by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -43,7 +43,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     for k in 0..=1000 {
         let t = f64::from(k) / 100.0;
         let (narrow, wide) = (f64s.at(t.into())[0], dds.at(t.into())[0]);
-        // `exp` and the four operations around it round by 3 u.
+        // `exp` and the four operations around it round by 3 u in all.
         let exact = 0.1 / (0.1 + 0.9 * (-t).exp());
         assert!((f64::from(wide) - exact).abs() <= 3.0 * f64::EPSILON, "t = {t}");
         let apart = f64::from((Dd::from(narrow) - wide).abs());
@@ -51,8 +51,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     }
 }
 
-/// Both integrals of the top, in double-double: a hundred pieces of u = 2⁻¹⁰⁶ each, which the flow
-/// carries on linearly.
+/// Both integrals of the top in `Dd`, with a hundred errors 2⁻¹⁰⁶ that the flow adds linearly.
 #[test]
 fn the_integrals_of_the_top_are_kept_in_double_double() {
     let flow = through::<_, Dd, 3>(&Top, [0.5, 1.0, 0.75], 40.0).expect("it exists");
@@ -71,7 +70,7 @@ fn the_integrals_of_the_top_are_kept_in_double_double() {
 
 #[test]
 fn pieces_follow_the_motion() {
-    // Quiet until t = 23, then all within some units of time.
+    // Slow until t = 23, then all change within a few units of time.
     let flow = through::<_, f64, 1>(&Logistic, [1e-10], 60.0).expect("it exists");
     assert_eq!(flow.breaks().next(), Some(0.0));
     let within = |low: f64, high: f64| flow.breaks().filter(|t| (low..high).contains(t)).count();
@@ -95,7 +94,7 @@ kahan! {
     sdot = 100*s*(n - 1);
 }
 
-/// x + y + z is 1 for ever; y is about 3.6e-5 behind its first layer, which ends at t = 1e-3 or so.
+/// x + y + z is always 1. After an initial layer of about 1e-3, y is about 3.6e-5.
 #[test]
 fn a_stiff_beginning_is_seen() {
     let flow = through::<_, Dd, 3>(&Kinetics, [1.0, 0.0, 0.0], 1.0).expect("it exists");
@@ -107,7 +106,7 @@ fn a_stiff_beginning_is_seen() {
     }
 }
 
-/// While s is small n = 2 - 2e^{-t}, so s = s₀ exp(100(t - 2 + 2e^{-t})).
+/// While s is small, n = 2 - 2e^{-t}, so s = s₀ exp(100(t - 2 + 2e^{-t})).
 #[test]
 fn a_component_that_is_small_keeps_its_digits() {
     let flow = through::<_, f64, 2>(&Laser, [0.0, 1e-9], 1.5).expect("it exists");
@@ -115,8 +114,8 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // ∫ns dt, by which n is less, is below 1e-12 while t < 0.1 and not felt after; the exponent
-        // takes it 100 times.
+        // ∫ns dt, by which n is smaller, stays below 1e-12 for t < 0.1 and is negligible later. The
+        // exponent multiplies it by 100.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

@@ -1,6 +1,6 @@
-//! The example programs, run: each answers what its head says.
+//! Runs the example programs, and checks the claims in their heads.
 
-// Their `main` is for cargo; here `run` is called, which gives what they print.
+// The examples' `main` is for cargo; the tests call `run`, which returns what they print.
 #![allow(dead_code)]
 
 #[path = "../examples/any_map.rs"]
@@ -20,7 +20,7 @@ mod trade;
 
 #[test]
 fn an_orbit_keeps_its_integrals_to_roundings() {
-    // Ten thousand steps, each of which moves an integral near 1 by a few roundings.
+    // Ten thousand steps; each changes an integral near 1 by a few roundings.
     let change = orbit::run();
     assert!(change < 1e-12, "{change:e}");
 }
@@ -28,7 +28,7 @@ fn an_orbit_keeps_its_integrals_to_roundings() {
 #[test]
 fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
     let [confined, free] = exact::run();
-    // From step 6 to step 12: four times as many, or 2⁶ times.
+    // From step 6 to step 12 the digits grow by a factor of 4 or of 2⁶.
     let growth = |digits: &[usize]| digits[11] as f64 / digits[5] as f64;
     assert!((3.0..5.0).contains(&growth(&confined)), "{confined:?}");
     assert!((50.0..80.0).contains(&growth(&free)), "{free:?}");
@@ -37,9 +37,8 @@ fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
 #[test]
 fn springs_lose_their_common_phase_and_keep_their_energies() {
     let (mean, change) = ensemble::run();
-    // The mean velocity was 0.3 at first.
+    // The mean velocity starts at 0.3.
     assert!(mean.abs() < 0.06, "{mean}");
-    // Four thousand steps.
     assert!(change < 1e-12, "{change:e}");
 }
 
@@ -76,7 +75,7 @@ fn a_smaller_tolerance_is_kept_by_a_higher_order() {
 fn one_function_tells_when_any_map_crosses_zero() {
     let [by_type, plain, of_order_eight, of_chain] = any_map::run();
     let quarter = std::f64::consts::FRAC_PI_2;
-    // A step of order two turns by 2 arctan ε in place of 2ε; eps² is 10⁻⁴, eps⁸ is 10⁻¹⁶.
+    // A second-order step rotates by 2 arctan ε instead of 2ε; eps² is 10⁻⁴, eps⁸ is 10⁻¹⁶.
     assert!(by_type == plain && (plain / quarter - 1.0).abs() < 1e-4);
     assert!((of_order_eight / quarter - 1.0).abs() < 1e-13);
     assert!((of_chain - plain).abs() < 1e-13);

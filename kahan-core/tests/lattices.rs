@@ -1,5 +1,4 @@
-//! Families as the macro writes them: their steps against plain blocks and against the defining
-//! equation, and what they keep.
+//! Steps of families against plain blocks and the defining equation, and their integrals.
 
 use kahan_core::LatticeError;
 use kahan_core::prelude::*;
@@ -149,7 +148,7 @@ fn a_divisor_of_zero_is_an_error() {
     assert!(Kdv { h: one }.at(zero, 9).is_ok());
 }
 
-/// 1/h³ is beyond the range of f32, and the step is not.
+/// 1/h³ exceeds the range of f32, but the step does not.
 #[test]
 fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     let (h, eps, sites) = (1e-20_f32, 1e-30_f32, 9);
@@ -166,8 +165,8 @@ fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     assert!(exact.residual(&before, &next) <= BigRational::new((5 + 8).into(), (1_i64 << 24).into()));
 }
 
-/// At this site f and f′x are 350 powers of ten above what they add up to, so no residual made of
-/// them is known; the digits of x̃ are.
+/// At this site f and f′x exceed their sum by 350 powers of ten, so no residual made of them is
+/// known. The digits of x̃ are known.
 #[test]
 fn a_step_whose_digits_are_known_needs_no_residual() {
     kahan! {
@@ -178,18 +177,16 @@ fn a_step_whose_digits_are_known_needs_no_residual() {
     let crowd = Crowd { q: vec![q, 0.25], r: vec![r, 2.0] };
     let mut state = vec![8.803_863_726_421_91e96, 1.0];
     crowd.at(-2.5e-99, 2).expect("a map").try_step(&mut state).expect("a step");
-    // With a = 1/r² and b = q/r² it is x(1 + εa)/(1 − εa + 2εbx), near a/(2b) for the first one;
-    // the other one hardly moves.
+    // With a = 1/r² and b = q/r² it is x(1 + εa)/(1 − εa + 2εbx), near a/(2b) at the first site.
+    // The other site hardly moves.
     assert_eq!(state, [0.5 / q, 1.0]);
 }
 
-/// The largest difference of two states.
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
 }
 
-/// The error after a time of 1, at half the step: a quarter, up to the next term, which is a
-/// quarter of its own.
+/// At half the step the error at time 1 is a quarter, up to the next term.
 #[test]
 fn chains_are_of_order_two_and_go_back() {
     fn check<M: LatticeMap<f64>>(map: &M, sites: usize, steps: u64) {
@@ -208,7 +205,7 @@ fn chains_are_of_order_two_and_go_back() {
         let mut state = start.clone();
         chain.advance(&mut state, 100);
         (0..100).for_each(|_| chain.step_back(&mut state));
-        // Two hundred steps, each of which rounds numbers of size one some times.
+        // Two hundred steps, each of which rounds numbers of size one several times.
         assert!(apart(&state, &start) < 200.0 * 64.0 * f64::EPSILON, "{:e}", apart(&state, &start));
     }
     for sites in [7, 300] {
@@ -220,8 +217,8 @@ fn chains_are_of_order_two_and_go_back() {
     }
 }
 
-/// What is kept does not drift: along the straight line of least squares through a thousand values
-/// it moves by less than the roundings of the steps would make it, were they all of one sign.
+/// Conserved sums do not drift: the least-squares line through a thousand values rises by less than
+/// the rounding errors of all steps with equal signs.
 #[test]
 fn kept_sums_have_no_slope() {
     let (sites, h, rounds) = (300, 0.25, 1000);
@@ -229,7 +226,7 @@ fn kept_sums_have_no_slope() {
     let hump = |x: f64| 1.0 / x.cosh().powi(2);
     let mut state: Vec<f64> =
         (0..sites).map(|i| h * i as f64).map(|x| 2.0 * hump(x - 20.0) + 0.5 * hump(x / 2.0 - 22.0)).collect();
-    // The terms of mass and energy, without their signs.
+    // The terms of mass and energy, all with positive sign.
     let slopes = (0..sites).map(|i| ((state[(i + 1) % sites] - state[i]) / h).powi(2) / 2.0);
     let terms =
         [state.iter().sum::<f64>(), slopes.sum::<f64>() + state.iter().map(|u| u.powi(3)).sum::<f64>()];

@@ -1,4 +1,4 @@
-//! Blocks that the macro lifts: first values, steps, and what the map keeps.
+//! Blocks that the macro lifts: initial values, steps, and integrals.
 
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
@@ -59,7 +59,7 @@ fn rational(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
-/// A point of rationals, no two alike.
+/// Returns a point of distinct rationals.
 fn rationals<const N: usize>() -> SVector<BigRational, N> {
     SVector::from_fn(|i, _| rational(3 * i as i64 + 1, i as i64 + 5))
 }
@@ -85,7 +85,7 @@ fn first_values_are_those_of_libm() {
     assert_eq!(kepler, vector![3.0, 4.0, 0.5, -0.25, 0.024, 0.032, 1.5625, 0.02, 0.008, -0.2]);
 
     let morse = Morse { depth: 2.0, a: 0.5 }.embed(&vector![1.0, 0.0]);
-    // exp(a x), whose powers the variables are.
+    // exp(a x); the new variables are its powers.
     let exponential = 1.648_721_270_700_128_2_f64;
     assert_eq!(morse, vector![1.0, 0.0, (exponential * exponential).recip(), exponential.recip()]);
 }
@@ -105,7 +105,7 @@ fn exact_steps_keep_the_energy_of_the_lift() {
     assert_eq!(pendulum.project(&x), vector![x[0].clone(), x[1].clone()]);
 }
 
-/// The largest change of a function along an orbit of floats.
+/// Returns the largest change of a function along an orbit of floats.
 fn change<M: KahanMap<f64, N> + Clone, const N: usize>(
     map: &M,
     start: SVector<f64, N>,

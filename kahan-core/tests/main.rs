@@ -1,5 +1,4 @@
-//! kahan-core as its users write it. One program, so that what its modules share is compiled and
-//! linked once.
+//! Tests of kahan-core through its public interface, in one program that compiles shared code once.
 
 mod any_map;
 mod closed_solutions;

@@ -1,4 +1,4 @@
-//! Systems that several modules look at.
+//! Systems shared by several test modules.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,6 @@
-//! Accessors of claims: `integrals`, one method for each integral, `density`, `bracket_NAME` and
-//! `drift_NAME`.
-//!
-//! A claim with `when` has an accessor of its own, `density_NAME` for a density. Its conditions are
-//! solved for some names, whose values are substituted.
+//! Accessors of claims: `integrals`, one method per integral, `density`, `bracket_NAME` and
+//! `drift_NAME`. A claim with `when` has a separate accessor, `density_NAME` for a density; the
+//! solved conditions are substituted into its formula.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -20,8 +18,7 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. A marker trait tells rustc about missing integrals or a
-/// missing density.
+/// Emits the accessors of all claims; marker traits let rustc report missing ones.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -48,7 +45,7 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// Expands to `pub fn NAME(&self, x, eps) -> …`. Without parameters the method itself is generic.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`; without parameters the method itself is generic.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,
@@ -102,9 +99,9 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     }
 }
 
-/// Returns the name of an integral's method: its own, or `integral_NAME` if that is taken.
+/// Returns the name of an integral's method: its own name, or `integral_NAME` if that is taken.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
-    /// Methods of implemented and derived traits, and methods of every type.
+    /// Methods of implemented and derived traits and of every type.
     const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
         step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit extend_scalars carry_tangent variables \
         parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
@@ -120,8 +117,7 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// Expands to the method of a claim. One with `when` is called `density_NAME`, or like its
-/// integral.
+/// Expands to the method of a claim; one with `when` is `density_NAME`, or named by its integral.
 fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let name = match claim.kind {
         ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),

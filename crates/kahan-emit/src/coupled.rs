@@ -1,4 +1,4 @@
-//! A field of many variables: its entries, their places in A(x,ε), and their elimination.
+//! A field of many variables: its entries, their positions in A(x,ε), and their elimination.
 //!
 //! ```text
 //! pub struct __Coupled;
@@ -8,7 +8,7 @@
 //! }
 //! ```
 //!
-//! The code grows with the number of couplings: no function holds a whole matrix.
+//! The code size is proportional to the number of couplings: no function holds a whole matrix.
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};
@@ -58,20 +58,19 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     }
 }
 
-/// Returns the numbers of parameters, of entries of f′, and of nonzero places in A.
+/// Returns the numbers of parameters, of entries of f′, and of structural nonzeros of A.
 pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
     let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
     sizes.map(Literal::usize_unsuffixed)
 }
 
-/// Returns the number of parameters, with ε if coefficients depend on it.
+/// Returns the number of parameters, including ε if coefficients depend on it.
 fn parameters(context: &Context<'_>) -> usize {
     let field = &context.system.field;
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
 }
 
-/// Expands to the parameters in order, `[self.mu.clone()]`, with `eps` last if coefficients depend
-/// on it.
+/// Expands to `[self.mu.clone()]`, with `eps` last if coefficients depend on ε.
 pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> TokenStream {
     let eps = context.system.field.depends_on_eps().then_some(eps);
     let parameters = context.system.field.symbols.parameters.iter().map(|parameter| {
@@ -82,11 +81,11 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
     quote!([#(#parameters),*])
 }
 
-/// The largest number of operations in one function. Compile times grow faster than functions,
-/// above all over numbers that carry bounds.
+/// The maximum number of operations per function. Compile time grows faster than the size of a
+/// function, above all for scalars with error bounds.
 const MOST_OPERATIONS: usize = 160;
 
-/// Emits the body of a function that returns a plan's results as an array, in parts if it is long.
+/// Emits the body of a function that returns a plan's results as an array, split if it is long.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     if plan.operations.len() <= 2 * MOST_OPERATIONS {
         let (bindings, results) = emit_part(context, plan);
@@ -125,8 +124,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// Returns the bindings of a plan, `let [__s_x, _] = x; let [__p_mu, _] = __parameters;` first, and
-/// its results.
+/// Emits a plan after bindings of states and parameters; returns its bindings and results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = variables(plan);
@@ -162,8 +160,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`: the operations of the elimination loops in
-/// their order, without loops.
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, the elimination unrolled in loop order.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, _] = sizes(context, couplings);
@@ -199,7 +196,7 @@ fn entry(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// Emits A = I − εf′. Returns which places are not zero, too.
+/// Emits A = I − εf′. Also returns which stored entries are nonzero.
 fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();
@@ -219,8 +216,7 @@ fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     (lines, is_there)
 }
 
-/// Emits the elimination: multipliers replace the entries left of the diagonal, reciprocals the
-/// pivots.
+/// Emits the LU elimination: multipliers replace the lower entries, reciprocals the pivots.
 fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     let Couplings { rows, columns, .. } = couplings;
     let mut lines = TokenStream::new();
@@ -254,7 +250,7 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     lines
 }
 
-/// Emits the substitutions, block by block: the solution replaces the right-hand side.
+/// Emits the triangular substitutions, block by block; the solution replaces the right-hand side.
 fn emit_solution(couplings: &Couplings) -> TokenStream {
     let Couplings { order, rows, columns, .. } = couplings;
     let right = |turn: usize| format_ident!("__b{}", order[turn]);

@@ -1,4 +1,4 @@
-//! Documentation of the generated items, with their formulas.
+//! Documentation of the generated items, including their formulas.
 
 use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{
@@ -13,7 +13,7 @@ use quote::quote;
 use super::Context;
 use super::lifted::Lifted;
 
-/// The length in bytes above which formulas are left to `kahan show`.
+/// The maximum length in bytes; longer formulas are left to `kahan show`.
 const LONGEST: usize = 2_000;
 
 fn emit_lines(lines: &[String]) -> TokenStream {
@@ -27,8 +27,7 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Returns the documentation of a system: field, A(x,ε), reduced map, claims. `follows` says that
-/// the user's documentation comes first.
+/// Returns the documentation of a system; if `follows`, the user's documentation comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);
@@ -76,7 +75,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     emit_lines(&lines)
 }
 
-/// Appends the new variables of a lift, their relations, and the energy that the map keeps.
+/// Appends the new variables of a lift, their relations, and the energy that the map conserves.
 fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
     let title = format!("Reason for this lift: {}. Its new variables:", lift.chosen);
     let new = lift.new.iter().map(|new| {
@@ -122,14 +121,14 @@ pub(super) fn project() -> TokenStream {
     emit_lines(&[" The states of a point of the lift.".to_owned()])
 }
 
-/// Returns a claim with the divisors that must not vanish.
+/// Returns the text of a claim, with the divisors that must not vanish.
 fn proved(context: &Context<'_>, claim: &Claim) -> String {
     let note = condition_note(context.system, claim);
     let text = claim_text(context.system, claim);
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// Returns a paragraph on the step sizes up to which a step is accurate, if they are limited.
+/// Returns a paragraph on the largest accurate step sizes, if they are limited.
 fn domain(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();
@@ -175,14 +174,14 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// The longest formula for this place; `integrals` has longer ones.
+    /// The longest formula shown here; `integrals` shows longer ones.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
 }
 
-/// Returns the documentation of a claim's method, except of an [integral](integral) without `when`.
+/// Returns the documentation of a claim's method; [`integral`] documents integrals without `when`.
 pub(super) fn accessor(context: &Context<'_>, claim: &Claim) -> TokenStream {
     let (kind, name) = (claim.kind, &claim.name.text);
     let (introduction, title) = match kind {

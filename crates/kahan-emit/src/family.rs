@@ -1,4 +1,4 @@
-//! A family to Rust: the plans of one site, and the densities of claimed sums.
+//! A family as Rust: the plans of one site, and the densities of claimed sums.
 //!
 //! ```text
 //! pub struct Volterra;
@@ -26,11 +26,11 @@ struct Context<'a> {
     family: &'a Family,
     lines: Lines,
     this: Type<'a>,
-    /// The scalar type of the plans; the type itself has the scalar of its values.
+    /// The scalar type of the plans; it may differ from that of the parameters.
     line_scalar: Ident,
 }
 
-/// Emits the type of a family, its implementations, and its value if the block has no header.
+/// Emits the type of a family, its implementations, and a value if the block has no header.
 pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &Flat) -> TokenStream {
     let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
     let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });
@@ -172,8 +172,8 @@ impl Context<'_> {
         })
     }
 
-    /// Expands to a function that writes the results of a plan to places of slices:
-    /// `fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
+    /// Expands to a function that writes the results of a plan at given indices of slices: `fn
+    /// rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], …) { … }`.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
         let inputs = self.emit_inputs(plan, &self.lines.symbols);
@@ -224,7 +224,7 @@ impl Context<'_> {
             .collect()
     }
 
-    /// Expands to the names of the claimed sums and their densities.
+    /// Expands to the names and densities of the claimed sums.
     fn emit_sums(&self) -> Option<TokenStream> {
         let family = self.family;
         let count = family.sums().count();

@@ -41,7 +41,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to the methods that evaluate the field at ε, if coefficients depend on ε.
+/// Expands to methods that evaluate the field at ε; `None` if coefficients do not depend on ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
     if !context.system.field.depends_on_eps() {
@@ -66,8 +66,8 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`: plans, or calls of `__Coupled`'s methods,
-/// whose parameters include ε if coefficients depend on it.
+/// Returns the bodies of `field` and `field_jacobian`: emitted plans, or calls of `__Coupled`'s
+/// methods, whose parameters include ε if coefficients depend on it.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,

@@ -4,7 +4,7 @@
 //! { use __kahan::Postfix::*; &[State(0), State(1), Multiply, Done, State(0), Negate, Done] }
 //! ```
 //!
-//! An operation that several results need is written for each of them.
+//! An operation that several results need is repeated for each of them.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -23,12 +23,12 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
-/// Returns the stack depth for two operands of depths a and b, the deeper one first.
+/// Returns the stack depth of an operation on operands of depths a and b, the deeper first.
 fn pair(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }
 
-/// Returns the stack depth of each operation, with operands in the better order.
+/// Returns the stack depth of each operation, with the deeper operand first.
 fn depths(plan: &Plan) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
@@ -96,7 +96,7 @@ impl PostfixWriter<'_> {
         self.steps.extend(quote!(#step,));
     }
 
-    /// Writes two operands, the deeper one first. Returns the name of the operation in that order.
+    /// Writes two operands, the deeper one first, and returns the operation's name for that order.
     fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };
@@ -124,7 +124,7 @@ impl PostfixWriter<'_> {
     }
 }
 
-/// An operand: an operation of the plan, or a product inside a fused operation.
+/// An operand: a node of the plan, or the product inside a fused operation.
 #[derive(Clone, Copy)]
 enum Part {
     Of(Node),

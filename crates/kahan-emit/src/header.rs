@@ -1,4 +1,4 @@
-//! Attributes, documentation and visibility of a header, as Rust syntax.
+//! Attributes, documentation and visibility of a header as Rust syntax.
 
 use std::collections::BTreeMap;
 
@@ -18,8 +18,7 @@ pub(super) struct RustHeader {
 }
 
 impl RustHeader {
-    /// Parses the tokens of a header. The front end has reported invalid attributes; they are left
-    /// out.
+    /// Parses a header, without the invalid attributes, which the front end has reported.
     pub(super) fn of(header: &Header, input: &Flat) -> Self {
         let attributes = |written| Attribute::parse_outer.parse2(input.rust(written)).unwrap_or_default();
         let described = header.described.iter().map(attributes);
@@ -42,7 +41,7 @@ pub(super) fn has_docs(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| attribute.path().is_ident("doc"))
 }
 
-/// Removes the traits that the macro derives from a user's `#[derive(…)]`.
+/// Removes from a user's `#[derive(…)]` the traits that the macro itself derives.
 fn without_our_derives(attribute: &mut Attribute) {
     const OURS: [&str; 4] = ["Clone", "Copy", "Debug", "PartialEq"];
     if !attribute.path().is_ident("derive") {

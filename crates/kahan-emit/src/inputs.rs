@@ -1,4 +1,4 @@
-//! Binds the inputs of plans to names.
+//! Bindings for the inputs of plans.
 
 use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::poly::Variable;
@@ -18,7 +18,7 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
 }
 
 /// Binds the inputs of a plan: `let [__s_x, _, __s_z] = __kahan::components(x);`, parameters from
-/// `self`. ε is `eps`, and the second point is `y`.
+/// `self`. ε is named `eps`, and the second point `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = variables(plan);
     let mut bindings = TokenStream::new();
@@ -32,7 +32,7 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     bindings
 }
 
-/// Binds the parameters among `inputs` to `read(field)`. `inputs` are sorted.
+/// Binds the parameters among `inputs`, which are sorted, to `read(field)`.
 pub(super) fn emit_bound_parameters(
     inputs: &[Variable],
     symbols: &Symbols,
@@ -49,15 +49,14 @@ pub(super) fn emit_bound_parameters(
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
 ///
-/// All states are read first. Reading each on first use misleads compilers that pack scalar code
-/// into vectors, and slows large steps.
+/// All states are read at once; reading them on first use misleads auto-vectorisation.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
-/// Returns the pattern of a point's components among `inputs`, with `_` for others; `None` if it
-/// binds nothing. `inputs` are sorted.
+/// Returns a pattern for the components of a point among `inputs`, which are sorted, with `_` for
+/// other components; `None` if the pattern binds nothing.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,

@@ -1,4 +1,4 @@
-//! The generated type, its constants of names, and the value of a block without a header.
+//! The generated type, its constants, and the value of a block without a header.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::Context;
 use super::header::{RustHeader, has_docs};
 use super::lifted;
 
-/// Returns a user's identifier. The front end has refused `_`, which gets a replacement.
+/// Returns a user's identifier. The front end has reported `_`, which is replaced.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => Ident::new(name, span),
@@ -20,12 +20,12 @@ pub(super) fn identifier(name: &str, span: Span) -> Ident {
     }
 }
 
-/// The type that a block declares, or the anonymous type of a block without a header.
+/// The type that a block declares; an anonymous type if the block has no header.
 pub(super) struct Type<'a> {
     pub(super) name: Ident,
     pub(super) scalar: Ident,
     parameters: &'a [String],
-    /// The parameters with one value for each site of a family.
+    /// The parameters that have one value per site of a family.
     site_parameters: &'a [String],
     header: Option<RustHeader>,
 }
@@ -64,14 +64,14 @@ impl<'a> Type<'a> {
     }
 
     /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas`
-    /// returns the documentation, given whether the user's comes first.
+    /// returns the documentation; its argument says whether the user's documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
         let header = self.header.as_ref().unwrap_or(&nothing);
         let (attributes, visibility) = (&header.attributes, &header.visibility);
         let formulas = formulas(has_docs(attributes));
-        // Parameters of sites are in vectors, which are not `Copy`.
+        // Site parameters are vectors, which are not `Copy`.
         let copy = self.site_parameters.is_empty().then(|| quote!(::core::marker::Copy,));
         let derives = quote! {
             #[::core::prelude::v1::derive(
@@ -95,10 +95,8 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items; without a header a block with a value, `Field { mu: Clone::clone(&mu) }`.
-    ///
-    /// The names of parameters in the value are tokens of the user, so that they resolve in the
-    /// user's scope.
+    /// Returns the items; without a header, a block that ends with `Field { mu: Clone::clone(&mu)
+    /// }`. Parameters in this value keep the user's tokens, which resolve in the user's scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &Flat) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
@@ -122,10 +120,10 @@ impl<'a> Type<'a> {
 
 pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 
-/// Expands to `impl E6 { pub const X: usize = 0; … }`, the index of each state in a point.
+/// Expands to `impl E6 { pub const X: usize = 0; … }`, the index of each state.
 ///
-/// A name that another constant, state or integral has gets no index. Only `E7<f64>` has the
-/// constants, so that `E7::X` needs no annotation.
+/// A state whose constant would clash with another name gets none. Only `E7<f64>` has the
+/// constants, so that `E7::X` needs no type annotation.
 pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
@@ -151,8 +149,7 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     quote! { impl #this { #(#places)* } }
 }
 
-/// Expands to `impl<T> Named for E7<T> { … }`, and to the constants of the type, `pub const
-/// VARIABLES …`.
+/// Expands to `impl<T> Named for E7<T> { … }` and to `pub const VARIABLES …` of the type.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let (this, generics) = (context.this.path(), context.this.generics());

@@ -1,8 +1,8 @@
-//! Kahan's map of a system as Rust.
+//! Emits Kahan's map of a system as Rust.
 //!
-//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens, to
-//! which the macro expands, or as formatted text. This crate must not know mathematics: plans
-//! decide. With a header a block expands to
+//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens for the
+//! macro, or as formatted text. This crate contains no mathematics: plans fix every operation. A
+//! block with a header expands to
 //!
 //! ```text
 //! #[derive(Clone, Copy, Debug, PartialEq)] pub struct E7<T> { pub xi: T }
@@ -17,13 +17,13 @@
 //! };
 //! ```
 //!
-//! and without one to `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
-//! become `compile_error!` beside a stand-in type, so that code with this type has no further
-//! errors.
+//! A block without a header expands to `{ …the items of an anonymous type…; Field { mu: mu.clone()
+//! } }`. Mistakes become `compile_error!` beside a stand-in type, so that uses of the type cause no
+//! further errors.
 //!
-//! Generated code names its items through `__kahan` and begins bindings with `__` (state `x` is
-//! `__s_x`, parameter `mu` is `__p_mu`), as a user's constant would capture a pattern of its name.
-//! Arguments have readable names for rustdoc; imported functions of these names hide the user's.
+//! Generated code names items through `__kahan` and prefixes bindings with `__` (state `x` is
+//! `__s_x`, parameter `mu` is `__p_mu`), because a user's constant of the same name would be taken
+//! for a pattern. Arguments have readable names; imported functions shadow the user's constants.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -76,7 +76,7 @@ struct Context<'a> {
     this: Type<'a>,
     lifted: Option<&'a Lifted>,
     dimension: Literal,
-    /// Whether the claims are proved; otherwise the code stands in for a block with mistakes.
+    /// Whether the claims are proved; if not, the code is a stand-in for a block with mistakes.
     is_proved: bool,
 }
 
@@ -89,10 +89,8 @@ pub struct Expansion {
     pub tokens: TokenStream,
 }
 
-/// Expands a block, given the compiler's tokens between the brackets of `kahan!`. `core` is the
-/// path of the crate that holds `__private`.
-///
-/// Mistakes become `compile_error!` at their tokens.
+/// Expands a block, given the tokens between the brackets of `kahan!`. `core` is the path of the
+/// crate that holds `__private`. Mistakes become `compile_error!` at their tokens.
 #[must_use]
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     let input = tokens::flatten(block);
@@ -113,10 +111,10 @@ fn read_block(input: &Flat) -> Read {
     Read { checked: kahan_algebra::read(&input.tokens), lifted: None }
 }
 
-/// Expands the block in a file, as `include_kahan!("FILE")` does. `file` is the literal, and
-/// `beside` the file that contains it. The compiler reads the block again when the file changes.
+/// Expands the block in a file, like `include_kahan!("FILE")`. `file` is the literal, and `beside`
+/// the source file that contains it. The compiler re-reads the block when the file changes.
 ///
-/// Mistakes become one `compile_error!` at the literal, with a caret under each place in the file.
+/// Mistakes become a `compile_error!` at the literal, with a caret under each position.
 #[must_use]
 pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
     included(core, file, beside)
@@ -179,8 +177,8 @@ fn emit(core: &TokenStream, block: Read, input: &Flat) -> TokenStream {
     }
 }
 
-/// Emits the errors of a block and a stand-in, so that rustc reports nothing else: a type with
-/// methods that return 0 if states are known, otherwise the type of the header, otherwise nothing.
+/// Emits the errors of a block and a stand-in that keeps rustc from reporting more: a type with
+/// methods that return 0 if the states are known, otherwise the header's type, otherwise nothing.
 fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, input: &Flat) -> TokenStream {
     let Broken { diagnostics, stand_in } = broken;
     let errors = emit_errors(diagnostics, input);
@@ -194,7 +192,7 @@ fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, inp
         };
     }
     if header.is_none() {
-        // One `compile_error!` is valid as an item and as an expression; either may be needed.
+        // One `compile_error!` is valid both as an item and as an expression.
         return if diagnostics.len() <= 1 {
             errors
         } else {
@@ -206,7 +204,7 @@ fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, inp
     quote! { #errors #definition }
 }
 
-/// Emits the type of a system, its implementations, and its value if the block has no header.
+/// Emits the type of a system, its implementations, and a value if the block has no header.
 fn emit_system(
     core: &TokenStream,
     derived: &Derived,
@@ -255,7 +253,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     }
 }
 
-/// Returns a `compile_error!` for each mistake at its tokens, or one for all mistakes of a file.
+/// Emits a `compile_error!` at the tokens of each mistake, or a single one for a file.
 fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
@@ -270,7 +268,7 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
     diagnostics
         .iter()
         .map(|diagnostic| {
-            // Two tokens at the first and the last place; syn spans the error over both.
+            // Two tokens at the start and end of the span; syn extends the error over both.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
             syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()

@@ -1,5 +1,5 @@
-//! Blocks that ask for a lift: the lifted field goes through the rest of the emitter, and the type
-//! gets methods that compute the initial values of new variables.
+//! Blocks that request a lift. The lifted field is emitted like any other, and the type gets
+//! methods for the initial values of the new variables.
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_algebra::check::{Broken, Checked, StandIn};
@@ -22,11 +22,11 @@ use super::inputs::binding;
 use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
-/// The budget of a search, small enough for an unoptimised macro and equal in every build.
+/// The search budget: small enough for an unoptimised macro, and equal in every build.
 const NODES: usize = 200;
 
 pub(super) struct Lifted {
-    /// The number of original states, with `t` if the time occurs.
+    /// The number of original states, including `t` if time occurs.
     pub(super) states: usize,
     pub(super) lift: Option<Lift>,
     embedding: Embedding,
@@ -61,7 +61,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// Refers a search beyond the macro's budget to the command, whose budget is larger.
+/// Points an error about the macro's search budget to the command, whose budget is larger.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;
@@ -70,7 +70,7 @@ fn name_command(mistake: &mut Diagnostic, place: Span) {
     }
 }
 
-/// Returns a stand-in with the states of a block that is not lifted.
+/// Returns a stand-in with the states of a block that could not be lifted.
 fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Lifted) {
     let mut states: Vec<String> = Vec::new();
     for equation in block.equations {
@@ -87,8 +87,8 @@ fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Li
     (Checked::Broken(Broken { diagnostics, stand_in }), lifted)
 }
 
-/// Returns the block with lifted equations. Without a header it declares the parameters of the
-/// original equations, some of which may occur only in initial values.
+/// Returns the block with lifted equations. Without a header it declares the original parameters,
+/// because some may occur only in initial values.
 fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
     let mut none = Diagnostics::default();
     let equations = parse(&lex(&lift.text()).tokens, &mut none).equations;
@@ -123,7 +123,7 @@ fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: S
     }
 }
 
-/// Returns the system if its claims hold, otherwise a stand-in with the mistakes.
+/// Returns the system if its claims hold, otherwise a stand-in and the mistakes.
 fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
     check_claims(&system, seed(tokens), &mut diagnostics);
@@ -150,8 +150,8 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Returns whether a false integral is constant on the relations, in floats: a step from embedded
-/// points changes it by less than 1e-9 of its change elsewhere.
+/// Tests in floats whether an integral that failed the proof is constant on the relations of the
+/// lift. A step from embedded points must change it by less than 1e-9 of its change elsewhere.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -174,7 +174,7 @@ fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
         Some((value(&next)? - value(&point.state)?).abs()).filter(|change| change.is_finite())
     };
     let changes = (1..=6).filter_map(|place| {
-        // Between 0.3 and 0.8, where logarithms and similar functions are defined.
+        // Values between 0.3 and 0.8, where logarithms and similar functions are defined.
         let spread = |index: usize| 0.3 + ((7 + place) * (3 + index) % 11) as f64 / 20.0;
         let states: Vec<f64> = (0..lift.states.len()).map(spread).collect();
         let parameters: Vec<f64> = (0..lift.parameters.len()).map(|k| spread(k + states.len())).collect();
@@ -205,7 +205,7 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`, with bounds at the methods, so that rustc names the scalars.
+/// Expands to `embed` and `project`, with the bounds on the methods, so that rustc names scalars.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
@@ -234,7 +234,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     }
 }
 
-/// Emits the body of `embed`: one binding for each operation, in `f64`.
+/// Emits the body of `embed`: one binding per operation, in `f64`.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let program = &lifted.embedding.program;

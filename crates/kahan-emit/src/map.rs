@@ -1,4 +1,4 @@
-//! `KahanMap`: the prepared step, and the closed forms of N and D if they are within the budget.
+//! `KahanMap`: the prepared step, and the closed forms of N and D within the size budget.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::{Plan, variables};
@@ -14,8 +14,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
 
-/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`. Other methods
-/// have defaults.
+/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (items, prepared) = match (context.derived.couplings(), context.derived.step()) {
@@ -56,7 +55,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the step of a plan, and the Jacobian, which runs the step over dual numbers.
+/// Emits the step of a plan, and its Jacobian by dual numbers.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
@@ -71,7 +70,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// Emits the step that eliminates along the couplings, and the Jacobian by that elimination.
+/// Emits the step by sparse elimination, and its Jacobian by sparse elimination too.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
@@ -117,7 +116,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the map of a tangent vector v from x to x̃, called `y`, if the plans have a form for it.
+/// Emits the tangent map from x to x̃, called `y`; `None` if the plans have no form for it.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.carry()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
@@ -149,7 +148,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits det A, (N, D) and the reduced (N, D), without divisions by functions of the state.
+/// Emits det A, (N, D) and the reduced (N, D), all without division by functions of the state.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {

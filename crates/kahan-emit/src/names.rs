@@ -4,8 +4,8 @@ use kahan_algebra::derived::{ValueName, ValueNames};
 use kahan_algebra::plan::{Node, Operation};
 use proc_macro2::{Ident, Span};
 
-/// Returns a name: `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1` and `__sum_1` for
-/// values without a short description.
+/// Returns the name of a value: `__t_eps_x` for ε·x, `__c_3` for a constant; values without a short
+/// description are numbered, such as `__reciprocal_1` and `__sum_1`.
 pub(super) fn binding(names: &mut ValueNames, node: Node, operation: &Operation) -> Ident {
     let ratio = match operation {
         Operation::Constant(value) => value.as_small_ratio(),

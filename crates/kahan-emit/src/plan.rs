@@ -1,13 +1,12 @@
-//! A plan as Rust: one `let` for each value that is used more than once; others are nested.
+//! A plan as Rust: one `let` for each value used more than once; other values are nested.
 //!
 //! ```text
 //! let __t_eps_x = __e_eps.get() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Operations keep the order of the plan. Values with a `let`, and the states of a kernel, are
-//! moved on last use and cloned before. Other inputs and prepared constants are borrowed, hence
-//! cloned, which costs floats nothing and big rationals little.
+//! Operations keep the plan's order. Values with a `let`, and a kernel's states, move on their last
+//! use and are cloned before; other inputs and constants are borrowed and always cloned.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
@@ -19,10 +18,10 @@ use super::inputs::binding;
 use super::names;
 use super::number::emit_constant;
 
-/// The nesting depth beyond which an operation gets a `let`, for readers and rustc's stack.
+/// The nesting depth beyond which a value gets a `let`, for readability and rustc's stack.
 const DEEPEST: usize = 24;
 
-/// The Rust of a plan: bindings, then one expression for each result, to be used in this order.
+/// The Rust of a plan: bindings, then one expression per result, to be used in this order.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -45,14 +44,13 @@ impl Expression {
         Expression { tokens, level: Level::Atom }
     }
 
-    /// Returns the tokens, in parentheses unless the expression binds at least as tightly as
-    /// `level`.
+    /// Returns the tokens, in parentheses if the expression binds less tightly than `level`.
     fn grouped(self, level: Level) -> TokenStream {
         if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }
 }
 
-/// Puts tokens into parentheses. `quote!` would copy deeply nested tokens at each level.
+/// Puts tokens into parentheses. `quote!` would copy nested tokens at every level.
 fn parenthesised(tokens: TokenStream) -> TokenStream {
     TokenTree::from(Group::new(Delimiter::Parenthesis, tokens)).into()
 }
@@ -75,27 +73,25 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants. `None` outside of kernels, where a division by zero is
-    /// left to the scalar.
+    /// The names of the prepared constants in a kernel; `None` elsewhere, where scalars handle x/0.
     constants: Option<&'a [String]>,
-    /// Whether `let`s are fenced against packing into vectors.
+    /// Whether `let`s contain fences against auto-vectorisation.
     has_fences: bool,
-    /// The number of uses of each value that are not written yet.
+    /// For each value, the number of uses not yet written.
     uses: Vec<usize>,
-    /// The nesting depth of each value, counted from its nearest `let`s.
+    /// The nesting depth of each value above its nearest `let`s.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
     names: ValueNames,
     bindings: TokenStream,
 }
 
-/// Emits a plan, whose inputs are bound by [`emit_inputs`](super::inputs::emit_inputs).
+/// Emits a plan whose inputs [`emit_inputs`](super::inputs::emit_inputs) has bound.
 pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitted {
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which returns `None` at a pole. Its prepared constants have the
-/// names `constants`, preceded by `__e_`.
+/// Emits the kernel of a step; it returns `None` at a pole. Constants are `__e_` + `constants[k]`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -137,7 +133,7 @@ impl<'a> Emitter<'a> {
         Emitted { bindings: self.bindings, results }
     }
 
-    /// Returns the operands that are written, without the 1 of a reciprocal.
+    /// Returns the operands to write; a reciprocal omits its numerator 1.
     fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
         let written = usize::from(self.reciprocal_of(operation).is_some());
         operation.operands().skip(written)
@@ -211,8 +207,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Writes a binary operation. Operators group to the left, so only a right operand of equal
-    /// precedence needs parentheses.
+    /// Writes a binary operation; only a right operand of equal precedence needs parentheses.
     fn binary(&mut self, a: Node, b: Node, level: Level, operator: char) -> Expression {
         let tighter = if level == Level::Sum { Level::Product } else { Level::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
@@ -224,7 +219,7 @@ impl<'a> Emitter<'a> {
         Expression::atom(call(a, method, infix(b.tokens, ',', c.tokens)))
     }
 
-    /// Writes `a / b`, or in a kernel `b.reciprocal()?` or `a.quotient(b)?`, which report a pole.
+    /// Writes `a / b`; in a kernel `b.reciprocal()?` or `a.quotient(b)?`, which report a pole.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
             return self.binary(a, b, Level::Product, '/');

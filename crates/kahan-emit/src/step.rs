@@ -1,12 +1,11 @@
-//! The prepared step: constants that ε and the parameters fix, and the kernel for a state.
+//! The prepared step: constants fixed by ε and the parameters, and the kernel on a state.
 //!
 //! ```text
 //! pub struct __Step;
 //! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! A plan with a second, general form has a kernel `__General`, too. A type of `kahan-core` chooses
-//! between the two.
+//! A plan with a second, general form also has `__General`; `kahan-core` chooses between them.
 
 use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -88,7 +87,7 @@ impl<'a> NamedStep<'a> {
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();
         let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
-        // One result for each use, so that the last use moves it.
+        // One result per use, so that the last use moves the value.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {

@@ -10,16 +10,16 @@ use super::expand;
 
 const MOST_TOKENS: usize = 500_000;
 
-/// The reason for which an expansion has no text.
+/// The reason why an expansion has no text.
 #[derive(Debug)]
 pub enum NoText {
-    /// The block is not made of Rust tokens; `x²` is an example.
+    /// The block does not consist of Rust tokens; `x²` is an example.
     NotRust(LexError),
-    /// The expansion has too many tokens to be formatted.
+    /// The expansion has too many tokens to format.
     TooLong {
-        /// The number of its tokens.
+        /// The number of tokens.
         tokens: usize,
-        /// The largest number that is formatted.
+        /// The maximum number of tokens.
         most: usize,
     },
 }
@@ -39,8 +39,7 @@ impl fmt::Display for NoText {
 
 impl Error for NoText {}
 
-/// Returns the expansion of `kahan! { block }` as formatted text. A block without a header stands
-/// in a function.
+/// Returns the formatted expansion of `kahan! { block }`, in a function if it has no header.
 ///
 /// # Errors
 /// [`NoText`]: the block is not made of Rust tokens, or the expansion is too long.

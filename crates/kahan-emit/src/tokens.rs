@@ -1,5 +1,4 @@
-//! Tokens of the compiler, or a text, to tokens of the front end, without groups. Each keeps its
-//! span of the compiler.
+//! Flattens compiler tokens, or text, to front-end tokens, each with its compiler span.
 
 use std::ops::Range;
 
@@ -8,7 +7,7 @@ use kahan_algebra::syntax::Written;
 use kahan_algebra::token::{Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
 
-/// The text from which tokens were read; the compiler knows no places in it.
+/// The text of included tokens, whose positions the compiler does not know.
 pub(crate) struct Source {
     pub(crate) text: String,
     pub(crate) ranges: Vec<Range<usize>>,
@@ -18,10 +17,9 @@ pub(crate) struct Source {
 pub(crate) struct Flat {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,
-    /// The compiler's token tree that begins with each token, and the index of its last token. No
-    /// tree begins with a closing bracket.
+    /// The tree that begins at each token, and the index of its last; `None` at closing brackets.
     trees: Vec<Option<(TokenTree, usize)>>,
-    /// The text, if the tokens are those of one.
+    /// The text, if the tokens come from a file.
     pub(crate) source: Option<Source>,
 }
 
@@ -31,7 +29,7 @@ pub(crate) fn of_text(text: String, origin: String, span: Span) -> Flat {
     Flat { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
 }
 
-/// Flattens a token stream, with a list of open groups instead of recursion.
+/// Flattens a token stream with an explicit stack instead of recursion.
 pub(crate) fn flatten(stream: TokenStream) -> Flat {
     let mut flat = Flat { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new(), source: None };
     let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<(Group, usize)>)> =
@@ -61,7 +59,7 @@ pub(crate) fn flatten(stream: TokenStream) -> Flat {
     flat
 }
 
-/// Returns the brackets of a group. One without, as a captured `$e:expr`, gets parentheses.
+/// Returns a group's brackets; one without, such as a captured `$e:expr`, gets parentheses.
 fn brackets(group: &Group) -> (char, char) {
     match group.delimiter() {
         Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
@@ -71,7 +69,7 @@ fn brackets(group: &Group) -> (char, char) {
 }
 
 impl Flat {
-    /// Returns the parts that only Rust understands, as the compiler's tokens.
+    /// Returns the compiler's tokens of a part that only Rust understands.
     pub(crate) fn rust(&self, written: &Written) -> TokenStream {
         match (&self.source, written.span) {
             (Some(_), _) => written.lines.join("\n").parse().unwrap_or_default(),
@@ -80,7 +78,7 @@ impl Flat {
         }
     }
 
-    /// Returns the compiler's tokens of a span that cuts no group.
+    /// Returns the compiler's tokens of a span that contains whole groups only.
     fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
         let mut next = span.first;
         let trees = core::iter::from_fn(|| {

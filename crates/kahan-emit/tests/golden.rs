@@ -1,8 +1,7 @@
-//! Golden expansions: blocks and their Rust, to be read in review like any code.
+//! Golden expansions: blocks and their Rust, to be reviewed like any code.
 //!
-//! The first file shows a whole expansion. Later ones leave out functions that an earlier file has,
-//! up to the name of the type and the dimension. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit`
-//! writes the files.
+//! The first file shows a whole expansion; later files omit functions already shown, up to the type
+//! name and dimension. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit` writes the files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,13 +12,13 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 
-/// The blocks, each with the functions that it shows; an empty list means all.
+/// The blocks and the functions that each shows; an empty list means all.
 const BLOCKS: [(&str, &[&str]); 7] = [
     ("e3", &[]),
     ("parameters", &[]),
     ("anonymous", &["quotients", "prepare", "extend_scalars"]),
     ("broken", &["integrals", "prepare"]),
-    // More than eight variables: elimination along the couplings.
+    // More than eight variables: sparse elimination.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     ("family", &["sizes", "boundary", "constants", "field", "rows", "densities"]),
     ("lifted", &["embed", "project", "field", "E"]),
@@ -29,7 +28,7 @@ const BLOCKS: [(&str, &[&str]); 7] = [
 struct Shown(BTreeSet<String>);
 
 impl Shown {
-    /// Returns the expansion without earlier functions, and notes the functions that it shows.
+    /// Returns the expansion without functions shown earlier, and records those that it shows.
     fn rest(&mut self, block: &str, functions: &[&str]) -> String {
         let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens;
         if let Ok(mut value) = syn::parse2::<Block>(tokens.clone()) {
@@ -42,7 +41,7 @@ impl Shown {
         formatted(&quote!(#(#items)*))
     }
 
-    /// Removes earlier functions from the implementations, which are in a constant.
+    /// Removes functions shown earlier from the implementations inside the constant.
     fn take(&mut self, block: &mut Block, functions: &[&str]) {
         for statement in &mut block.stmts {
             if let Stmt::Item(Item::Const(constant)) = statement
@@ -56,7 +55,7 @@ impl Shown {
         }
     }
 
-    /// Reduces an implementation to its new functions. Returns whether any is left.
+    /// Reduces an implementation to its new functions; returns whether any remain.
     fn has_news(&mut self, item: &mut ItemImpl, functions: &[&str]) -> bool {
         let name = item.self_ty.to_token_stream().to_string();
         let name = name.split(' ').next().unwrap_or_default().to_owned();
@@ -86,7 +85,7 @@ fn formatted(tokens: &TokenStream) -> String {
     prettyplease::unparse(&syn::parse2(tokens.clone()).expect("what the macro expands to is Rust"))
 }
 
-/// Replaces the dimension in the types of vectors and matrices by n.
+/// Replaces the dimension in vector and matrix types by n.
 fn without_dimension(text: &str) -> String {
     (1..10).fold(text.to_owned(), |text, n| {
         text.replace(&format!("SVector < T , {n} >"), "SVector < T , n >")
@@ -144,7 +143,7 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
     }
 }
 
-/// Beyond the limit rustc would overflow its stack, so every kind of block reports it.
+/// Beyond the limit rustc would overflow its stack, so every kind of block must report it.
 #[test]
 fn a_block_of_too_many_parameters_is_told_so() {
     for (count, is_refused) in [(2000, false), (2001, true)] {

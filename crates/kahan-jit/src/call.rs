@@ -1,7 +1,7 @@
-//! The calls into machine code.
+//! Calls into machine code.
 //!
-//! In: code of this crate, and slices. Out: the computed numbers. Each call checks the lengths of
-//! its slices against the extent of the code. No other module enters machine code.
+//! In: compiled code and slices. Out: computed numbers. Each call checks the lengths of its slices
+//! against the extent of the code. No other module enters machine code.
 #![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
 
 use std::marker::PhantomData;
@@ -9,10 +9,10 @@ use std::marker::PhantomData;
 use crate::Refusal;
 use crate::pages::Pages;
 
-/// The least extent of the memory that code reads and writes.
+/// The minimum sizes of the arrays that code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// The numbers in a register; the other fields count registers.
+    /// Numbers per register; the other fields count registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -37,10 +37,9 @@ impl<T: 'static> Code<T> {
     ///
     /// # Safety
     /// The bytes must begin with a function on numbers of type `T`, with the calling convention of
-    /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. The function
-    /// may be entered only by the method below that passes the function's arguments. With these
-    /// arguments, and slices of the lengths in `extent`, it must read and write nothing else but
-    /// its own stack.
+    /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. It may be
+    /// entered only by the method below that passes its arguments. With these, and slices of the
+    /// lengths in `extent`, it must read and write nothing else but its own stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
@@ -53,16 +52,14 @@ impl<T: 'static> Code<T> {
         self.check(states, constants);
         let [.., r] = self.extent.numbers();
         assert!(results.len() >= r, "room for {r} results, not {}", results.len());
-        // SAFETY: the slices are as long as the code needs them, and `results` is borrowed
-        // exclusively.
+        // SAFETY: `check` and the assertion bound the slices; `results` is borrowed exclusively.
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
     pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check(state, constants);
         let state = written(state);
-        // SAFETY: the slices are as long as the code needs them, and `state` is borrowed
-        // exclusively.
+        // SAFETY: `check` bounds the slices; `state` is borrowed exclusively.
         unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
     }
 
@@ -70,8 +67,7 @@ impl<T: 'static> Code<T> {
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check(state, constants);
         self.check(next, constants);
-        // SAFETY: the slices are as long as the code needs them, and `next`, the only memory that
-        // it writes, is borrowed exclusively.
+        // SAFETY: `check` bounds the slices; code writes only `next`, borrowed exclusively.
         unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
     }
 
@@ -81,7 +77,7 @@ impl<T: 'static> Code<T> {
         stages: impl Iterator<Item = &'a [T]>,
         steps: u64,
     ) {
-        /// The most stages, with room beyond the longest composition.
+        /// The maximum number of stages, beyond the longest composition.
         const MOST: usize = 64;
 
         let (mut table, mut count) = ([0; MOST], 0);
@@ -92,8 +88,7 @@ impl<T: 'static> Code<T> {
             count += 1;
         }
         assert!(count > 0, "at least one stage");
-        // SAFETY: the slices are as long as the code needs them, `state` is borrowed exclusively,
-        // and the table has an address for each stage.
+        // SAFETY: `check` bounds the slices, `state` is exclusive, `table` has every stage.
         unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
@@ -107,12 +102,11 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep) over columns. Constants are shared by all
-    /// registers of trajectories, or each register's `own`.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep); if `own`, each register has its constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// The columns of nearly every field; a larger table takes longer to clear than their step.
+        /// Enough columns for nearly every field; clearing a larger table would take longer.
         const FEW: usize = 32;
-        /// The most columns; fields of more variables are stepped by the interpreter.
+        /// The maximum number of columns; the interpreter steps larger fields.
         const MOST: usize = 256;
 
         if columns.len() <= FEW {
@@ -122,7 +116,6 @@ impl<T: 'static> Code<T> {
         }
     }
 
-    /// Runs a sweep with a table of `ROOM` addresses of columns.
     fn sweep_by<const ROOM: usize>(
         &self,
         mut table: [usize; ROOM],
@@ -148,27 +141,26 @@ impl<T: 'static> Code<T> {
         let most = (len / width - 1).saturating_mul(stride).saturating_add(c);
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();
-        // SAFETY: the columns have one length, a multiple of the register's width, and are borrowed
-        // exclusively; the table has their addresses. The constants suffice for the last register.
+        // SAFETY: the columns have equal lengths, a multiple of the register width, and are
+        // borrowed exclusively; the table holds their addresses. The constants suffice for the last
+        // register.
         unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), counted(steps)]) }
     }
 
     /// Enters the code.
     ///
     /// # Safety
-    /// The arguments must be those of the routine: addresses of all the numbers that it reads and
-    /// writes, with the written ones borrowed exclusively by the caller.
+    /// The arguments must be those of the routine: addresses of all memory that it reads and
+    /// writes, with written memory borrowed exclusively by the caller.
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
     unsafe fn enter(&self, [a, b, c, d, e]: [usize; 5]) {
         #[cfg(target_arch = "x86_64")]
         type Entry = unsafe extern "sysv64" fn(usize, usize, usize, usize, usize);
         #[cfg(target_arch = "aarch64")]
         type Entry = unsafe extern "C" fn(usize, usize, usize, usize, usize);
-        // SAFETY: the pages begin with the first instruction of a function of this calling
-        // convention, and live as long as `self`.
+        // SAFETY: the pages begin with a function of this calling convention and outlive the call.
         let entry: Entry = unsafe { core::mem::transmute(self.pages.entry()) };
-        // SAFETY: the caller vouches for the arguments. The processor has the instructions, since
-        // code is only made for sets that it has.
+        // SAFETY: the caller guarantees the arguments; code is compiled only for supported sets.
         unsafe { entry(a, b, c, d, e) }
     }
 
@@ -190,7 +182,7 @@ fn written<T>(numbers: &mut [T]) -> usize {
     numbers.as_mut_ptr().expose_provenance()
 }
 
-/// Converts a number of steps; counts beyond the address space are never completed.
+/// Converts a number of steps, saturating; a saturated count never completes anyway.
 fn counted(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

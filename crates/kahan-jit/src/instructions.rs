@@ -1,12 +1,12 @@
-//! Instruction sets of compiled code, and the floats that code computes with.
+//! Instruction sets and shapes of compiled code.
 
 use crate::Refusal;
 use crate::assembler::{Element, Form, Width};
 
-/// An extension by Intel's name, and a test whether the processor and the system support it.
+/// An extension: Intel's name, and a test whether processor and system support it.
 type Extension = (&'static str, fn() -> bool);
 
-/// A set of instructions. Of one processor's sets, a later one includes the earlier ones.
+/// An instruction set. Within one architecture, a later set includes the earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
     /// AVX: sixteen registers, used with 128 bits.
@@ -15,8 +15,7 @@ pub enum InstructionSet {
     Avx2,
     /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer bits.
     Avx512,
-    /// A64 with Advanced SIMD, part of every 64-bit Arm: thirty-two registers of 128 bits, fused
-    /// multiply-adds.
+    /// A64 with Advanced SIMD, on every 64-bit Arm: 32 registers of 128 bits, fused multiply-adds.
     Neon,
 }
 
@@ -24,7 +23,7 @@ impl InstructionSet {
     /// All instruction sets.
     pub const ALL: [Self; 4] = [Self::Avx, Self::Avx2, Self::Avx512, Self::Neon];
 
-    /// Returns the smallest set of this architecture for code on one number at a time.
+    /// Returns the smallest set of this architecture for scalar code.
     #[must_use]
     pub const fn least(fuses: bool) -> Self {
         match (cfg!(target_arch = "aarch64"), fuses) {
@@ -34,7 +33,7 @@ impl InstructionSet {
         }
     }
 
-    /// Returns whether the processor and the system support the set, and there is memory for code.
+    /// Returns whether code of this set can run here. Requires the feature `pages`.
     #[must_use]
     pub fn is_available(self) -> bool {
         let is_of_this = match self {
@@ -46,11 +45,10 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Checks that this system's rules for making and entering code are known. On 64-bit Arm only
-    /// Linux's are; elsewhere pages need other calls (`MAP_JIT` on macOS), or are untried.
+    /// Checks that run-time code is supported on this system. On 64-bit Arm only Linux and Android
+    /// are; macOS would need `MAP_JIT`, and other systems are untested.
     ///
     /// # Errors
-    /// [`Refusal::System`].
     /// [`Refusal::System`].
     pub(crate) fn may_run(self) -> Result<(), Refusal> {
         let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
@@ -60,8 +58,7 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// Returns the extensions that code needs. Code of a larger set also has the instructions of
-    /// smaller sets, where these are shorter.
+    /// Returns the extensions needed; code of larger sets uses short forms of smaller ones too.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -76,20 +73,19 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // Registers beyond the first sixteen need the forms of AVX-512, which for less than 512
-            // bits are those of AVX-512VL.
+            // Registers beyond the first sixteen need AVX-512; below 512 bits, AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }
     }
 
-    /// Returns whether the set has multiply-adds that are rounded once.
+    /// Returns whether the set has fused multiply-adds.
     #[must_use]
     pub fn has_fused(self) -> bool {
         self != Self::Avx
     }
 
-    /// Returns the largest set that is available here.
+    /// Returns the largest available set.
     #[must_use]
     pub fn best() -> Option<Self> {
         Self::ALL.into_iter().rev().find(|set| set.is_available())
@@ -99,18 +95,18 @@ impl InstructionSet {
         match self {
             Self::Avx | Self::Avx2 => 16,
             Self::Avx512 => 32,
-            // Two registers are reserved for the intermediate steps of an instruction.
+            // Two registers are reserved as temporaries.
             Self::Neon => 30,
         }
     }
 }
 
-/// The number of numbers that an instruction works on.
+/// The number of lanes that an instruction works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LaneCount {
-    /// One number.
+    /// One lane.
     One,
-    /// A register of numbers.
+    /// All lanes of a register.
     All,
 }
 
@@ -119,14 +115,14 @@ pub enum LaneCount {
 pub struct Shape {
     /// The instruction set.
     pub instructions: InstructionSet,
-    /// The numbers that each instruction works on.
+    /// The lanes that each instruction works on.
     pub lanes: LaneCount,
-    /// Whether multiply-adds are rounded once.
+    /// Whether multiply-adds are fused.
     pub fuses: bool,
 }
 
 impl Shape {
-    /// Returns the number of numbers of type `T` that an instruction works on.
+    /// Returns the number of lanes of type `T` that an instruction works on.
     #[must_use]
     pub fn width<T: Float>(self) -> usize {
         self.form::<T>().bytes() / size_of::<T>()
@@ -170,7 +166,7 @@ impl Float for f64 {}
 mod tests {
     use super::InstructionSet;
 
-    /// Checks availability against the processor's report; tests of code skip unavailable sets.
+    /// Compares availability with the processor's features; other tests skip missing sets.
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {

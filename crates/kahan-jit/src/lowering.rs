@@ -1,8 +1,7 @@
-//! Lowering of programs to the operations of the machine.
+//! Lowering of programs to machine operations.
 //!
-//! In: a caller's program. Out: an equivalent one with separate products and sums where
-//! multiply-adds are not fused, each value once, no unneeded operation, and a copy for each result
-//! that is an input or a constant elsewhere.
+//! In: a caller's program. Out: an equivalent one without duplicate or unneeded operations, with
+//! unfused multiply-adds separated, and with a copy for each result that is an input or constant.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
@@ -16,19 +15,19 @@ use crate::program::{Called, Input, Instruction, Program};
 pub(crate) enum Ends {
     /// Result i becomes state i of the next round, in register i.
     Carried,
-    /// Result i is stored at the place of state i.
+    /// Result i is stored in the location of state i.
     InPlace,
-    /// Results are stored in an array of their own.
+    /// Results are stored in a separate array.
     Elsewhere,
 }
 
-/// The number −0, whose only bit is the sign: flipping this bit negates a number.
+/// −0: flipping its only set bit negates a number.
 pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 
-/// Lowers a program; if it negates a number, [`SIGN`] is an operation, though not an operand.
+/// Lowers a program. If a number is negated, [`SIGN`] is an operation without being an operand.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
-    // Operations that no result needs are left out, and have no place.
+    // Unneeded operations are skipped; their entry in `places` is never read.
     let (is_needed, mut places) = (program.needed(), vec![Node(usize::MAX); program.operations.len()]);
     for (index, operation) in program.operations.iter().enumerate() {
         if is_needed[index] {
@@ -46,7 +45,7 @@ struct Lowering {
 }
 
 impl Lowering {
-    /// Writes an operation on places of the lowered program, and returns its place.
+    /// Adds an operation on nodes of the lowered program, and returns its node.
     fn write(&mut self, operation: Instruction) -> Node {
         let operation = match operation {
             Call(Called::Copy, a, _) => return a,
@@ -65,7 +64,7 @@ impl Lowering {
         self.lowered.push(operation)
     }
 
-    /// Returns the place of result `i`, which is a copy if the number lies elsewhere.
+    /// Returns the node of result `i`: a copy if the value lives in another location.
     fn result(&mut self, i: usize, place: Node, ends: Ends) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), Ends::Carried) => true,

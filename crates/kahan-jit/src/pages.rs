@@ -1,8 +1,8 @@
 //! Executable memory.
 //!
-//! In: the bytes of code and its constants. Out: pages that can be read and run, or the system's
-//! error. Pages are writable first and executable later, never both, and are unmapped when they are
-//! dropped. 64-bit Arm fetches instructions through a separate cache, which is synchronised here.
+//! In: code and its constants as bytes. Out: read-and-execute pages, or the system's error. Pages
+//! are never writable and executable at once, and are unmapped when dropped. On 64-bit Arm the
+//! separate instruction cache is synchronised here.
 
 #[cfg(all(target_arch = "aarch64", feature = "pages"))]
 mod cache;
@@ -11,7 +11,7 @@ use std::io;
 
 #[cfg(feature = "pages")]
 type Memory = memmap2::Mmap;
-/// The empty memory without the feature `pages`.
+/// A placeholder without the feature `pages`.
 #[cfg(not(feature = "pages"))]
 type Memory = &'static [u8; 0];
 
@@ -22,7 +22,7 @@ impl Pages {
     /// Copies code into pages of its own.
     ///
     /// # Errors
-    /// The system's error, if it has no memory left or forbids code made at run time.
+    /// The system's error, if memory is exhausted or run-time code is forbidden.
     #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;
@@ -33,14 +33,13 @@ impl Pages {
         Ok(Pages(pages))
     }
 
-    /// Returns an error: without the feature `pages` code cannot run.
+    /// Fails: without the feature `pages` code cannot run.
     #[cfg(not(feature = "pages"))]
     pub(crate) fn new(_: &[u8]) -> io::Result<Self> {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Returns the address of the first byte, for a thread that is about to run the code. Another
-    /// thread may have made the pages.
+    /// Returns the address of the first byte, ready to run on this thread whoever made the pages.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]

@@ -1,4 +1,4 @@
-//! Programs over two arrays, one of states and one of constants.
+//! Programs over two input arrays, states and constants.
 
 use kahan_program::{Float, Function, Operation};
 
@@ -14,13 +14,13 @@ pub enum Input {
 /// A function that a program may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// The larger of a and b: b unless a > b.
+    /// a if a > b, else b.
     Maximum,
-    /// The smaller of a and b: b unless a < b.
+    /// a if a < b, else b.
     Minimum,
-    /// The single-precision number nearest to a; a itself in a program of single precision.
+    /// The nearest single-precision number; the identity in single-precision programs.
     RoundToSingle,
-    /// A copy of a, for a result that no operation computes.
+    /// A copy, for results that no operation computes.
     Copy,
 }
 
@@ -33,13 +33,13 @@ impl Function for Called {
     }
 }
 
-/// One operation. In single precision, constants of the program are rounded.
+/// An operation. Single-precision code rounds the program's constants.
 pub type Instruction = Operation<Input, Float, Called>;
 
-/// Straight-line operations with several results.
+/// A straight-line program with several results.
 pub type Program = kahan_program::Program<Vec<Instruction>>;
 
-/// Returns the least lengths of states and constants that a program reads.
+/// Returns the minimum lengths of states and constants that a program reads.
 pub(crate) fn entries(program: &Program) -> [usize; 2] {
     let mut entries = [0; 2];
     for input in program.inputs() {
@@ -47,7 +47,7 @@ pub(crate) fn entries(program: &Program) -> [usize; 2] {
             Input::State(i) => (0, i),
             Input::Constant(k) => (1, k),
         };
-        // Saturates for an index of `usize::MAX`, which no code can reach.
+        // Saturates for index `usize::MAX`, which no code can address.
         entries[array] = index.saturating_add(1).max(entries[array]);
     }
     entries

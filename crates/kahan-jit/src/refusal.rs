@@ -1,8 +1,8 @@
-//! Reasons for which a program is not compiled.
+//! Reasons why a program is not compiled.
 
 use crate::Shape;
 
-/// The reason why a program is not compiled; the caller computes in another way.
+/// The reason why a program is not compiled; the caller must compute in another way.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Refusal {
@@ -13,16 +13,16 @@ pub enum Refusal {
         /// The number of instructions, or of results if larger.
         instructions: usize,
     },
-    /// The states or constants exceed the reach of an instruction, 2 GiB.
+    /// The states or constants exceed 2 GiB, the range of an instruction's offset.
     OutOfReach {
-        /// The length of the array that the program reads.
+        /// The longer length of states and constants.
         entries: usize,
     },
-    /// An operation reads one that is not before it, or a result is not an operation.
+    /// An operation reads a later or missing one, or a result does not exist.
     Malformed,
-    /// The rules for entering code made at run time are not known for this system.
+    /// Run-time code is not supported on this system.
     System,
-    /// The system gives no executable memory.
+    /// The system refused executable memory.
     Pages(std::io::Error),
 }
 

@@ -1,13 +1,12 @@
-//! Arithmetics in which programs run: field operations on values, and calls of functions.
+//! Arithmetics in which programs run: field operations on values, and function calls.
 
 use core::convert::Infallible;
 
-/// Field operations on values of one type. A division may fail, and so may a constant (modulo a
-/// prime that divides its denominator).
+/// Field operations on values of one type. Divisions may fail; constants too, modulo a prime.
 pub trait Arithmetic {
     /// The type of values.
     type Value: Clone;
-    /// The type of constants in programs that run in this arithmetic.
+    /// The type of a program's constants.
     type Constant;
 
     /// Returns the value of a constant; `None` if this arithmetic has no value for it.
@@ -43,14 +42,14 @@ pub trait Arithmetic {
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }
-    /// Returns whether a is a float far enough from 0 and from overflow to multiply by 1/a before
-    /// multiplying by a. Exact values return `false`.
+    /// Returns whether a float is far enough from 0 and overflow to replace division by a with
+    /// multiplication by 1/a. Exact values return `false`.
     fn is_moderate(&self, _a: &Self::Value) -> bool {
         false
     }
 }
 
-/// An arithmetic that evaluates the functions F.
+/// An arithmetic that can call the functions F.
 pub trait Calls<F>: Arithmetic {
     /// Returns f(a, b), or f(a) for a function of one argument; `None` outside the domain of f.
     fn call(&self, function: &F, a: &Self::Value, b: &Self::Value) -> Option<Self::Value>;

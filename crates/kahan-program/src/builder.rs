@@ -1,5 +1,5 @@
-//! Builds programs: each operation occurs once, after exact simplifications (0 + a, 1 · a, a −
-//! (−b), …). The identities hold in every field, so programs are valid over every field.
+//! A builder of programs without common subexpressions. It applies simplifications that hold in
+//! every field, such as 0 + a, 1 · a and a − (−b).
 
 use alloc::vec::Vec;
 use core::convert::Infallible;
@@ -19,7 +19,7 @@ pub trait ExactConstant: Clone + Eq + Hash {
     /// Returns −c.
     #[must_use]
     fn negated(&self) -> Self;
-    /// Returns c / d; `None` if the quotient is not a constant of this type, for example if d = 0.
+    /// Returns c / d; `None` if the quotient cannot be represented, for example if d = 0.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
 }
 
@@ -41,7 +41,7 @@ where
     C: Clone + Eq + Hash,
     F: Function + Clone + Eq + Hash,
 {
-    /// Returns the program with these outputs, without operations that no output needs.
+    /// Returns the program of these outputs, without operations that they do not need.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Program<Vec<Operation<I, C, F>>> {
         Program::of_results(&self.operations, outputs)
@@ -58,7 +58,7 @@ where
         self.operations.truncate(length);
     }
 
-    /// Returns the node of an operation, added without simplification unless it is already present.
+    /// Returns the node of an operation, adding it unsimplified if it is new.
     ///
     /// # Panics
     /// If an operand is not an operation of this builder.
@@ -71,13 +71,13 @@ where
         self.push(Operation::Input(input))
     }
 
-    /// Returns whether a · b is already an operation of the builder.
+    /// Returns whether a · b is already an operation.
     #[must_use]
     pub fn has_product(&self, a: Node, b: Node) -> bool {
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns −a as a negation, for an a whose own value is also needed.
+    /// Returns the node of −a without simplifying inside a, for an a that is also needed itself.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -85,7 +85,7 @@ where
         }
     }
 
-    /// Adds all operations of another program and returns the node of each in this builder.
+    /// Adds all operations of another program; returns the node of each.
     pub fn include_all(&mut self, operations: &[Operation<I, C, F>]) -> Vec<Node> {
         let mut renamed: Vec<Node> = Vec::with_capacity(operations.len());
         for operation in operations {
@@ -95,7 +95,7 @@ where
         renamed
     }
 
-    /// Adds the operations of another program and returns its outputs in this builder.
+    /// Adds the operations of another program; returns the nodes of its outputs.
     pub fn include(&mut self, program: &Program<Vec<Operation<I, C, F>>>) -> Vec<Node> {
         let renamed = self.include_all(&program.operations);
         program.outputs.iter().map(|output| renamed[output.0]).collect()
@@ -138,8 +138,7 @@ where
         self.is_constant(node, 0)
     }
 
-    /// Returns the node of a constant. A negative constant becomes the negation of its absolute
-    /// value, so that signs can move.
+    /// Returns the node of a constant; a negative one is a negation, so that signs factor out.
     pub fn constant(&mut self, value: &C) -> Node {
         if value.is_negative() {
             let size = self.push(Operation::Constant(value.negated()));
@@ -195,12 +194,12 @@ where
         if self.is_constant(b, 0) || self.is_constant(a, 1) {
             return b;
         }
-        // Sorted operands make a·b and b·a one operation.
+        // Operands are sorted, so a·b and b·a become one operation.
         self.with_sign_outside(a, b, Self::multiply)
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Joins a and b without their negations and puts the sign in front; `None` without a negation.
+    /// Joins |a| and |b| and factors out the sign; `None` if neither is a negation.
     fn with_sign_outside(
         &mut self,
         a: Node,
@@ -217,7 +216,7 @@ where
         Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
-    /// Returns a / b. A division by the constant 0 is kept: it has no value when the program runs.
+    /// Returns a / b. Division by the constant 0 stays, and fails when the program runs.
     pub fn divide(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 1) {
             return a;

@@ -1,9 +1,8 @@
-//! The cost of a program: its number of operations and the length of its critical path. Latencies
-//! are in cycles, from x86-64 cores of the last ten years. They only compare programs and never
-//! enter an error bound.
+//! The cost of a program: its operation counts and critical path. Latencies are cycles of x86-64
+//! cores of the last ten years. They only compare programs and never enter an error bound.
 //!
-//! A multiply-add saves one instruction but takes 4 cycles from its last operand, an addition 3. So
-//! [`Program::fused`] fuses unless a late addend would lengthen the critical path.
+//! A multiply-add saves one instruction, but takes 4 cycles after its addend instead of 3.
+//! [`Program::fused`] therefore does not fuse if a late addend would lengthen the critical path.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -20,7 +19,7 @@ pub const FUSED: u32 = 4;
 /// Latency of a division in cycles.
 pub const DIVIDE: u32 = 14;
 
-/// The number of operations of a program, and its critical path.
+/// The operation counts and critical path of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Additions, subtractions and negations.
@@ -36,7 +35,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Returns the number of operations on a target without multiply-add: each counts twice.
+    /// Returns the number of operations on a target without multiply-add, where each counts twice.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.additions + self.multiplications + 2 * self.fused + self.divisions
@@ -63,7 +62,7 @@ impl<I, C> Operation<I, C> {
 }
 
 impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
-    /// Counts the operations and measures the critical path.
+    /// Counts the operations and computes the critical path.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let mut cost = Cost::default();
@@ -86,7 +85,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         cost
     }
 
-    /// Returns for each operation the cycle in which its result is ready, counted from the inputs.
+    /// Returns for each operation the cycle, counted from the inputs, in which its result is ready.
     #[must_use]
     pub fn ready(&self) -> Vec<u32> {
         let mut ready: Vec<u32> = Vec::with_capacity(self.operations.len());
@@ -97,8 +96,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         ready
     }
 
-    /// Returns the program with multiply-adds, without a longer critical path. Targets without the
-    /// instruction compute the original program.
+    /// Replaces products and sums by multiply-adds where the critical path stays as short. Targets
+    /// without the instruction should run the original program.
     #[must_use]
     pub fn fused(mut self) -> Self {
         let mut uses = self.uses();
@@ -128,7 +127,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         let at = |node: Node| ready[node.0];
         let candidate = match self.operations[index] {
             Operation::Add(a, b) => {
-                // Fuse the later of two products: the earlier one is ready as the addend.
+                // Fuse the later of two products; the earlier one is ready as the addend.
                 let (late, early) = if at(a) > at(b) { (a, b) } else { (b, a) };
                 match (product(late), product(early)) {
                     (Some((x, y)), _) => Some(Operation::MultiplyAdd(x, y, early)),
@@ -149,7 +148,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         (fused <= required.max(unfused)).then_some(candidate)
     }
 
-    /// Returns for each operation the latest cycle of readiness that keeps the critical path.
+    /// Returns for each operation the latest cycle that does not lengthen the critical path.
     #[must_use]
     pub fn required(&self) -> Vec<u32> {
         let critical_path = self.cost().critical_path;

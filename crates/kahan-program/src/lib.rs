@@ -1,17 +1,16 @@
-//! Straight-line programs: operations without branches, each on the results of earlier ones. A
-//! [`Builder`] writes a [`Program`] with each common subexpression once. A program runs in any
-//! [`Arithmetic`], prints as text, and is the input of compilers.
+//! Straight-line programs: operations without branches, each on the results of earlier ones.
 //!
-//! The crate must not know polynomials, vector fields or targets: its user chooses the types of
-//! inputs, constants and functions.
+//! A [`Builder`] eliminates common subexpressions and yields a [`Program`]. A program runs in any
+//! [`Arithmetic`], prints as text, and is the input of compilers. The types of inputs, constants
+//! and functions are parameters; the crate knows nothing of polynomials, vector fields or targets.
 //!
 //! | a program of | inputs `I` | constants `C` | functions `F` |
 //! |---|---|---|---|
 //! | a field, its map, a claim | variables, prepared constants | exact rationals | none |
-//! | the interpreter | places of a slice | rationals with their nearest floats | reciprocals |
+//! | the interpreter | indices of a slice | rationals with their nearest floats | reciprocals |
 //! | machine code | entries of two arrays | floats | maximum, minimum, roundings |
-//! | formulas of commands and of Python | numbers of names | exact rationals | sin, exp, powers, … |
-//! | first values of a lift | states, parameters | exact rationals | exp, roots, powers, … |
+//! | formulas of commands and of Python | name indices | exact rationals | sin, exp, powers, … |
+//! | initial values of a lift | states, parameters | exact rationals | exp, roots, powers, … |
 
 #![no_std]
 

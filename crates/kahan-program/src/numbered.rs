@@ -1,8 +1,7 @@
 //! A set of distinct items, numbered in order of insertion and found by value.
 //!
-//! Every expansion of the macro looks up plans and polynomials, in code compiled without
-//! optimisation. There the few loops below are several times faster than the hash tables of the
-//! standard library. The last items can also be removed.
+//! Macro expansion looks up plans and polynomials in unoptimised code, where the simple loops below
+//! are several times faster than the standard hash tables. The last items can also be removed.
 
 use core::hash::{Hash, Hasher};
 use core::ops::Deref;
@@ -66,7 +65,7 @@ impl<T: Hash + PartialEq> Numbered<T> {
         None
     }
 
-    /// Returns the number of an item; adds the item if it is absent.
+    /// Returns the number of an item, adding the item if it is new.
     pub fn number(&mut self, item: T) -> usize {
         let key = key(&item);
         if let Some(known) = self.with_key(key, &item) {

@@ -12,9 +12,9 @@ pub struct Node(pub usize);
 /// ([`Infallible`] in a program without functions).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation<I, C, F = Infallible> {
-    /// A number given when the program runs.
+    /// An input of the program.
     Input(I),
-    /// A number contained in the program.
+    /// A constant embedded in the program.
     Constant(C),
     /// a + b
     Add(Node, Node),
@@ -41,7 +41,7 @@ pub enum Operation<I, C, F = Infallible> {
 pub struct Float(u64);
 
 impl Float {
-    /// Returns the constant of a double.
+    /// Creates the constant of a double.
     #[must_use]
     pub const fn of(value: f64) -> Self {
         Float(value.to_bits())
@@ -55,7 +55,7 @@ impl Float {
     }
 }
 
-/// Functions that operations may call.
+/// Functions that operations can call.
 pub trait Function {
     /// Returns the number of arguments, 1 or 2.
     fn arguments(&self) -> usize;
@@ -87,8 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the operation with renamed operands, in a program that may have other types of
-    /// inputs, constants and functions. `None` for an input, a constant or a call.
+    /// Returns the operation with renamed operands, for a program with other types of inputs,
+    /// constants and functions. `None` for an input, a constant or a call.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,
@@ -130,8 +130,7 @@ impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
     }
 }
 
-/// An iterator over the operands of one operation. All passes use it, and in unoptimised builds
-/// adapters of the standard library would cost a dozen calls for each operand.
+/// Iterates over the operands of an operation; in unoptimised builds faster than adapters.
 struct Operands {
     nodes: [Node; 3],
     next: usize,

@@ -1,4 +1,4 @@
-//! Straight-line programs, and analyses that do not run them.
+//! Straight-line programs and their static analysis.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -9,11 +9,10 @@ use crate::operation::{Function, Node, Operation};
 
 /// A straight-line program: a list of operations, some of which are outputs.
 ///
-/// `O` holds the operations and `N` the outputs: vectors in a program that owns them, slices in a
-/// program that borrows them.
+/// `O` holds the operations and `N` the outputs: vectors if owned, slices if borrowed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Program<O, N = Vec<Node>> {
-    /// The operations, operands before their uses; programs from a builder contain none twice.
+    /// The operations, operands before their uses; a builder never adds one twice.
     pub operations: O,
     /// The outputs.
     pub outputs: N,
@@ -25,7 +24,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns how often each operation is used as an operand or as an output.
+    /// Returns how often each operation occurs as an operand or output.
     #[must_use]
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];
@@ -40,7 +39,7 @@ where
         uses
     }
 
-    /// Returns whether each operation is needed for an output.
+    /// Returns for each operation whether an output depends on it.
     #[must_use]
     pub fn needed(&self) -> Vec<bool> {
         let operations: &[Operation<I, C, F>] = &self.operations;
@@ -58,8 +57,8 @@ where
         needed
     }
 
-    /// Returns whether each operation reads only earlier ones, each call of a one-argument function
-    /// repeats its operand, and each output exists.
+    /// Returns whether every operation reads only earlier ones, every call of a one-argument
+    /// function repeats its operand, and every output exists.
     #[must_use]
     pub fn is_well_formed(&self) -> bool {
         let operations: &[Operation<I, C, F>] = &self.operations;
@@ -71,7 +70,7 @@ where
             && self.outputs.iter().all(|output| output.0 < operations.len())
     }
 
-    /// Returns the inputs of the program in order. A built program has each once.
+    /// Returns the inputs in order, each once if a builder made the program.
     #[must_use]
     pub fn inputs(&self) -> Vec<I>
     where
@@ -88,11 +87,11 @@ where
 }
 
 impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
-    /// Returns the program of these outputs, with only the operations that they need.
+    /// Creates the program of these outputs, with only the operations that they need.
     #[must_use]
     pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
         let needed = Program { operations, outputs }.needed();
-        // The place of an operation that is not needed is never read.
+        // The new index of an unneeded operation is never read.
         let (mut kept, mut places) = (Vec::new(), vec![Node(usize::MAX); operations.len()]);
         for (index, operation) in operations.iter().enumerate() {
             if needed[index] {
@@ -103,7 +102,7 @@ impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
         Program { operations: kept, outputs: outputs.iter().map(|node| places[node.0]).collect() }
     }
 
-    /// Returns the program of a range of this program's outputs.
+    /// Returns the program that computes only a range of the outputs.
     #[must_use]
     pub fn part(&self, outputs: Range<usize>) -> Self {
         Program::of_results(&self.operations, &self.outputs[outputs])
@@ -116,7 +115,7 @@ where
     C: Clone + core::hash::Hash + Eq,
     F: Function + Clone + core::hash::Hash + Eq,
 {
-    /// Joins programs into one with all outputs in order; shared operations are computed once.
+    /// Joins programs into one, with all outputs in order and shared operations computed once.
     #[must_use]
     pub fn together<'a>(programs: impl IntoIterator<Item = &'a Self>) -> Self
     where

@@ -1,4 +1,4 @@
-//! Runs programs in an arithmetic.
+//! Evaluation of programs in an arithmetic.
 
 use alloc::vec::Vec;
 use core::ops::Deref;
@@ -14,12 +14,11 @@ where
 {
     /// Runs a program whose inputs are indices into `inputs`.
     ///
-    /// Overwrites `workspace` (at least one entry for each operation) and `outputs` (one for each
-    /// output). Returns `None` if a constant, a quotient or a call has no value in this arithmetic.
-    /// Allocates nothing.
+    /// Overwrites `workspace` (at least one entry per operation) and `outputs` (one per output),
+    /// and allocates nothing. Returns `None` if a constant, quotient or call has no value.
     ///
     /// # Panics
-    /// If `inputs` or `workspace` is too short. A short `outputs` receives the first outputs only.
+    /// If `inputs` or `workspace` is too short. A short `outputs` gets only the first outputs.
     pub fn run<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -42,7 +41,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Writes inputs and constants into their places of the workspace; `None` if one has no value.
+    /// Writes inputs and constants into the workspace; `None` if one has no value.
     pub fn load<A: Arithmetic<Constant = C>>(
         &self,
         arithmetic: &A,
@@ -59,10 +58,8 @@ where
         Some(())
     }
 
-    /// Computes the operations from index `first` on. The workspace must already hold the inputs,
-    /// the constants and the results of earlier operations.
-    ///
-    /// Returns `None` at the first quotient or call without a value.
+    /// Computes the operations from index `first` on, in a workspace that holds inputs, constants
+    /// and earlier results. Returns `None` at the first quotient or call without a value.
     #[inline(always)]
     pub fn compute<A: Calls<F, Constant = C>>(
         &self,
@@ -88,9 +85,8 @@ where
         Some(())
     }
 
-    /// Returns each output, or `None` for an output that depends on a missing input, a constant
-    /// without a value, a division by zero, or a call outside its domain. `input` returns the value
-    /// of each input.
+    /// Returns each output; `None` if it depends on a missing input, a constant without a value, a
+    /// division by zero, or a call outside its domain. `input` returns the value of an input.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -108,8 +104,7 @@ where
     }
 }
 
-/// Returns the value of an operation from the values of all earlier ones; `None` if the operation
-/// or one of its operands has none.
+/// Returns the value of an operation from all earlier values; `None` if it or an operand has none.
 #[inline(always)]
 fn value<I, F, A: Calls<F>>(
     operation: &Operation<I, A::Constant, F>,

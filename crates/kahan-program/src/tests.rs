@@ -119,7 +119,7 @@ fn a_power_is_repeated_squaring() {
     assert_eq!(builder.finish(&[power]).text(name), "v1 = x*x\nv2 = v1*v1\nv3 = x*v2\n");
 }
 
-/// x/y, x·y − z.
+/// Returns the program of x/y and x·y − z.
 fn quotient_and_difference() -> Plain {
     let mut builder = Builder::default();
     let [x, y, z] = [0, 1, 2].map(|input| builder.input(input));
@@ -186,7 +186,7 @@ fn a_product_that_is_added_once_is_fused() {
     assert_eq!((cost.fused, cost.operations()), (0, 2));
 }
 
-/// The later of two products is fused, since the sum waits for it.
+/// The sum waits for the later product.
 #[test]
 fn the_later_of_two_products_is_fused() {
     let mut builder = Builder::<usize, i64>::default();
@@ -199,7 +199,7 @@ fn the_later_of_two_products_is_fused() {
     assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 4, 4 + cost::FUSED));
 }
 
-/// A fused sum would be ready a cycle later, and it is the last result.
+/// The fused sum, the last result, would be ready a cycle later.
 #[test]
 fn a_late_addend_on_the_chain_is_not_fused() {
     let mut builder = Builder::<usize, i64>::default();

@@ -1,4 +1,4 @@
-//! Programs as text: one line for each operation, `v2 = x + y`.
+//! Programs as text: one line per operation, such as `v2 = x + y`.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -10,8 +10,7 @@ use crate::Program;
 use crate::operation::{Function, Node, Operation};
 
 impl<I, C, F: Function + Display> Operation<I, C, F> {
-    /// Returns the right-hand side, such as `x*y + z`, with operands named by `name`; `None` for an
-    /// input or a constant.
+    /// Returns `x*y + z`, with operands named by `name`; `None` for an input or a constant.
     pub fn text<S: Display>(&self, name: impl Fn(Node) -> S) -> Option<String> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) => return None,
@@ -38,8 +37,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns the program as text, one line for each operation. Inputs and constants are inlined;
-    /// operation k is named `vk`.
+    /// Returns one line per operation, `vk = …`, with inputs and constants inlined.
     pub fn text(&self, input: impl Fn(&I) -> String) -> String {
         let names: Vec<String> = (self.operations.iter().enumerate())
             .map(|(index, operation)| match operation {

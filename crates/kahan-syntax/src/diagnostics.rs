@@ -1,15 +1,14 @@
-//! Mistakes of the user as data: kind, place, message and help.
+//! Mistakes of the user as data: kind, position, message and help.
 //!
-//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens; the command prints a
-//! paragraph with a caret. Text and place are equal in both. [`Diagnostics`] collects mistakes and
-//! panics if it is dropped unread.
+//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens; the command prints it with
+//! a caret under the text. [`Diagnostics`] collects mistakes and panics if it is dropped unread.
 
 use std::fmt;
 
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// The rule that was broken. Tests and tools read it; no message shows it.
+/// The broken rule, for tests and tools; messages do not show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
@@ -17,13 +16,13 @@ pub enum Kind {
     Syntax,
     /// A literal other than an exact decimal number.
     Number,
-    /// An exponent that is not allowed at its place.
+    /// An exponent that is not allowed in its context.
     Exponent,
-    /// A header that is not `struct Name;` or `struct Name { a, b }`.
+    /// A header other than `struct Name;` or `struct Name { a, b }`.
     Header,
     /// An identifier without a definition.
     UnknownName,
-    /// A name that is used twice, reserved or otherwise refused.
+    /// A name that is defined twice, reserved or otherwise refused.
     Name,
     /// An unused parameter.
     UnusedParameter,
@@ -35,7 +34,7 @@ pub enum Kind {
     ZeroDivisor,
     /// A function call, a path or an index.
     NotAPolynomial,
-    /// A size beyond a limit.
+    /// A size beyond a limit of the language.
     TooLarge,
     /// A block without equations.
     Empty,
@@ -59,7 +58,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// Returns a mistake at `span`. Message and help are shortened by [`brief`].
+    /// Creates a mistake at `span`; [`brief`] shortens message and help.
     #[must_use]
     pub fn new(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Self {
         Diagnostic { kind, span, message: brief(&message.into()), help: brief(&help.into()) }
@@ -78,8 +77,8 @@ impl fmt::Display for Diagnostic {
 
 /// Shortens a message that quotes long words.
 ///
-/// Of a word of more than 80 characters the first 46 and the last 16 stay. Of a message that still
-/// has more than 700 characters the first 440 and the last 240 stay.
+/// A word of more than 80 characters keeps its first 46 and last 16. A message that then still has
+/// more than 700 characters keeps its first 440 and last 240.
 ///
 /// ```
 /// let name = "x".repeat(1_000_000);
@@ -109,7 +108,7 @@ fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> Stri
 
 const MOST_MISTAKES: usize = 200;
 
-/// The mistakes found so far.
+/// The mistakes collected so far.
 ///
 /// # Panics
 /// When dropped without [`Diagnostics::finish`].
@@ -125,7 +124,7 @@ impl Default for Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a mistake, unless an equal one is in the list or the list is full.
+    /// Adds a mistake unless the list is full or contains an equal one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if let Some(list) = &mut self.list
             && list.len() < MOST_MISTAKES
@@ -135,7 +134,7 @@ impl Diagnostics {
         }
     }
 
-    /// Adds a mistake, given by its parts, as [`Diagnostics::push`] does.
+    /// Adds a mistake given by its fields, like [`Diagnostics::push`].
     pub fn report(&mut self, kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) {
         self.push(Diagnostic::new(kind, span, message, help));
     }
@@ -146,7 +145,7 @@ impl Diagnostics {
         self.list.as_ref().is_none_or(Vec::is_empty)
     }
 
-    /// Returns whether the list is full; further mistakes are then dropped.
+    /// Returns whether the list is full; further mistakes are dropped.
     #[must_use]
     pub fn is_full(&self) -> bool {
         self.len() >= MOST_MISTAKES
@@ -158,7 +157,7 @@ impl Diagnostics {
         self.list.as_ref().map_or(0, Vec::len)
     }
 
-    /// Returns the mistakes in the order of their places.
+    /// Returns the mistakes sorted by position.
     #[must_use]
     pub fn finish(mut self) -> Vec<Diagnostic> {
         sorted_by_key(self.list.take().unwrap_or_default(), |diagnostic| diagnostic.span)

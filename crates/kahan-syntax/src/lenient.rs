@@ -1,7 +1,7 @@
-//! Texts in the notation of books and other programs, translated into tokens of the language.
+//! Translation of texts in the notation of books and other programs.
 //!
-//! In: a text, such as `x' = y, y' = -x**2`. Out: the tokens of `xdot = y; ydot = -x^2;`, each with
-//! its place in the text, values of parameters, initial values of states, and notes. Mistakes stay
+//! In: a text, such as `x' = y, y' = -x**2`. Out: the tokens of `xdot = y; ydot = -x^2;` with their
+//! positions in the text, values of parameters, initial values of states, and notes. Mistakes stay
 //! in the tokens for the parser to report. A text in the language of `kahan!` keeps its tokens.
 
 mod items;
@@ -26,20 +26,20 @@ use xpp::Function;
 /// A text as tokens of the language, with the values that it gives.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
-    /// The tokens of a block; each range is that of the token or of the text that it replaces.
+    /// The tokens of a block; each range is that of the token or of the text it replaces.
     pub lexed: Lexed,
-    /// Whether the tokens and comments are those of `kahan!`, without any translation.
+    /// Whether tokens and comments are already those of `kahan!`, so nothing was translated.
     pub is_canonical: bool,
-    /// Parameters with the values that the text gives them.
+    /// The parameters that the text gives a value, with these values.
     pub parameters: Vec<(String, Rational)>,
-    /// States with the initial values that the text gives them.
+    /// The states that the text gives an initial value, with these values.
     pub start: Vec<(String, Rational)>,
-    /// Notes for the writer on unusual readings.
+    /// Notes to the user on unusual interpretations.
     pub notes: Vec<String>,
 }
 
 impl Reading {
-    /// Returns the tokens as a text in the language of `kahan!`.
+    /// Returns the tokens as text in the language of `kahan!`.
     #[must_use]
     pub fn canonical(&self) -> String {
         let mut text = String::new();
@@ -70,7 +70,7 @@ pub fn read(text: &str) -> Reading {
     let Lexed { tokens, ranges, is_of_others } = lex(text);
     let count = tokens.len();
     let mut reader = Reader { text, given: tokens.into_iter().zip(ranges).collect(), ..Reader::default() };
-    // SymPy prints equations as a list, and Mathematica takes them as one.
+    // SymPy and Mathematica write systems of equations as a list in brackets.
     if matches!((reader.at(0), reader.at(count.saturating_sub(1))), ("[", "]") | ("{", "}")) {
         reader.given = reader.given[1..count - 1].to_vec();
     }
@@ -85,7 +85,7 @@ pub fn read(text: &str) -> Reading {
     read
 }
 
-/// A token and the bytes of the text that it comes from.
+/// A token and its byte range in the text.
 type Placed = (Token, Range<usize>);
 
 fn placed(text: &str, range: &Range<usize>) -> Placed {
@@ -103,7 +103,7 @@ struct Reader<'a> {
     text: &'a str,
     given: Vec<Placed>,
     names: OnceCell<HashSet<String>>,
-    /// The states, each with the names of its derivatives below the order of its equation.
+    /// The states, with the names of the derivatives of order 1 to n − 1 in equations of order n.
     states: HashMap<String, Vec<String>>,
     has_derivatives: bool,
     /// The formulas of auxiliary quantities, by name.
@@ -138,7 +138,7 @@ impl Reader<'_> {
         self.names.get_or_init(all).contains(name)
     }
 
-    /// Returns whether the equations define a state, or a derivative, of this name.
+    /// Returns whether the equations define a state or a derivative of this name.
     fn is_state(&self, name: &str) -> bool {
         self.states.contains_key(name)
     }
@@ -179,7 +179,7 @@ impl Reader<'_> {
         self.give_pi();
     }
 
-    /// Gives the parameter `pi` its value, unless the text defines it.
+    /// Gives the parameter `pi` its value unless the text defines `pi`.
     fn give_pi(&mut self) {
         const PI: &str = "3.141592653589793";
         let is_read = self.is_state("pi") || self.quantities.contains_key("pi") || self.has_header();
@@ -191,7 +191,7 @@ impl Reader<'_> {
         self.read.parameters.push(("pi".to_owned(), value));
     }
 
-    /// Writes an item, or its replacement, and a `;` behind it.
+    /// Writes an item, or its replacement, followed by `;`.
     fn write(&mut self, Item { tokens, left, is_ended }: &Item, instead: Option<Vec<Placed>>) {
         let is_bracket = self.at(tokens.start) == "bracket";
         let written = match (instead, left) {

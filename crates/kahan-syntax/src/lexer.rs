@@ -1,8 +1,8 @@
-//! Text to tokens, by Rust's rules for comments, raw identifiers and numbers.
+//! The lexer of texts, with Rust's rules for comments, raw identifiers and numbers.
 //!
-//! Only texts are lexed here; rustc lexes the input of the macro. The lexer therefore also reads
-//! signs that stop rustc's lexer: `.5`, `**`, `x²`, `−`, `# comments`. A sign without a meaning, as
-//! in `x'`, becomes a token that carries its explanation, and the parser reports it.
+//! rustc lexes the input of the macro; texts are lexed here. The lexer therefore also accepts signs
+//! that rustc's lexer rejects: `.5`, `**`, `x²`, `−`, `# comments`. An unknown sign, such as the
+//! prime in `x'`, becomes a token with an explanation, which the parser reports.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::rational::numeral::Numeral;
 use crate::token::{Token, TokenKind};
 
-/// The tokens of a text and their places.
+/// The tokens of a text and their byte ranges.
 #[derive(Clone, Debug, Default)]
 pub struct Lexed {
     /// The tokens.
@@ -52,7 +52,7 @@ impl Lexer<'_> {
         let text = &self.text[self.at..self.at + length];
         let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
         let text_of_sign = match kind {
-            // Half of the tokens of a field are signs; borrowed texts spare their allocation.
+            // Half of a field's tokens are signs; borrowed texts avoid their allocation.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
                 SIGNS.find(c).map(|place| Cow::Borrowed(&SIGNS[place..=place]))
             }
@@ -62,7 +62,7 @@ impl Lexer<'_> {
         self.at += length;
     }
 
-    /// Adds a token for the next `length` bytes without moving on.
+    /// Adds a token for the next `length` bytes, without advancing.
     fn put(&mut self, kind: TokenKind, text: Cow<'static, str>, length: usize) {
         let range = self.at..self.at + length;
         if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
@@ -73,7 +73,7 @@ impl Lexer<'_> {
         self.out.ranges.push(range);
     }
 
-    /// Reads one token, comment or white-space character. Returns `false` at the end.
+    /// Reads one token, comment or white-space character; returns `false` at the end of the text.
     fn next_token(&mut self) -> bool {
         let Some(c) = self.peek(0) else { return false };
         if c.is_whitespace() {
@@ -145,7 +145,7 @@ impl Lexer<'_> {
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// Returns the signs of the language that the characters here mean, and their length in bytes.
+    /// Translates the next characters to signs of the language, with their length in bytes.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),
@@ -160,7 +160,7 @@ impl Lexer<'_> {
         Some((signs, c.len_utf8()))
     }
 
-    /// Skips a comment `/* … */`, which nests as in Rust. Reports an unclosed one at its beginning.
+    /// Skips a comment `/* … */`, nested as in Rust; an unclosed one is reported at its start.
     fn block_comment(&mut self) {
         let mut depth = 0;
         let mut end = self.at;
@@ -184,7 +184,7 @@ impl Lexer<'_> {
         self.at = self.text.len();
     }
 
-    /// Returns the length of a number and the letters that touch it: `1.5e-3`, `0x1F`, `2x`.
+    /// Returns the length of a number and any letters that touch it: `1.5e-3`, `0x1F`, `2x`.
     fn number_length(&self) -> usize {
         let length = Numeral::length_in(&self.text[self.at..]);
         length + self.run(self.at + length, continues_identifier)
@@ -207,12 +207,12 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Returns whether `c` may continue a name. Combining marks, such as Newton's dot, may.
+/// Returns whether `c` may continue a name; combining marks, such as Newton's dot, may.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }
 
-/// Returns the order of the derivative that a prime behind a name marks.
+/// Returns the derivative order of a prime sign.
 pub(crate) fn primes(c: char) -> Option<usize> {
     match c {
         '\'' | '’' | '′' => Some(1),

@@ -1,9 +1,9 @@
 //! The language of `kahan!` as text.
 //!
-//! In: a text, or the tokens of a macro. Out: the syntax tree of a block or a formula, with places
-//! and exact numbers, and mistakes. No name has a meaning here. This crate must not know
-//! polynomials: `kahan-algebra` decides which blocks are fields and which claims hold. Exact
-//! numbers ([`rational`]) and short sorted lists ([`table`]) serve `kahan-algebra`, too.
+//! In: a text, or the tokens of a macro. Out: the syntax tree of a block or formula, with
+//! positions, exact numbers and mistakes. Names are not resolved, and polynomials are unknown here:
+//! `kahan-algebra` decides which blocks are fields and which claims hold. It also uses the exact
+//! numbers ([`rational`]) and short sorted lists ([`table`]).
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

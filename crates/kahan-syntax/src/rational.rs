@@ -1,9 +1,8 @@
 //! Exact rational numbers: the literals of the language and the coefficients of polynomials.
 //!
 //! In: integers, decimals and floats. Out: sums, products, quotients, and correctly rounded floats.
-//! A value is in lowest terms with a positive denominator; it is small whenever both parts fit into
-//! an `i64`, so equal numbers have equal representations. Deliberately absent: decimals that pass
-//! through floats, and a division operator; [`Rational::checked_div`] shows the zero divisor.
+//! Values have lowest terms and positive denominators, so equal ones have equal representations.
+//! [`Rational::checked_div`] replaces a division operator, so callers handle division by zero.
 
 mod arithmetic;
 pub(crate) mod numeral;
@@ -23,13 +22,12 @@ pub(crate) use text::LARGEST_EXPONENT;
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
-/// Values whose parts fit into 63 bits are two machine words without allocation; larger ones are
-/// big integers.
+/// Values whose numerator and denominator fit into 63 bits need no allocation.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-/// The canonical representation: `Big` only if |p| or q exceeds `i64::MAX`, so the derived equality
-/// and hash are those of numbers. `i64::MIN` counts as big, so negation of `Small` never overflows.
+/// The canonical representation: `Big` only holds values with |p| or q above `i64::MAX`, so derived
+/// equality and hashing are numerical. `i64::MIN` is big, so negating `Small` cannot overflow.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },
@@ -69,7 +67,7 @@ impl Rational {
         Self::ONE
     }
 
-    /// Returns the exact value of a finite float, and `None` for infinities and NaN.
+    /// Returns the exact value of a finite float; `None` for infinities and NaN.
     pub fn from_f64(value: f64) -> Option<Self> {
         if !value.is_finite() {
             return None;
@@ -91,7 +89,7 @@ impl Rational {
         })
     }
 
-    /// Returns |p| and k if the value is ±p/2ᵏ and p has at most 64 bits.
+    /// Returns |p| and k if the value is ±p/2ᵏ and p fits into 64 bits.
     fn dyadic(&self) -> Option<(u64, u64)> {
         match &self.0 {
             Repr::Small { num, den } => {
@@ -113,7 +111,7 @@ impl Rational {
         }
     }
 
-    /// Returns the numerator p, which has the sign of the number.
+    /// Returns the numerator p, with the sign of the number.
     pub fn numerator(&self) -> BigInt {
         match &self.0 {
             Repr::Small { num, .. } => BigInt::from(*num),
@@ -129,7 +127,7 @@ impl Rational {
         }
     }
 
-    /// Returns the value, if it is an integer that fits into an `i64`.
+    /// Returns the value if it is an integer that fits into an `i64`.
     pub fn as_i64(&self) -> Option<i64> {
         match &self.0 {
             Repr::Small { num, den: 1 } => Some(*num),
@@ -139,7 +137,7 @@ impl Rational {
         }
     }
 
-    /// Returns numerator and denominator, if both are at most `i64::MAX` in size.
+    /// Returns numerator and denominator if both have absolute values up to `i64::MAX`.
     pub fn as_small_ratio(&self) -> Option<(i64, i64)> {
         match &self.0 {
             Repr::Small { num, den } => Some((*num, *den)),
@@ -147,8 +145,8 @@ impl Rational {
         }
     }
 
-    /// Returns numerator and denominator, if both are at most 2²⁴ in size. They are then exact in
-    /// `f32`, so one division rounds the number correctly in every float.
+    /// Returns numerator and denominator if both have absolute values up to 2²⁴. Both are then
+    /// exact in `f32`, so a single division is correctly rounded in every float type.
     pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
         const EXACT_IN_F32: i64 = 1 << 24;
         self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
@@ -190,7 +188,7 @@ impl Rational {
         }
     }
 
-    /// Wraps a big rational in lowest terms with a positive denominator.
+    /// Wraps a big rational that is in lowest terms with a positive denominator.
     fn from_normal(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {
             (Some(num), Some(den)) if num != i64::MIN => Self(Repr::Small { num, den }),
@@ -209,7 +207,7 @@ impl Rational {
 
 /// Returns the greatest common divisor by Euclid's algorithm; gcd(0, b) = b.
 pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
-    // Floats have powers of two as denominators.
+    // Fast path: denominators of floats are powers of two.
     if a != 0 && b.is_power_of_two() {
         return b.min(1 << a.trailing_zeros());
     }
@@ -240,7 +238,7 @@ impl From<BigInt> for Rational {
     }
 }
 
-/// Reduces the fraction, whose denominator must not be 0.
+/// Reduces the fraction; its denominator must be nonzero.
 impl From<BigRational> for Rational {
     fn from(value: BigRational) -> Self {
         Self::from_normal(value.reduced())

@@ -1,16 +1,15 @@
-//! Spelling of names: keywords of Rust, misspelt names, marks of derivatives, and names that a
-//! message may propose.
+//! Spelling of names: keywords, misspellings, derivative marks, and names that messages propose.
 
-/// The page on fields that are not quadratic, for help texts.
+/// The page on non-quadratic fields, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
-/// The remedy for a field that is not quadratic, for help texts.
+/// The remedy for non-quadratic fields, for help texts.
 pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
 /// The page on the notation of texts, for help texts.
 pub const ON_TEXTS: &str = "docs/how-to/texts.md";
 
-/// Returns whether a name is a strict or reserved keyword of Rust, or `_`: no field of a struct.
+/// Returns whether a name is a strict or reserved keyword of Rust, or `_`.
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {
     const KEYWORDS: &str = "_ as async await break const continue crate dyn else enum extern false fn for if \
@@ -19,7 +18,7 @@ pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == name)
 }
 
-/// Returns advice for π, which is not rational and becomes a parameter; `None` for other names.
+/// Returns advice for π, which is irrational and must be a parameter; `None` for other names.
 #[must_use]
 pub fn number(name: &str) -> Option<String> {
     matches!(name, "pi" | "PI" | "π").then(|| {
@@ -27,10 +26,10 @@ pub fn number(name: &str) -> Option<String> {
     })
 }
 
-/// Returns the known name closest to `name`, if it is close enough for a misspelling.
+/// Returns the known name closest to `name`, if a misspelling is plausible.
 ///
-/// The distance counts changed letters and swaps of neighbours, without regard to case. Names of 1,
-/// 2 to 4, and more letters may differ by 0, 1 and 2. Of equal distances the first name wins.
+/// The distance counts changed letters and swapped neighbours, ignoring case. It may be 0 for one
+/// letter, 1 for two to four, and 2 for more. The first of equally close names wins.
 #[must_use]
 pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {
@@ -42,8 +41,7 @@ pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }
 
-/// Returns a free name for a message to propose: the first free one of `wanted`, otherwise the
-/// first free one with a number behind it.
+/// Returns an unused name: the first unused one of `wanted`, otherwise one with a number appended.
 ///
 /// ```
 /// use kahan_syntax::spelling::fresh;
@@ -58,8 +56,7 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// Returns how to write the derivative of `state` of this order: `xdot = …`, or a chain of
-/// equations with free names.
+/// Returns advice on a derivative of `state`: `xdot = …`, or a chain of equations if higher.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
     if order < 2 {
@@ -77,9 +74,7 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
     )
 }
 
-/// Removes Newton's dots above letters and counts them: `ẋ` is `x` with one dot, `ẍ` with two.
-///
-/// Returns `None` for a name without dots.
+/// Counts and removes Newton's dots: `ẋ` is `x` with one, `ẍ` with two; `None` without dots.
 ///
 /// ```
 /// use kahan_syntax::spelling::without_dots;

@@ -1,7 +1,7 @@
-//! The syntax tree of a block, item by item, with all places.
+//! The syntax tree of a block, item by item, with token spans.
 //!
 //! Nothing is checked here: names may be unknown, degrees too high, claims false. `kahan-algebra`
-//! turns a block into a field and claims. Sums and products are flat lists: long ones do not nest.
+//! turns a block into a field and claims. Long sums and products are flat, not nested.
 
 use core::fmt;
 use std::borrow::Cow;
@@ -9,36 +9,36 @@ use std::borrow::Cow;
 use crate::rational::Rational;
 use crate::token::Span;
 
-/// A name and its place.
+/// A name and its span.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The identifier, without the `r#` of a raw one.
+    /// The identifier, without a leading `r#`.
     pub text: String,
-    /// Its place.
+    /// The tokens of the name.
     pub span: Span,
 }
 
 /// A block: `[header] (const | equation | family | claim)*`.
 ///
-/// `X` is the syntax of constants and right-hand sides beyond arithmetic: [`InFamily`], or
-/// [`InFormula`] in a block that is to be lifted.
+/// `X` is the syntax beyond arithmetic in constants and right-hand sides: [`InFamily`], or
+/// [`InFormula`] in a block to be lifted.
 #[derive(Clone, Debug)]
 pub struct Block<X = InFamily> {
-    /// `pub struct E7 { xi }`, if the block has a header.
+    /// The header, such as `pub struct E7 { xi }`.
     pub header: Option<Header>,
-    /// The place of the keyword `lift`, if the equations are to be lifted.
+    /// The keyword `lift`, if the equations are to be lifted.
     pub lift: Option<Span>,
-    /// `const xi = 1/2;`
+    /// Constants, such as `const xi = 1/2;`.
     pub constants: Vec<Constant<X>>,
-    /// `xdot = y*z;`. The states of a family are the names of its arrays.
+    /// Equations, such as `xdot = y*z;`. The states of a family are named by its arrays.
     pub equations: Vec<Equation<X>>,
-    /// `for i in periodic { … }`, if the block has a family.
+    /// The head of the family, such as `for i in periodic { … }`.
     pub family: Option<FamilyHead>,
-    /// `integral`, `density`, `bracket`, `drift`.
+    /// Claims: `integral`, `density`, `bracket`, `drift`.
     pub claims: Vec<Claim>,
-    /// `hamiltonian H = sum(…);` of a family, as claims of integrals.
+    /// Hamiltonians of a family, `hamiltonian H = sum(…);`, as claims of integrals.
     pub hamiltonians: Vec<Claim>,
-    /// Left-hand sides without `dot`, already reported: later mistakes do not mention them.
+    /// Left-hand sides without `dot`. They are already reported, so later mistakes ignore them.
     pub misspelt_states: Vec<Name>,
 }
 
@@ -57,12 +57,12 @@ impl<X> Default for Block<X> {
     }
 }
 
-/// The neighbours beyond the two ends of a chain.
+/// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// The other end: site n is site 0.
+    /// Site n is site 0.
     Periodic,
-    /// No site: states there are 0.
+    /// States beyond the ends are 0.
     Open,
 }
 
@@ -71,7 +71,7 @@ pub enum Boundary {
 pub struct FamilyHead {
     /// The boundary condition.
     pub boundary: Boundary,
-    /// Its place.
+    /// The tokens of the head.
     pub span: Span,
     /// The number of equations before the family.
     pub equations_before: usize,
@@ -90,16 +90,16 @@ pub struct Header {
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
-    /// Documentation and attributes of each parameter.
+    /// The documentation and attributes of each parameter.
     pub described: Vec<Written>,
 }
 
-/// Tokens that only Rust understands, kept as they were written.
+/// Tokens that only Rust understands, kept verbatim.
 #[derive(Clone, Debug, Default)]
 pub struct Written {
     /// The lines of the text.
     pub lines: Vec<String>,
-    /// The tokens, if any; documentation in a text has no tokens.
+    /// The tokens; `None` for documentation in a text.
     pub span: Option<Span>,
 }
 
@@ -108,7 +108,7 @@ pub struct Written {
 pub struct Constant<X = InFamily> {
     /// The constant's name.
     pub name: Name,
-    /// Its value; absent if it could not be read.
+    /// The value; `None` if it could not be read.
     pub value: Option<Expr<X>>,
 }
 
@@ -117,7 +117,7 @@ pub struct Constant<X = InFamily> {
 pub struct Equation<X = InFamily> {
     /// The state: the left-hand side without `dot`.
     pub state: Name,
-    /// The right-hand side; absent if it could not be read.
+    /// The right-hand side; `None` if it could not be read.
     pub value: Option<Expr<X>>,
 }
 
@@ -130,12 +130,12 @@ pub enum ClaimKind {
     Density,
     /// J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, and the Jacobi identity.
     Bracket,
-    /// F(x̃) is a function of F(x).
+    /// F(x̃) is a function of F(x) only.
     Drift,
 }
 
 impl ClaimKind {
-    /// Returns the kind of claim that the keyword `word` begins.
+    /// Returns the kind of claim that a keyword begins.
     pub fn of_keyword(word: &str) -> Option<Self> {
         [ClaimKind::Integral, ClaimKind::Density, ClaimKind::Bracket, ClaimKind::Drift]
             .into_iter()
@@ -154,19 +154,19 @@ impl ClaimKind {
     }
 }
 
-/// A claim, in one of four forms, each with optional conditions:
+/// A claim with optional conditions, in one of four forms:
 ///
-/// `integral NAME = expr;`, `density NAME = expr;`, `drift NAME = expr by expr;`,
-/// `bracket NAME { {x,y} = expr; … }`.
+/// `integral NAME = expr;`, `density NAME = expr;`, `drift NAME = expr by expr;`, `bracket NAME {
+/// {x,y} = expr; … }`.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// The kind of claim.
     pub kind: ClaimKind,
     /// The claim's name.
     pub name: Name,
-    /// The claimed function or tensor; absent if it could not be read.
+    /// The claimed function or tensor; `None` if it could not be read.
     pub body: Option<ClaimBody>,
-    /// `when expr = expr, …`.
+    /// The conditions, `when expr = expr, …`.
     pub conditions: Vec<Condition>,
 }
 
@@ -181,13 +181,13 @@ pub enum ClaimBody {
     Recurrence {
         /// F(x).
         function: Expr,
-        /// F(x̃), in which the claim's name stands for F(x).
+        /// F(x̃) as a formula in which the claim's name stands for F(x).
         next: Expr,
     },
 }
 
 impl ClaimBody {
-    /// Returns the expressions of the claim in the order in which they were written.
+    /// Returns the expressions of the claim in source order.
     #[must_use]
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
@@ -209,7 +209,7 @@ pub struct TensorEntry {
     pub value: Expr,
 }
 
-/// A condition behind `when`: a relation `expr = expr` between parameters and `eps`.
+/// A condition after `when`: a relation `expr = expr` between parameters and `eps`.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The left side.
@@ -219,31 +219,30 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// Returns the place of the relation.
+    /// Returns the span of the relation.
     #[must_use]
     pub fn span(&self) -> Span {
         self.left.span.to(self.right.span)
     }
 
-    /// Calls `visit` with each value that the relation names and its place, from left to right.
+    /// Calls `visit` with each named value of the relation and its span, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         self.left.visit_names(visit);
         self.right.visit_names(visit);
     }
 }
 
-/// An expression and its place. `X` is the syntax beyond arithmetic: sites of a family in a block,
-/// calls in a formula.
+/// An expression with its span; `X` is syntax beyond arithmetic: a family's sites, calls.
 #[derive(Clone, Debug)]
 pub struct Expr<X = InFamily> {
     /// The operation, with its operands.
     pub kind: ExprKind<X>,
-    /// Its place.
+    /// The tokens of the expression.
     pub span: Span,
 }
 
 impl Expr {
-    /// Calls `visit` with each value that the expression names and its place, from left to right.
+    /// Calls `visit` with each named value of the expression and its span, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         match &self.kind {
             ExprKind::Name(name) => visit(Reference::Name(name), self.span),
@@ -267,7 +266,7 @@ impl Expr {
         }
     }
 
-    /// Substitutes values for names, and multiplies the numeric factors of products that gain some.
+    /// Substitutes numbers for names. Products that gain numbers combine their numeric factors.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Special(InFamily::Site { .. }) => {}
@@ -318,7 +317,7 @@ impl Expr {
         }
     }
 
-    /// Multiplies the numeric factors of a product, unless one divides by 0.
+    /// Combines the numeric factors of a product, unless one of them divides by 0.
     fn gather_numbers(&mut self) {
         let ExprKind::Product(factors) = &mut self.kind else { return };
         let mut whole = Rational::one();
@@ -361,7 +360,7 @@ pub enum ExprKind<X = InFamily> {
     Negation(Box<Expr<X>>),
     /// `a^n`
     Power(Box<Expr<X>>, i64),
-    /// The syntax of `X`.
+    /// Syntax beyond arithmetic.
     Special(X),
 }
 
@@ -375,28 +374,28 @@ pub enum InFamily {
         /// The distance from site i.
         offset: i64,
     },
-    /// `sum(a)` over all sites, in a claim.
+    /// `sum(a)` over all sites, only in claims.
     OverSites(Box<Expr>),
 }
 
 /// The syntax of formulas beyond arithmetic: calls and general powers.
 ///
-/// The blocks of fields cannot hold it, so fields stay polynomial and claims rational.
+/// Blocks of fields exclude it, so fields stay polynomial and claims rational.
 #[derive(Clone, Debug)]
 pub enum InFormula {
-    /// `name(a, …)`. The code that evaluates the formula decides which functions exist.
+    /// `name(a, …)`; the code that evaluates the formula decides which functions exist.
     Call {
         /// `name`
         function: String,
         /// The arguments, at least one.
         arguments: Vec<Expr<InFormula>>,
     },
-    /// `a^b`, except where b is an integer literal.
+    /// `a^b`, unless b is an integer literal.
     Power(Box<[Expr<InFormula>; 2]>),
 }
 
 impl Expr<InFormula> {
-    /// Returns the expression, if it is free of functions and general powers.
+    /// Converts an expression without functions and general powers; `None` for others.
     #[must_use]
     pub fn rational(&self) -> Option<Expr> {
         let boxed = |inner: &Expr<InFormula>| inner.rational().map(Box::new);
@@ -423,7 +422,7 @@ impl Expr<InFormula> {
     }
 }
 
-/// A value that an expression names.
+/// A value named in an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference<'a> {
     /// `x`
@@ -438,7 +437,7 @@ pub enum Reference<'a> {
 }
 
 impl<'a> Reference<'a> {
-    /// Returns the text by which symbol tables know the value, as written.
+    /// Returns the text under which symbol tables store the value.
     #[must_use]
     pub fn key(self) -> Cow<'a, str> {
         match self {

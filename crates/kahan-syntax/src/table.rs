@@ -1,13 +1,12 @@
 //! Sorted lists and maps of a few dozen entries.
 //!
-//! The sort and the maps of the standard library are compiled anew for every type. They took a
-//! third of the code that each user of the macro compiles. Here entries are inserted in order, in a
-//! few lines of code and fast enough for short lists.
+//! The standard library's sort and maps are compiled anew for every type; they took a third of the
+//! code that each user of the macro compiles. Insertion in order is small and fast enough here.
 
 use std::cmp::Ordering;
 use std::ops::Index;
 
-/// Returns the list in order; the sort is stable. Late items cost a move of all larger ones.
+/// Sorts a list stably by insertion.
 pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) -> Ordering) -> Vec<T> {
     let mut sorted: Vec<T> = Vec::new();
     for item in list {
@@ -21,19 +20,19 @@ pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) 
     sorted
 }
 
-/// Returns the list in the order of its keys; the sort is stable.
+/// Sorts a list stably by a key.
 pub fn sorted_by_key<T, K: Ord>(list: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Vec<T> {
     sorted_by(list, |left, right| key(left).cmp(&key(right)))
 }
 
-/// Returns the list in order, without duplicates.
+/// Sorts a list and removes duplicates.
 pub fn distinct<T: Ord + Copy>(list: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut sorted = sorted_by_key(list, |item| *item);
     sorted.dedup();
     sorted
 }
 
-/// A map with its entries in the order of the keys.
+/// A map with entries sorted by key.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table<K, V> {
     entries: Vec<(K, V)>,
@@ -46,7 +45,7 @@ impl<K: Ord, V> Table<K, V> {
         Table { entries: Vec::new() }
     }
 
-    /// Makes a map of entries whose keys are strictly increasing.
+    /// Creates a map from entries with strictly increasing keys.
     pub fn from_sorted(entries: Vec<(K, V)>) -> Self {
         debug_assert!(entries.is_sorted_by(|(left, _), (right, _)| left < right));
         Table { entries }
@@ -74,7 +73,7 @@ impl<K: Ord, V> Table<K, V> {
         }
     }
 
-    /// Returns the value of a key; inserts `make(&key)` first if the key is absent.
+    /// Returns the value of a key, first inserting `make(&key)` if the key is absent.
     pub fn or_insert_with(&mut self, key: K, make: impl FnOnce(&K) -> V) -> &mut V {
         let place = match self.place(&key) {
             Ok(place) => place,
@@ -87,7 +86,7 @@ impl<K: Ord, V> Table<K, V> {
         &mut self.entries[place].1
     }
 
-    /// Returns the value of a key; inserts the default first if the key is absent.
+    /// Returns the value of a key, first inserting the default if the key is absent.
     pub fn or_default(&mut self, key: K) -> &mut V
     where
         V: Default,
@@ -117,12 +116,12 @@ impl<K: Ord, V> Table<K, V> {
         self.entries.is_empty()
     }
 
-    /// Returns the entries in the order of the keys.
+    /// Returns the entries sorted by key.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&K, &V)> + ExactSizeIterator {
         self.entries.iter().map(|(key, value)| (key, value))
     }
 
-    /// Returns the values in the order of the keys.
+    /// Returns the values sorted by key.
     pub fn values(&self) -> impl DoubleEndedIterator<Item = &V> + ExactSizeIterator {
         self.entries.iter().map(|(_, value)| value)
     }
@@ -132,7 +131,7 @@ impl<K: Ord, V> Table<K, V> {
         self.entries.into_iter().map(|(key, _)| key)
     }
 
-    /// Returns the values in the order of the keys.
+    /// Returns the values sorted by key.
     pub fn into_values(self) -> impl Iterator<Item = V> {
         self.entries.into_iter().map(|(_, value)| value)
     }

@@ -1,12 +1,12 @@
-//! Tokens: the one input of the parser, made from text ([`crate::lexer`]) or from a macro's tokens
-//! (`tokens.rs` of `kahan-emit`).
+//! Tokens, the input of the parser.
 //!
-//! Places are indices into the token list ([`Span`]). The maker of the list maps an index to a byte
-//! range or a compiler span. So one parser and one set of messages serve both.
+//! They come from text ([`crate::lexer`]) or from a macro (`tokens.rs` of `kahan-emit`). Positions
+//! are indices into the token list ([`Span`]); the maker of the list maps them to byte ranges or
+//! compiler spans. One parser and one set of messages therefore serve both.
 
 use std::borrow::Cow;
 
-/// A run of tokens, from `first` to `last` inclusive, as indices into the token list of its block.
+/// A range of tokens, from `first` to `last` inclusive, as indices into a block's token list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// The index of the first token.
@@ -34,7 +34,7 @@ impl Span {
 pub enum TokenKind {
     /// An identifier or keyword.
     Identifier,
-    /// A literal of any sort, with its suffix. Only numbers have a meaning in the language.
+    /// A literal of any kind, with its suffix. The parser accepts only numbers.
     Literal,
     /// One punctuation character.
     Punctuation(char),
@@ -42,7 +42,7 @@ pub enum TokenKind {
     Open(char),
     /// `)`, `]` or `}`.
     Close(char),
-    /// A text that begins no token of the language; the lexer proposes a replacement.
+    /// Text that begins no token of the language, with a proposed replacement.
     Unreadable(Box<Unreadable>),
 }
 
@@ -51,7 +51,7 @@ impl TokenKind {
         TokenKind::Unreadable(Box::new(Unreadable { message: message.into(), help: help.into() }))
     }
 
-    /// Returns the kind of a token of the language that begins with this character.
+    /// Returns the kind of the token that begins with this character.
     pub(crate) fn beginning_with(c: char) -> Self {
         match c {
             '(' | '[' | '{' => TokenKind::Open(c),
@@ -63,7 +63,7 @@ impl TokenKind {
     }
 }
 
-/// The mistake in a text that begins no token of the language.
+/// The mistake in text that begins no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
     /// The mistake, in one sentence.
@@ -77,10 +77,10 @@ pub struct Unreadable {
 pub struct Token {
     /// The kind.
     pub kind: TokenKind,
-    /// The text as written; of a raw identifier without `r#`.
+    /// The text as written, without a leading `r#`.
     pub text: Cow<'static, str>,
-    /// Whether the next token follows without white space (`**` is two touching stars).
+    /// Whether the next token follows without white space, as in `**`.
     pub touches_next: bool,
-    /// Lines of documentation before it, `/// …` as written. From rustc they come as attributes.
+    /// Documentation lines before the token, `/// …`; from rustc they come as attributes.
     pub docs: Box<[String]>,
 }

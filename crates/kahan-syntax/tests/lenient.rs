@@ -1,4 +1,4 @@
-//! Texts in many notations, and their translations.
+//! Translations of texts in many notations.
 
 use std::fmt::Write;
 use std::fs;
@@ -31,7 +31,7 @@ fn reading(text: &str) -> String {
 #[test]
 fn texts_of_other_tools_are_read() {
     for (text, expected) in [
-        // Hand-written, from programs, and from books.
+        // Notation written by hand, by programs and in books.
         ("x' = y\ny' = -x - x^2", "xdot = y; ydot = -x - x^2;"),
         ("dx/dt = a*x - b*x*y; dy/dt = -c*y + d*x*y", "xdot = a*x - b*x*y; ydot = -c*y + d*x*y;"),
         (
@@ -229,7 +229,7 @@ fn random_field(draws: &mut Draws) -> Equations {
     states.iter().map(|state| (state.clone(), right(draws))).collect()
 }
 
-/// Splits a block without a family into the text before its equations, the equations and the rest.
+/// Splits a block without a family into its text before, its equations, and its text after.
 fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     let begins = |line: &str| {
         line.trim().split_once("dot = ").is_some_and(|(left, _)| left.chars().all(char::is_alphanumeric))
@@ -303,7 +303,7 @@ fn one_field_in_ten_manners_is_one_field() {
         assert_eq!(mistakes(&original), [], "{strict}");
         for manner in 0..10 {
             let text = format!("{before}\n{}", written(manner, &equations));
-            // Text behind `done` is not read.
+            // Text after `done` is ignored.
             let text = if manner == 9 && !behind.trim().is_empty() {
                 text.replace("\ndone", "\n") + &behind
             } else {
@@ -394,7 +394,7 @@ const PIECES: &[&str] = &[
     "xy",
 ];
 
-/// Random texts are read without a panic. Those without mistakes survive printing and reading.
+/// Reads random texts without panics; valid ones survive printing and reading.
 #[test]
 fn hostile_texts_are_read() {
     let mut draws = Draws(1);
@@ -418,7 +418,7 @@ fn hostile_texts_are_read() {
     assert!(sound > 100, "{sound}");
 }
 
-/// Long texts are read in a time that grows with their length.
+/// Reads long texts in time proportional to their length.
 #[test]
 fn long_texts_are_read() {
     let many = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect::<String>();

@@ -1,7 +1,6 @@
-//! Complex numbers as a scalar: the operators, 0 and 1, and what takes in the constants of a field.
+//! Complex numbers as a scalar: the operators, 0 and 1, and the conversion of constants.
 //!
-//! The type is this program's own, because Rust lets nobody implement a second crate's trait for a
-//! type of a third.
+//! A new type is necessary, because Rust forbids implementing a foreign trait for a foreign type.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -1,8 +1,8 @@
-//! The coefficients of the compositions: decimals with 40 digits after the point.
+//! The coefficients of the compositions, with 40 digits after the point.
 //!
-//! Computed from the published 20 to 26 digits by Newton's iteration on the order conditions
-//! (smallest change, because two sets leave a degree of freedom), then rounded. A test checks
-//! conditions, sums and roundings. Each set ends with the middle coefficient, 1 − 2Σ of the others.
+//! The published 20 to 26 digits were refined by Newton's iteration on the order conditions (by
+//! least change, because two sets have a free parameter), then rounded. A test checks conditions,
+//! sums and rounding. The last entry of each set is the middle coefficient, 1 − 2Σ of the others.
 
 use crate::Constant;
 

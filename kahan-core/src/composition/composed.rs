@@ -1,7 +1,7 @@
-//! A composition at a fixed ε, and its orbits.
+//! A composition at fixed ε, and its orbits.
 //!
-//! In: a map at its ε, and a composition. Out: steps that take only a state and run the stages in
-//! order. The distinct stages lie in an array of fixed size, so nothing is allocated.
+//! In: a map at its ε, and a composition. Out: steps that run the stages in order. The distinct
+//! stages lie in an array of fixed size, so nothing is allocated.
 
 use core::array::from_fn;
 use core::fmt;
@@ -13,7 +13,7 @@ use crate::{
 
 use super::Composition;
 
-/// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`].
+/// A [`Composition`] of a map at its ε, half the time step; see [`KahanAt::composed`].
 #[derive(Clone, Copy)]
 pub struct Composed<S: Step> {
     pub(super) stages: Palindrome<S>,
@@ -21,19 +21,18 @@ pub struct Composed<S: Step> {
     eps: S::Scalar,
 }
 
-/// A palindromic sequence of up to 17 stages.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palindrome<P> {
-    /// The first `len` entries are run; the others repeat the middle one.
+    /// The distinct stages: the first `len` entries, then copies of the middle stage.
     pub(super) steps: [P; MOST],
     pub(super) len: usize,
 }
 
-/// The largest number of distinct stages.
+/// The maximum number of distinct stages.
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Returns the palindrome of 2·`len` − 1 stages with k-th stage `step(k)`, `len` from 1 to 9.
+    /// Creates the palindrome of 2·`len` − 1 stages with k-th stage `step(k)`, 1 ≤ `len` ≤ 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -53,7 +52,7 @@ impl<P> Palindrome<P> {
 }
 
 impl<S: Step> Composed<S> {
-    /// Composes a map that `at` prepares at the ε of each stage.
+    /// Composes a map; `at` prepares it at the ε of each stage.
     fn new(composition: Composition, eps: S::Scalar, at: impl Fn(S::Scalar) -> S) -> Self {
         let gammas = composition.first_half;
         let stage = |k: usize| at(S::Scalar::constant(&gammas[k]) * eps.clone());
@@ -65,12 +64,12 @@ impl<S: Step> Composed<S> {
         self.composition
     }
 
-    /// Returns ε, half the time step of all stages together.
+    /// Returns ε, half the time step of the whole composition.
     pub fn eps(&self) -> &S::Scalar {
         &self.eps
     }
 
-    /// Returns the orbit that begins with `x`; the orbit owns a copy of the prepared stages.
+    /// Returns the orbit that starts at `x`. It owns a copy of the prepared stages.
     #[inline]
     pub fn orbit(&self, x: S::State) -> Orbit<Self>
     where
@@ -79,7 +78,7 @@ impl<S: Step> Composed<S> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the state one time step 2ε later; not finite if a stage meets a pole.
+    /// Returns the state one time step 2ε later; infinite or NaN if a stage meets a pole.
     #[inline]
     pub fn step(&self, x: &S::State) -> S::State {
         let Some(next) = self.next(x, &mut Workspace::new()) else {
@@ -107,7 +106,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // Any stage can step at any ε.
+        // Every stage can step at any ε.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -141,7 +140,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Composes this map at its ε; a step still takes the time 2ε.
+    /// Composes this map at its ε; a composed step still advances the time by 2ε.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -171,9 +170,9 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Continues this orbit with each step replaced by a composition of steps with γ₁ε, …, γₛε,
-    /// which has a higher order. Every stage is prepared once. A step still takes the time 2ε and
-    /// yields one point. [`Composition`] lists the preserved properties and the cost.
+    /// Continues this orbit with a composition of steps with γ₁ε, …, γₛε in place of each step, for
+    /// a higher order. Every stage is prepared once. A step still advances the time by 2ε and
+    /// yields one point. [`Composition`] lists conserved properties and cost.
     ///
     /// ```
     /// use kahan_core::Composition;
@@ -204,7 +203,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Composes like a plain orbit, and keeps the carries of the points.
+    /// Composes the steps, like a plain orbit, and keeps the compensation of rounding.
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
         self.with_map(|Compensated(at)| Compensated(at.composed(composition)), |state| state)

@@ -1,6 +1,4 @@
-//! Decimals of 40 digits after the point as constants, rounded while compiling.
-//!
-//! In: digits. Out: the ratio to 10⁴⁰ and its nearest floats, by exact long division.
+//! Constants with 40 decimals, rounded at compile time by exact long division.
 
 use crate::Constant;
 
@@ -47,7 +45,7 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// Parses an optional sign, digits, a point, 40 digits.
+    /// Parses an optional sign, digits, a point and 40 digits.
     pub(super) const fn read(text: &str) -> Self {
         let text = text.as_bytes();
         let negative = text[0] == b'-';
@@ -82,8 +80,8 @@ impl Decimal {
     }
 }
 
-/// Returns the float of `bits` bits nearest to part/10⁴⁰, which lies between 0 and 2, with the
-/// remainder of the division, and the unit of remainder and last bit.
+/// Rounds part/10⁴⁰, a number from 0 to 2, to `bits` bits. Returns the float, the remainder of the
+/// long division, and the value of the last bit.
 const fn nearest(part: Whole, bits: u32) -> (f64, Whole, f64) {
     let (mut rest, mut unit) = (part, 1.0);
     while rest.is_less_than(UNIT) {

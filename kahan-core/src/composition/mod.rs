@@ -1,9 +1,8 @@
-//! Compositions: steps of higher order made of several steps of Kahan's map.
+//! Compositions: steps of higher order made of several Kahan steps.
 //!
-//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. φ_ε is
-//! symmetric (its inverse is φ₋ε), so a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is
-//! symmetric, too. Its order is even, and is p if the coefficients ([`coefficients`]) satisfy the
-//! order conditions.
+//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. As φ_ε⁻¹ = φ₋ε,
+//! a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with symmetric γ and Σγ = 1 is symmetric too, of even order;
+//! it has order p if its [`coefficients`] satisfy the order conditions.
 
 mod coefficients;
 mod composed;
@@ -17,28 +16,28 @@ use crate::{Constant, StepCost};
 pub use composed::Composed;
 pub(crate) use stages::Staged;
 
-/// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε
-/// consists of the steps with γ₁ε, …, γₛε, in this order.
+/// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ. A step with ε
+/// runs the steps with γ₁ε, …, γₛε in this order.
 ///
-/// The constants below are all available compositions; their coefficients have 40 digits.
+/// The constants below are all available compositions.
 ///
 /// # What survives
 /// - **Reversibility**: the inverse is the composition with −ε.
-/// - **Affine equivariance** and **linear integrals**: as of Kahan's map.
+/// - **Affine equivariance** and **linear integrals**, as for Kahan's map.
 /// - **Integrals and invariant measures that do not depend on ε**: y/x of E1 and E3; and the ratio
 ///   H/K of two integrals whose dependence on ε cancels (E2, E4, E5, E6, the Euler top).
 ///
 /// # What does not
-/// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, but the
+/// - **Integrals and measures that depend on ε**: each stage conserves its own at γᵢε, but the
 ///   composition conserves none. H and K of E2, E4, E5, E6 and the Euler top oscillate by O(εᵖ)
-///   about the flow's integral, without drift.
+///   around the flow's integral, without drift.
 /// - **Exactness**: the coefficients are irrational, so a composition exists only over floats.
-/// - **An ε of few bits** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.
+/// - **Short binary ε** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.
 ///
 /// # Cost
-/// s steps each, of which (s + 1)/2 distinct ones are prepared once. Σ|γᵢ| is the total distance of
-/// the stages relative to 2ε; a smaller sum gives a smaller error. Some γᵢ are negative, so a
-/// composition also steps back, and may meet a pole where the plain step does not.
+/// A step costs s Kahan steps; (s + 1)/2 distinct ones are prepared once. Σ|γᵢ| is the total length
+/// of the stages relative to 2ε, and a smaller sum means a smaller error. Some γᵢ are negative, so
+/// a composition also steps back, and may meet a pole that the plain step avoids.
 ///
 /// | constant | order | stages | Σ\|γ\| |
 /// |---|---|---|---|
@@ -71,8 +70,7 @@ impl Composition {
     /// Suzuki, Phys. Lett. A 146 (1990) 319.
     pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, coefficients::SUZUKI_4);
 
-    /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a. W. Kahan, R.-C. Li, Math. Comp. 66
-    /// (1997) 1089.
+    /// Order 6, 9 stages, Σ|γ| = 3.82; s9odr6a of W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
     pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, coefficients::KAHAN_LI_6);
 
     /// Order 8 with 15 stages, the minimum, Σ|γ| = 6.53.
@@ -101,7 +99,7 @@ impl Composition {
         Self { name, order, first_half }
     }
 
-    /// The recommended compositions; the others cost more for an equal error.
+    /// The recommended compositions; others cost more for an equal error.
     pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
 
     /// Returns the member of [`BEST`](Self::BEST) of this order, if any.
@@ -114,7 +112,7 @@ impl Composition {
         self.name
     }
 
-    /// Returns the order p: the error of one step is O(εᵖ⁺¹), the error at a fixed time is O(εᵖ).
+    /// Returns the order p: a step has error O(εᵖ⁺¹), an orbit at a fixed time O(εᵖ).
     pub const fn order(&self) -> u32 {
         self.order
     }
@@ -124,7 +122,7 @@ impl Composition {
         2 * self.first_half.len() - 1
     }
 
-    /// Iterates over γ₁, …, γₛ, exact decimals of 40 digits after the point with sum exactly 1.
+    /// Iterates over γ₁, …, γₛ, exact 40-digit decimals whose sum is exactly 1.
     pub fn coefficients(
         &self,
     ) -> impl DoubleEndedIterator<Item = &'static Constant<'static>> + ExactSizeIterator {

@@ -1,6 +1,6 @@
 //! The stages of a step, for callers that run them in lanes or with tangent vectors.
 //!
-//! In: a prepared map (its only stage) or a composition. Out: one result per stage, in order.
+//! A prepared map is its own single stage; a composition has several.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use crate::{KahanAt, KahanMap, Scalar, Step};
 use super::Composed;
 use super::composed::Palindrome;
 
-/// A prepared map whose step consists of one or several of Kahan's steps.
+/// A prepared map whose step consists of one or more Kahan steps.
 pub(crate) trait Staged<T: Scalar, const N: usize>:
     Step<Scalar = T, State = SVector<T, N>> + Clone
 {
@@ -18,10 +18,9 @@ pub(crate) trait Staged<T: Scalar, const N: usize>:
 
     fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<Self::Map, T, N>) -> P) -> Self::Stages<P>;
 
-    /// Iterates over the entries of `stages` in the order of a step.
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// Applies `of` to the k-th stages of several maps; `None` if the compositions differ.
+    /// Combines the k-th stages of several maps by `of`; `None` if the compositions differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

@@ -1,8 +1,8 @@
-//! Advancing an ensemble: in one pass, with visits, over threads.
+//! Advancing an ensemble in one pass or over threads.
 //!
-//! In: a prepared map, plain or composed, and a number of steps. Out: every point that many steps
-//! later. However the columns are divided, each trajectory goes through the same operations, so its
-//! bits depend neither on its place nor on the threads.
+//! In: a prepared map, plain or composed, and a number of steps. Out: every point after these
+//! steps. Each trajectory goes through one fixed sequence of operations. Its bits therefore depend
+//! neither on its index nor on how the columns are divided among threads.
 
 use crate::composition::Staged;
 use crate::step::error::pole;
@@ -12,8 +12,8 @@ use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
-/// What moves ensembles of points with N entries: every [`KahanAt`] on such points, composed or
-/// not, and slices and vectors of them, which hold one a trajectory.
+/// A map, or one map per trajectory, that advances points of N variables: a [`KahanAt`], plain or
+/// composed, or a slice or vector with one `KahanAt` per trajectory.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no map that moves points of {N} numbers of the type `{T}`",
     label = "not one prepared map, in the dimension and the type of number of the points",
@@ -21,14 +21,14 @@ use super::{Ensemble, EnsembleScalar};
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
 pub trait Advances<T: EnsembleScalar, const N: usize> {
-    /// How many points these are for, if not any number.
+    /// Returns the number of trajectories that the maps are for; `None` if any number will do.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
     }
 
-    /// Advances columns of equal length, from a group of this number on; the ε of the map that met
-    /// it at a pole of a scalar that has no reciprocal of zero.
+    /// Advances columns of equal length, which start at group number `first`. For a scalar without
+    /// a reciprocal of zero, the error holds the ε of the map that met a pole.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -39,7 +39,7 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
-// For each kind of map by itself: then the compiler says which points a map would move.
+// One implementation per kind of map, so that compiler errors name the points a map would move.
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
 where
@@ -78,7 +78,6 @@ where
     }
 }
 
-/// All columns by one map.
 #[inline]
 fn by_one_map<S, T, const N: usize>(
     map: &S,
@@ -96,22 +95,20 @@ where
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`
-    /// (half the time step).
+    /// Advances every point by `steps` steps of `map`, each of time 2ε with the map's ε.
     ///
-    /// `map` is a [`KahanAt`], for a higher order a [`composed`](KahanAt::composed) one; or a slice
-    /// or vector with one for each point, where ε or parameters differ: they run in lanes all the
-    /// same, with the bits that a point has alone with its map, and always
-    /// [divide](crate::Reciprocal::Divided).
+    /// `map` is a [`KahanAt`], or a [`composed`](KahanAt::composed) one for a higher order. Where ε
+    /// or parameters differ, pass a slice or vector with one map per point. These also run in SIMD
+    /// lanes and always [divide](crate::Reciprocal::Divided). Each point gets the bits it would get
+    /// from its map in an ensemble of its own.
     ///
-    /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current
-    /// pool of threads, small ones on the calling thread; the results are the same bits. Where a
-    /// trajectory meets a pole its floats are not finite from then on; beyond the range they may be
-    /// wrong, as those of a step. Others never notice.
+    /// No memory is allocated. With the feature `parallel`, large ensembles run on rayon's current
+    /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN; after
+    /// overflow they may be wrong. Other trajectories are unaffected.
     ///
     /// # Panics
-    /// At a pole, for scalars that have no reciprocal of zero; some points are then further than
-    /// others. If there are not as many maps as points.
+    /// If a trajectory meets a pole and the scalar has no reciprocal of zero; some points are then
+    /// further advanced than others. If the number of maps differs from the number of points.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -153,9 +150,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Work on all columns: over threads where that is worth its cost, else at once. `work` is given
-/// the number of the first group, and what comes of neighbouring stretches is joined in their
-/// order.
+/// Splits the columns over threads where that pays, otherwise calls `work` once. `work` gets the
+/// number of its first group. Results of neighbouring stretches are joined in order.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: Stretch<'_, T, N>,
@@ -184,10 +180,10 @@ where
     work(first, columns)
 }
 
-/// A stretch of every column.
+/// The same range of groups of every column.
 pub(crate) type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
-/// Two halves of whole tiles, or all of it again where two tasks are not worth their cost.
+/// Splits the columns into two halves of whole tiles; `Err` if two tasks would not pay.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
     mut columns: Stretch<'_, T, N>,
@@ -196,7 +192,7 @@ fn halves<T, const N: usize>(
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 
-    /// Less work than this, some tens of microseconds, is not worth a task.
+    /// Minimum work per task, some tens of microseconds.
     const STEPS_PER_TASK: u64 = 1 << 16;
 
     let tile = groups_per_tile::<T, N>();

@@ -1,8 +1,8 @@
-//! A map of its own for each trajectory: ε and parameters differ, the field is one.
+//! One map per trajectory: ε and parameters differ, the field is shared.
 //!
-//! In: prepared maps and columns. Out: the columns some steps later, in lanes: registers hold the
-//! constants of as many maps as they have lanes. A trajectory has the bits that it has in an
-//! ensemble that its map moves, whatever stands beside it.
+//! In: prepared maps and columns. Out: the columns after a number of steps. A register holds the
+//! constants of one map per lane. Each trajectory gets the bits that its map would give in any
+//! other ensemble, whatever the neighbouring lanes hold.
 
 use core::array::from_fn;
 use std::vec::Vec;
@@ -17,9 +17,8 @@ use super::columns::{GROUP, Group};
 use super::lanes::{Lanes, OverLanes};
 use super::level::Instructions;
 
-/// What is done to a group's columns by the maps of its trajectories.
 struct Each<'a, 'c, S, T, const N: usize> {
-    /// The map of each lane, the last one again where there is no trajectory.
+    /// The map of each lane; padding lanes repeat the last map.
     maps: [&'a S; GROUP],
     columns: [&'c mut Group<T>; N],
     steps: u64,
@@ -36,8 +35,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> Option<()> {
         let Self { maps, mut columns, steps } = self;
-        // Two registers at a time, as each step of one waits for the one before; where a register
-        // holds the whole group, both are that.
+        // Advances two registers at a time to hide latency; both are one if it holds the group.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
             let [first, second] = parts.map(|part| {
@@ -71,7 +69,7 @@ where
     S: Staged<T, N>,
     T: EnsembleScalar,
 {
-    /// ε of the map that meets a pole, should one do.
+    /// The error is the ε of a map that met a pole.
     fn advance(mut self, on: Instructions) -> Result<(), T> {
         if S::zip_stages(self.maps, |_| ()).is_none() {
             return self.in_turn(on);
@@ -93,7 +91,7 @@ where
         Ok(())
     }
 
-    /// One trajectory after the other, each in all lanes at once, for the bits that lanes have.
+    /// Advances one trajectory at a time, copied into all lanes, for the bits of lane arithmetic.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Grids of initial points.
 //!
-//! In: one axis a variable. Out: the ensemble of all points of their product, in a fixed order.
+//! In: one axis per variable. Out: the ensemble of the Cartesian product, in a fixed order.
 
 use core::array::from_fn;
 
@@ -15,15 +15,15 @@ use super::{Ensemble, EnsembleScalar};
 pub struct Axis<T> {
     /// The first value.
     pub start: T,
-    /// The last value, unless there is one value only.
+    /// The last value; unused if `count` is 1.
     pub end: T,
     /// The number of values.
     pub count: usize,
 }
 
 impl<T: Scalar + Copy> Axis<T> {
-    /// Value `k` of m + 1: (start·(m − k) + end·k)/m, so that the first and the last are as given
-    /// and decimal fractions of integers are rounded once.
+    /// Returns value `k` of m + 1 values, (start·(m − k) + end·k)/m. The end points are exact, and
+    /// decimal fractions between integers are rounded once.
     fn value(&self, k: usize) -> T {
         let last = self.count - 1;
         match k {
@@ -35,16 +35,14 @@ impl<T: Scalar + Copy> Axis<T> {
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// All points whose entry i is a value of axis i, the last variable running fastest, as in
-    /// nested loops with the first variable outermost. Without an axis that has a value it is
-    /// empty.
+    /// Creates all points whose entry i is a value of axis i. The last variable runs fastest, like
+    /// the innermost of nested loops. The grid is empty if any axis has no values.
     ///
-    /// Value k of an axis of m + 1 is (start·(m − k) + end·k)/m; the first is `start` itself and,
-    /// where m > 0, the last `end` itself.
+    /// Value k of an axis with m + 1 values is (start·(m − k) + end·k)/m. The first value is
+    /// `start` and, if m > 0, the last is `end`, both exactly.
     ///
     /// # Panics
-    /// If the number of points does not fit a `usize`; a number that fits and is more than memory
-    /// can hold aborts, as any allocation does.
+    /// If the number of points exceeds `usize`. Running out of memory aborts, like any allocation.
     ///
     /// ```
     /// use kahan_core::{Axis, Ensemble, vector};
@@ -58,13 +56,12 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     pub fn grid(axes: [Axis<T>; N]) -> Self {
         let len = axes.iter().try_fold(1_usize, |len, axis| len.checked_mul(axis.count));
         let Some(len) = len else { panic!("a grid of more points than memory can hold") };
-        // How many points share a value of each axis before the next value comes.
+        // The number of consecutive points that share a value of each axis.
         let runs: [usize; N] = from_fn(|c| axes[c + 1..].iter().map(|axis| axis.count).product());
         Self::from_columns(Columns::new(len, |i, c| axes[c].value(i / runs[c] % axes[c].count)))
     }
 }
 
-/// The natural number `n` as a scalar.
 fn integer<T: Scalar>(n: usize) -> T {
     // No axis has 2⁶³ values.
     T::constant(&Constant::integer(n as i64))

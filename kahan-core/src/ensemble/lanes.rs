@@ -1,7 +1,7 @@
-//! Lanes: several numbers side by side in one register, as a scalar.
+//! SIMD lanes: several numbers in one register, used as one scalar.
 //!
-//! In: work that is written once, over any lanes. Out: the same work, compiled for the instructions
-//! of a level and run there. One number is the register of scalars that have no other.
+//! In: work written once, generic over the lane type. Out: the work, compiled for the instructions
+//! of a level and run there. A scalar without vector registers is a register of width 1.
 
 use super::EnsembleScalar;
 use super::columns::Group;
@@ -9,40 +9,38 @@ use super::level::{Instructions, Level};
 use crate::Scalar;
 use crate::composition::Staged;
 
-/// A register of consecutive numbers, compared and chosen from lane by lane.
+/// A register of consecutive numbers with lane-wise comparison and selection.
 pub trait Lanes<T>: Scalar + Copy {
     /// The number of lanes; a divisor of [`GROUP`](super::columns::GROUP).
     const WIDTH: usize;
 
-    /// Which lanes a comparison holds in.
+    /// The lanes in which a comparison holds.
     type Mask: Copy;
 
-    /// Loads the entries from `place` on.
+    /// Loads `WIDTH` entries from index `place` on.
     fn load(entries: &[T], place: usize) -> Self;
 
-    /// Writes the entries from `place` on.
+    /// Stores the lanes into the entries from index `place` on.
     fn store(self, entries: &mut [T], place: usize);
 
     /// Puts the number into every lane.
     fn spread(value: &T) -> Self;
 
-    /// Where |self| > |other|; not where either is not a number.
+    /// Compares |self| > |other| per lane; false if either is NaN.
     fn exceeds(self, other: Self) -> Self::Mask;
 
-    /// Whether the mask is set in some lane.
+    /// Returns whether the mask is set in any lane.
     fn any(mask: Self::Mask) -> bool;
 
-    /// `yes` where the mask is set, `no` elsewhere.
+    /// Selects `yes` where the mask is set, `no` elsewhere.
     fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// Exchanges rows and columns.
+    /// Transposes a 4 × 4 matrix.
     fn transposed(rows: Square<T>) -> Square<T>;
 }
 
-/// Four rows of four numbers.
 pub(crate) type Square<T> = [[T; 4]; 4];
 
-/// A scalar is a register of one.
 impl<T: Scalar + Copy> Lanes<T> for T {
     const WIDTH: usize = 1;
 
@@ -84,37 +82,35 @@ impl<T: Scalar + Copy> Lanes<T> for T {
     }
 }
 
-/// Work over lanes of T.
+/// Work that is generic over the lane type of T.
 pub trait OverLanes<T> {
     /// The result.
     type Output;
-    /// Whether so little is alive at once that registers hold it twice, and the work is done by
-    /// pairs of them.
+    /// Whether the work needs few registers. It then runs on pairs of registers to hide latency.
     const IS_SMALL: bool;
 
-    /// Does the work; to be inlined into its caller, whose instructions it then is compiled with.
+    /// Does the work. Must be inlined, so that the caller's target features apply.
     fn run<L: Lanes<T>>(self) -> Self::Output;
 }
 
-/// A float that fills lanes.
+/// A float with SIMD lanes.
 pub trait InLanes: EnsembleScalar {
-    /// Numbers in a register of 512 bits, the widest there is.
+    /// Numbers in a 512-bit register, the widest.
     const MOST: usize = 64 / size_of::<Self>();
-    /// Numbers in a register of 256 bits.
+    /// Numbers in a 256-bit register.
     const ROWS: usize = Self::MOST / 2;
 
-    /// An entry that is smaller by this factor than the largest ones of its row and of its column
-    /// adds nothing to the solution. The square of the factor is still a normal number.
+    /// An entry below this fraction of the largest entries of its row and of its column cannot
+    /// change the solution. The square of the fraction is still a normal number.
     const NEGLIGIBLE: Self;
 
-    /// Runs work over the lanes of a level or, should the processor lack it, of the baseline.
+    /// Runs work over the lanes of `level`, or of the baseline if the processor lacks the level.
     fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output;
 }
 
-/// A float whose columns are advanced in lanes.
 pub(super) trait LaneSweep: InLanes {
-    /// Advances columns of equal length by a step that has lanes, on the level asked for or, should
-    /// the processor lack it, the baseline.
+    /// Advances columns of equal length by a step that has lanes, on the level of `on`, or on the
+    /// baseline if the processor lacks it.
     fn advance_lanes<S, const N: usize>(
         map: &S,
         columns: [&mut [Group<Self>]; N],
@@ -125,12 +121,10 @@ pub(super) trait LaneSweep: InLanes {
         S: Staged<Self, N>;
 }
 
-/// 2⁻⁶⁰
 pub(super) const NEGLIGIBLE_F32: f32 = 1.0 / (1_u64 << 60) as f32;
-/// 2⁻⁵⁰⁰
 pub(super) const NEGLIGIBLE_F64: f64 = f64::from_bits((1023 - 500) << 52);
 
-/// c − a·b, fused as the scalars of this build do it: those of AVX2 always fuse.
+/// c − a·b, fused if the program is compiled for FMA; AVX2 lanes always fuse.
 #[inline(always)]
 pub(crate) fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
     if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }

@@ -1,37 +1,32 @@
-//! Which instructions an ensemble runs on.
+//! The instruction sets that an ensemble can run on.
 //!
-//! In: what this processor has, found at run time. Out: one choice for a whole ensemble, and with
-//! it the bits of its results. Other architectures than x86-64 and 64-bit Arm have one level only.
+//! In: the processor's features, detected at run time. Out: one level for a whole ensemble, which
+//! also fixes the bits of its results. Outside x86-64 and 64-bit Arm, `Baseline` is the only level.
 
-/// A set of instructions that the steps of an [`Ensemble`](crate::Ensemble) run on; a later one is
-/// larger.
+/// An instruction set for the steps of an [`Ensemble`](crate::Ensemble), in increasing order.
 ///
-/// A level decides how many trajectories a register holds and whether multiply-adds are fused, so
-/// it decides the last bits of a result; within one level they are the same on every run and every
-/// machine that has it.
+/// The level decides the number of trajectories per register and whether multiply-adds are fused,
+/// and so the last bits of a result. Within one level the bits are equal on every run and machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// Instructions that the program was compiled for: two `f64` or four `f32` at a time on x86-64 and 64-bit
-    /// Arm, one at a time elsewhere. The arithmetic, fused or not, is that of
-    /// [`KahanAt::step`](crate::KahanAt::step), bit for bit, unless that divides more than once, as
-    /// in one or two variables, or divides by the time step: many trajectories wait for the divider
-    /// rather than for each other, and take the form with one division and no other, so that a last
-    /// digit may differ.
+    /// The instructions that the program was compiled for: two `f64` or four `f32` at a time on
+    /// x86-64 and 64-bit Arm, otherwise one. The bits are those of
+    /// [`KahanAt::step`](crate::KahanAt::step), with one exception: if that step divides more than
+    /// once (one or two variables) or by the time step, lanes use the form with a single division,
+    /// because the divider limits throughput. The last digit may then differ.
     Baseline,
     /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
     Avx2,
-    /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the same bits as
-    /// [`Avx2`](Self::Avx2). Its divider is no faster: it gains where multiplications are the
-    /// bound, and little elsewhere.
+    /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2). Its
+    /// divider is no faster, so it helps mainly where multiplications limit the speed.
     Avx512,
-    /// NEON with fused multiply-adds, on 64-bit Arm: two `f64` or four `f32` at a time, with the
-    /// same bits as [`Avx2`](Self::Avx2).
+    /// NEON on 64-bit Arm: two `f64` or four `f32` at a time; bits of [`Avx2`](Self::Avx2).
     Neon,
 }
 
 impl Level {
-    /// Whether this processor can run it.
+    /// Returns whether this processor supports the level.
     pub fn is_available(self) -> bool {
         match self {
             Self::Baseline => true,
@@ -47,7 +42,7 @@ impl Level {
         }
     }
 
-    /// The largest level that this processor can run: what ensembles use unless told otherwise.
+    /// Returns the highest level of this processor, the default of ensembles.
     pub fn best() -> Self {
         [Self::Neon, Self::Avx512, Self::Avx2]
             .into_iter()
@@ -56,27 +51,27 @@ impl Level {
     }
 }
 
-/// How an ensemble computes the reciprocals of its denominators.
+/// The method for the reciprocals of a step's denominators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Reciprocal {
     /// By the division instruction: correctly rounded.
     #[default]
     Divided,
-    /// On [`Level::Avx512`] by the processor's estimate of 14 bits and Newton's iteration, twice
-    /// for `f64`, once for `f32`; on other levels, and for other scalars, as
+    /// On [`Level::Avx512`], the processor's 14-bit estimate refined by Newton's iteration, twice
+    /// for `f64` and once for `f32`. On other levels and for other scalars like
     /// [`Divided`](Self::Divided).
     ///
-    /// It takes up to a third less time where a step does little but divide (Lotka and Volterra's),
-    /// and none where multiplications are the bound. Over operands of all exponents, subnormal ones
-    /// included, a reciprocal is off the correctly rounded one in one case of 900 for `f64` and of
-    /// 340 for `f32`, and then by one unit in the last place. Where it is not finite (at 0, and
-    /// where it overflows), and for infinite operands, it is not a number: a pole still shows, and
-    /// so does a denominator that overflows, where a division would silently leave the point in its
-    /// place.
+    /// Up to a third faster where a step does little but divide (Lotka–Volterra), and no faster
+    /// where multiplications limit the speed. Over operands of all exponents, including subnormal
+    /// ones, a reciprocal differs from the correctly rounded one in one case of 900 for `f64` and
+    /// of 340 for `f32`, by one unit in the last place. If the reciprocal is infinite (at 0 or by
+    /// overflow) or the operand is infinite, the result is NaN. Poles and overflowing denominators
+    /// therefore stay visible, whereas a division by infinity would silently leave the point
+    /// unchanged.
     Estimated,
 }
 
-/// The choices that decide an ensemble's bits, made once.
+/// The choices that fix an ensemble's bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instructions {
     pub(crate) level: Level,

@@ -1,10 +1,9 @@
-//! Many trajectories at once, of one map or each of its own.
+//! Ensembles: many trajectories advanced together, by one map or by one map per trajectory.
 //!
-//! In: initial points. Out: the points some steps later, at the limit of the machine: one column a
-//! variable, tiles that stay in the nearest cache, registers of several trajectories, chosen at run
-//! time, threads with `parallel`. What a step is lies elsewhere: an ensemble runs the prepared step
-//! of a map, the same code over other scalars. A pole is not looked for; it shows as numbers that
-//! are not finite.
+//! In: initial points. Out: the points after a number of steps. One column per variable, tiles that
+//! stay in the first-level cache and SIMD lanes make it fast, and threads with `parallel`. The
+//! module holds no step formulas: it runs the prepared step of a map over lane types. Poles are not
+//! detected; they show as infinities or NaNs.
 
 #[cfg(target_arch = "aarch64")]
 mod aarch64;
@@ -37,30 +36,29 @@ pub use grid::Axis;
 pub use level::{Level, Reciprocal};
 pub use scalar::EnsembleScalar;
 
-/// Points of an N-dimensional state, advanced together by one map or each by its own.
+/// Points of an N-dimensional state, advanced together by one map or by one map per point.
 ///
-/// One column a variable; the points keep their order. Made by [`new`](Self::new) or
-/// [`grid`](Self::grid), moved by [`advance`](Self::advance).
+/// Points are stored as one column per variable and keep their order. [`new`](Self::new) and
+/// [`grid`](Self::grid) build an ensemble; [`advance`](Self::advance) moves it.
 ///
-/// # The same bits every time
-/// A trajectory's bits depend on its initial point, the map, ε and the [`Level`] alone: not on the
-/// run, its place, the number of points, or the number of threads. Levels differ from each other
-/// and from [`KahanAt::step`](crate::KahanAt::step) where one of them fuses multiply-adds and the
-/// other does not: [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] always do, and have the
-/// same bits, [`Level::Baseline`] and `step` where the program is compiled for it. An ensemble runs
-/// on the largest level of the processor; [`at_level`](Self::at_level) pins another one.
+/// # Reproducibility
+/// A trajectory's bits depend only on its initial point, the map, ε and the [`Level`]. They do not
+/// depend on the run, the index of the point, the number of points or the number of threads.
+/// [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] fuse multiply-adds and give equal bits.
+/// [`Level::Baseline`] and [`KahanAt::step`](crate::KahanAt::step) fuse only where the program is
+/// compiled for fused instructions. An ensemble runs on the highest level of the processor;
+/// [`at_level`](Self::at_level) selects another.
 ///
 /// # Cost
-/// N numbers of memory a point. The processor works on many trajectories side by side, so that none
-/// waits for the results of another step: the time is that of the unit with most to do, mostly the
-/// one that divides.
+/// Memory: N numbers per point. Trajectories in different lanes and registers are independent, so
+/// the busiest execution unit, usually the divider, sets the time.
 pub struct Ensemble<T, const N: usize> {
     pub(crate) columns: Columns<T, N>,
     pub(crate) instructions: Instructions,
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// The ensemble of these points, in this order.
+    /// Creates an ensemble of the given points, in order.
     pub fn new(points: Vec<SVector<T, N>>) -> Self {
         Self::from_columns(Columns::new(points.len(), |i, c| points[i][c]))
     }
@@ -70,46 +68,45 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         Self { columns, instructions }
     }
 
-    /// The same ensemble, run on another level; `None` if this processor lacks it.
+    /// Selects a level; `None` if the processor lacks it.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.instructions.level = level;
         level.is_available().then_some(self)
     }
 
-    /// The level that the ensemble runs on.
+    /// Returns the level in use.
     pub fn level(&self) -> Level {
         self.instructions.level
     }
 
-    /// The same ensemble with another way of computing reciprocals, which changes bits on
-    /// [`Level::Avx512`] only.
+    /// Selects how reciprocals are computed. The choice changes bits on [`Level::Avx512`] only.
     pub fn with_reciprocal(mut self, reciprocal: Reciprocal) -> Self {
         self.instructions.reciprocal = reciprocal;
         self
     }
 
-    /// The number of points.
+    /// Returns the number of points.
     pub fn len(&self) -> usize {
         self.columns.len()
     }
 
-    /// Whether there is no point.
+    /// Returns whether the ensemble has no points.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Point `i`, in the order in which they were given; `None` from [`len`](Self::len) on.
+    /// Returns point `i` in the given order; `None` if `i` ≥ [`len`](Self::len).
     pub fn point(&self, i: usize) -> Option<SVector<T, N>> {
         (i < self.len()).then(|| SVector::from_fn(|c, _| self.columns.column(c)[i]))
     }
 
-    /// All points in order.
+    /// Iterates over all points in order.
     pub fn points(&self) -> impl DoubleEndedIterator<Item = SVector<T, N>> + ExactSizeIterator + '_ {
         let columns: [&[T]; N] = core::array::from_fn(|c| self.columns.column(c));
         (0..self.len()).map(move |i| SVector::from_fn(|c, _| columns[c][i]))
     }
 
-    /// Variable `i` of all points: one number a point, in order.
+    /// Returns the values of variable `i`, one per point, in order.
     ///
     /// # Panics
     /// If `i` is not less than N.
@@ -125,7 +122,7 @@ impl<T: EnsembleScalar, const N: usize> Clone for Ensemble<T, N> {
     }
 }
 
-/// Two are equal where their points are, whatever they run on.
+/// Compares the points only; level and reciprocal may differ.
 impl<T: EnsembleScalar, const N: usize> PartialEq for Ensemble<T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.len() == other.len() && (0..N).all(|c| self.column(c) == other.column(c))

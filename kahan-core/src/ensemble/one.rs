@@ -1,5 +1,5 @@
-//! Ensembles on processors whose vector registers nothing here names: one trajectory at a time, by
-//! the plan that lanes follow, so that the bits are those of lanes.
+//! Ensembles on processors without supported vector registers: one trajectory at a time, by the
+//! plan for lanes, so that the bits equal those of lanes.
 
 use crate::PreparedStep;
 use crate::composition::Staged;

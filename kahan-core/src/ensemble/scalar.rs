@@ -1,7 +1,6 @@
-//! Which scalars ensembles are made of, and how each is swept.
+//! The scalars that ensembles are made of, and the sweep for each.
 //!
-//! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest
-//! registers that the scalar has.
+//! In: the prepared stages of a step, and columns. Out: the columns some steps later.
 
 #![expect(private_bounds, reason = "the stages of a step are nobody else's")]
 
@@ -16,16 +15,15 @@ use super::sweep::sweep;
 
 /// A scalar of an [`Ensemble`](crate::Ensemble).
 ///
-/// `f32` and `f64` fill the lanes of registers. Any other scalar that is `Copy` becomes one by an
-/// empty implementation, `impl EnsembleScalar for S {}`, and is stepped one trajectory at a time.
+/// `f32` and `f64` run in SIMD lanes. Any other `Copy` scalar becomes one by an empty `impl
+/// EnsembleScalar for S {}`; its trajectories are stepped one at a time.
 #[diagnostic::on_unimplemented(
     message = "an ensemble of `{Self}` cannot be advanced",
     label = "not an `EnsembleScalar`; for a number, write `1.0`, not `1`",
     note = "`f32` and `f64` are, and every scalar that is `Copy` becomes one by `impl EnsembleScalar for … {{}}`"
 )]
 pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
-    /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of
-    /// zero.
+    /// Advances columns of equal length; `None` at a pole of a scalar without a reciprocal of zero.
     #[doc(hidden)]
     fn sweep<S, const N: usize>(
         map: &S,
@@ -39,7 +37,7 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
         sweep::<Self, S, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
     }
 
-    /// Runs work over the lanes of a level; `None` where the scalar has no lanes.
+    /// Runs work over the lanes of `level`; `None` if the scalar has no lanes.
     #[doc(hidden)]
     fn over_lanes<W: OverLanes<Self>>(_work: W, _level: Level) -> Option<W::Output> {
         None

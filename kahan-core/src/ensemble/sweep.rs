@@ -1,9 +1,8 @@
-//! The loop that all ensembles run: tiles, steps, groups.
+//! The loop of every ensemble: over tiles, steps, stages and groups.
 //!
-//! In: columns and a step over one kind of register. Out: the columns some steps later. A tile
-//! stays in the nearest cache while all of its steps run. Each stage of a step is one pass over the
-//! tile: its groups do not depend on each other, so the processor itself overlaps their long chains
-//! of operations. Registers hold no more than one group; holding several gains nothing measurable.
+//! In: columns and a step over one register type. Out: the columns after a number of steps. A tile
+//! stays in the first-level cache for all of its steps. Each stage of a step is one pass over the
+//! tile. The groups in a pass are independent, so the processor overlaps their operations.
 
 use core::array::from_fn;
 
@@ -14,10 +13,10 @@ use crate::{PreparedStep, Scalar};
 use super::columns::{GROUP, Group};
 use super::lanes::Lanes;
 
-/// Advances every column by `steps`, each of them all `stages` in order; `None` at a pole of a
-/// scalar that has no reciprocal of zero, with some trajectories advanced and others not.
+/// Advances every column by `steps` steps; one step runs all `stages` in order. Returns `None` at a
+/// pole of a scalar without a reciprocal of zero; some trajectories are then not advanced.
 ///
-/// Inlined into its caller, whose instructions it then is compiled with.
+/// Must be inlined, so that the caller's target features apply.
 #[inline(always)]
 pub(crate) fn sweep<R, S, T, P, const N: usize>(
     stages: &S::Stages<P>,
@@ -33,7 +32,7 @@ where
     let groups = columns.first().map_or(0, |column| column.len());
     for first in (0..groups).step_by(groups_per_tile::<T, N>()) {
         let len = groups_per_tile::<T, N>().min(groups - first);
-        // Slices of one length in sight of the loop, so that it checks no index.
+        // Slices of one known length, so that the inner loop needs no bounds checks.
         let mut tile = columns.each_mut().map(|column| &mut column[first..][..len]);
         for _ in 0..steps {
             for step in S::in_order(stages) {
@@ -53,8 +52,8 @@ where
     Some(())
 }
 
-/// The length of a tile: at most 512 trajectories and 16 KiB, half of the smallest nearest cache in
-/// use, but at least one group.
+/// Returns the groups of a tile: at most 512 trajectories and 16 KiB, half of the smallest
+/// first-level cache in use, but at least one group.
 pub(crate) const fn groups_per_tile<T, const N: usize>() -> usize {
     const TRAJECTORIES: usize = 512;
     const BYTES: usize = 16 << 10;

@@ -1,7 +1,6 @@
-//! Two registers as one.
+//! A pair of registers used as one of twice the width.
 //!
-//! In: a register type. Out: one of twice the lanes. Where each result waits for the one before,
-//! two such chains take the time of one.
+//! Two independent chains of dependent operations overlap, so both take the time of one.
 
 use core::ops::Neg;
 
@@ -18,7 +17,7 @@ pub struct Twice<L>(L, L);
 
 operators!([L: Scalar + Copy] Twice<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// Functions, as closures are not inlined where a level's instructions are compiled.
+/// Named functions, because closures are not inlined into functions with target features.
 impl<L: Scalar + Copy> Twice<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

@@ -1,32 +1,30 @@
-//! Elimination along couplings: tables of the entries of A(x,ε), and loops over them.
+//! Sparse elimination along the couplings of variables: tables of the entries of A(x,ε), and loops.
 //!
-//! In: numbers at the places of the tables. Out: A = L·U in these places, and solutions of A·X = B.
-//! [`factor`](Couplings::factor) reports pivots that are too small for elimination without
-//! exchanges.
+//! In: the entries of A, in the order of the tables. Out: A = L·U in place, and solutions of A·X =
+//! B. Rows are never exchanged: [`factor`](Couplings::factor) reports pivots too small for that.
 
 use core::ops::Range;
 
 use crate::{Constant, Scalar};
 
-/// The ratio above which a pivot is too small: an entry of its row and an entry of its column both
-/// exceed the pivot by more than this factor, and the step uses partial pivoting.
+/// The ratio above which a pivot is too small. If an entry of its row and an entry of its column
+/// both exceed the pivot by more than this factor, the step uses partial pivoting instead.
 ///
-/// Otherwise a product subtracted from an entry is at most this many times another entry of its row
-/// or column, so no digits are lost.
+/// Otherwise a product subtracted from an entry is at most 16 times an entry of its row or column.
 pub const LARGEST_FACTOR: i64 = 16;
 
-/// The entries of A(x,ε) with fill-in, row by row; rows and columns in elimination order.
+/// The entries of A(x,ε) with fill-in, row by row. Rows and columns are in elimination order.
 #[derive(Clone, Copy, Debug)]
 pub struct Couplings<'a> {
-    /// The variable eliminated at each turn.
+    /// The variables in elimination order.
     pub order: &'a [u32],
-    /// The ranges of the rows.
+    /// The ranges of the rows' entries.
     pub rows: &'a [CouplingRow],
     /// The column of each entry.
     pub columns: &'a [u32],
-    /// The end of each block (its last row plus 1); blocks are solved one after the other.
+    /// The end of each diagonal block (its last row plus 1); blocks are solved in order.
     pub blocks: &'a [u32],
-    /// The place of each entry of f′ that is not identically zero.
+    /// For each structurally nonzero entry of f′, its index among the entries of A.
     pub places: &'a [u32],
 }
 
@@ -40,7 +38,7 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Returns a row from the places of its first entry, its first entry in its own block and its
+    /// Creates a row from the indices of its first entry, its first entry in its own block, and its
     /// diagonal entry, and the end of its entries.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
@@ -59,7 +57,7 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// The entries multiplied by known unknowns in forward substitution.
+    /// The entries that forward substitution multiplies by known unknowns.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }
@@ -78,8 +76,8 @@ impl Couplings<'_> {
         }
     }
 
-    /// Replaces A by its LU factors, with reciprocal pivots; `row` is scratch for one row. Returns
-    /// `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
+    /// Replaces A by its LU factors with reciprocal pivots; `row` is scratch space for one row.
+    /// Returns `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;
@@ -91,8 +89,8 @@ impl Couplings<'_> {
         has_pivots && !is_refused
     }
 
-    /// Replaces A by its LU factors; `false` if a pivot is 0. Calls `see` with the turn of the
-    /// pivot, the factor, and the factors so far, before each reduction of a row.
+    /// Replaces A by its LU factors; `false` if a pivot is 0. Before each reduction of a row, calls
+    /// `see` with the pivot's row, the factor, and the current values.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],
@@ -126,19 +124,19 @@ impl Couplings<'_> {
         !is_singular
     }
 
-    /// Returns the reciprocal of the pivot of a turn, and the entries to its right.
+    /// Returns the reciprocal pivot of a row, and the entries to its right.
     pub fn pivot<'a, T>(&self, turn: usize, values: &'a [T]) -> (&'a T, &'a [T]) {
         let row = &self.rows[turn];
         (&values[row.diagonal as usize], &values[row.right()])
     }
 
-    /// Iterates over the reciprocals of the pivots in LU factors; their product is 1/det A.
+    /// Iterates over the reciprocal pivots of LU factors; their product is 1/det A.
     pub fn pivots<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
         self.rows.iter().map(|row| &values[row.diagonal as usize])
     }
 
-    /// Solves A·x = b in place, in elimination order, from LU factors. Back substitution subtracts
-    /// the columns in the order in which they are solved.
+    /// Solves A·x = b in place from LU factors, in elimination order. Back substitution subtracts
+    /// columns in the order in which their unknowns are found.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let mut first = 0;
         for end in self.blocks {
@@ -154,7 +152,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Solves Aᵀ·x = b in place; see [`solve`](Self::solve).
+    /// Solves Aᵀ·x = b in place, from the same factors as [`solve`](Self::solve).
     pub fn solve_transposed<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let subtract = |i: usize, places: Range<usize>, b: &mut [T]| {
             for place in places {
@@ -176,7 +174,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Returns bᵢ minus the products at these places.
+    /// Returns bᵢ − Σ entry·b[its column] over the entries at `places`.
     #[inline]
     fn reduced<T: Scalar>(&self, places: impl Iterator<Item = usize>, i: usize, values: &[T], b: &[T]) -> T {
         places.fold(b[i].clone(), |sum, place| {
@@ -184,7 +182,7 @@ impl Couplings<'_> {
         })
     }
 
-    /// Iterates over the variables of row and column of each entry of f′, in the order of `places`.
+    /// Iterates over the row and column variables of each entry of f′, in the order of `places`.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
         let mut row = 0;
         self.places.iter().map(move |&place| {
@@ -195,7 +193,7 @@ impl Couplings<'_> {
         })
     }
 
-    /// Returns the largest number of entries in a row of A.
+    /// Returns the largest number of entries in a row of A, without fill-in.
     #[must_use]
     pub fn widest_row(&self) -> usize {
         let width = |row: &CouplingRow| {

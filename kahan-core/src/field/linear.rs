@@ -1,9 +1,9 @@
 //! Linear algebra on small matrices over any scalar.
 //!
 //! In: matrices whose size is part of the type. Out: solutions, determinants, products with the
-//! adjugate. [`solve`] and [`determinant`] use partial pivoting;
-//! [`determinant_and_adjugate_product`] only uses ring operations, so it has no poles. Only the
-//! scalar's own operations allocate.
+//! adjugate. [`solve`] and [`determinant`] use partial pivoting.
+//! [`determinant_and_adjugate_product`] uses only ring operations, so it has no poles. Nothing
+//! allocates except operations of the scalar.
 
 use core::array::from_fn;
 
@@ -11,8 +11,7 @@ use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 use crate::Scalar;
 
-/// Returns the solution X of A·X = B, or `None` if A is singular and the scalar has no reciprocal
-/// of zero. Over floats, a singular matrix gives a result that is not finite.
+/// Solves A·X = B. If A is singular, floats become infinite or NaN, and exact scalars give `None`.
 pub fn solve<T: Scalar, const N: usize, const M: usize>(
     mut a: SMatrix<T, N, N>,
     mut b: SMatrix<T, N, M>,
@@ -21,7 +20,7 @@ pub fn solve<T: Scalar, const N: usize, const M: usize>(
     Some(b)
 }
 
-/// Solves in place of B and overwrites A, without copies of large matrices.
+/// Solves in place of B and overwrites A, to avoid copies of large matrices.
 #[inline(always)]
 pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, N>,
@@ -51,17 +50,16 @@ pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     Some(())
 }
 
-/// Returns det A; 0 for a singular matrix in every scalar.
+/// Returns det A, which is 0 for a singular matrix in every scalar.
 pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
     eliminated_determinant(&mut a)
 }
 
-/// Returns det A and overwrites A.
 #[inline(always)]
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries, because a zero pivot beside a NaN proves nothing.
+        // All entries must be zero: beside a NaN a zero pivot proves nothing.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -89,7 +87,7 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
 ///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
 ///
 /// the second by the Cayley–Hamilton theorem. For Kahan's A = I − εf′ the terms are of size εᵏ, so
-/// C instead of A avoids the cancellation of binomials. Cost: O(N⁴) operations.
+/// using C instead of A avoids cancellation. Cost: O(N⁴) operations.
 pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,
@@ -120,9 +118,9 @@ pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
 
 /// Returns c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the Samuelson–Berkowitz algorithm.
 ///
-/// The leading block of size m+1 is [[C_m, s], [r, d]]. Its coefficients are those of C_m
-/// multiplied by the Toeplitz matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf.
-/// Process. Lett. 18 (1984) 147–150).
+/// The leading block of size m+1 is [[C_m, s], [r, d]]. Its coefficients are those of C_m times the
+/// Toeplitz matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf. Process. Lett. 18
+/// (1984) 147–150).
 fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) -> [T; N] {
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
@@ -164,7 +162,6 @@ fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) ->
     })
 }
 
-/// Returns Σ c_ij·v_j over j < m.
 fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize, v: &[T; N]) -> T {
     let mut sum = T::zero();
     for j in 0..m {
@@ -173,7 +170,7 @@ fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize
     sum
 }
 
-/// Returns the row from k on with the best pivot in column k; the first of equals.
+/// Returns the row from k on with the best pivot in column k; ties go to the first.
 fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
     (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
 }
@@ -209,7 +206,7 @@ pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))
 }
 
-/// Returns the entries of a vector, for binding by a pattern.
+/// Returns the entries of a vector as an array, for destructuring.
 #[inline(always)]
 pub fn components<T, const N: usize>(vector: &SVector<T, N>) -> &[T; N] {
     let [entries] = &vector.data.0;

@@ -1,7 +1,7 @@
-//! The vector field, as the four functions from which all formulas of the method are made.
+//! The vector field, given by four functions from which all formulas of the method follow.
 //!
-//! In: a state. Out: f, f′, and the two symmetric forms with diagonals Q and f. Implementations do
-//! not depend on ε; coefficients that do are those at ε = 0.
+//! In: a state. Out: f, f′, and the two symmetric forms that equal Q and f on the diagonal. If
+//! coefficients depend on ε, these functions take them at ε = 0.
 
 pub(crate) mod couplings;
 pub(crate) mod linear;
@@ -13,9 +13,9 @@ use crate::Scalar;
 
 pub use named::{Integrals, Named};
 
-/// A quadratic vector field f(x) = Q(x) + Bx + c on Tᴺ, without poles in x.
+/// A quadratic vector field f(x) = Q(x) + Bx + c on Tᴺ.
 ///
-/// [`kahan!`](crate::kahan!) implements it; by hand, all four methods must describe one field.
+/// [`kahan!`](crate::kahan!) implements it; handwritten methods must all describe one field.
 pub trait QuadraticField<T: Scalar, const N: usize> {
     /// Returns f(x), the right-hand side of ẋ = f(x).
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N>;
@@ -26,6 +26,6 @@ pub trait QuadraticField<T: Scalar, const N: usize> {
     /// Returns Q(x,y) = ½[Q(x+y) − Q(x) − Q(y)]; Q(x,x) is the quadratic part of f.
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Returns Q(x,y) + ½B(x+y) + c, symmetric: f(x) at (x,x), and (x̃ − x)/(2ε) at (x,x̃).
+    /// Returns Q(x,y) + ½B(x+y) + c, symmetric; it is f(x) for y = x, (x̃ − x)/(2ε) for y = x̃.
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 }

@@ -1,6 +1,4 @@
 //! Names and proved integrals of a generated system, for generic code.
-//!
-//! In: a map. Out: names in the order of the vectors' entries, and the values of integrals.
 
 use nalgebra::SVector;
 
@@ -8,22 +6,22 @@ use crate::Scalar;
 
 /// The names of a system's variables and parameters, as written in the source.
 pub trait Named {
-    /// Returns the state variables, in the order of a state's entries.
+    /// Returns the names of the state variables, in the order of a state's entries.
     fn variables(&self) -> &'static [&'static str];
 
-    /// Returns the parameters, in the order of declaration; none by default.
+    /// Returns the names of the parameters, in order of declaration; empty by default.
     fn parameters(&self) -> &'static [&'static str] {
         &[]
     }
 }
 
-/// A map on Tᴺ with M declared integrals: functions of state and ε that a step preserves.
+/// A map on Tᴺ with M proved integrals: functions of state and ε that a step conserves.
 pub trait Integrals<T: Scalar, const N: usize, const M: usize> {
     /// Returns the names of the integrals, in the order of the values.
     fn integral_names(&self) -> &'static [&'static str];
 
-    /// Returns the integrals at x, for the map with half time step `eps`.
+    /// Returns the values of the integrals at x, for the map with half time step `eps`.
     ///
-    /// At a pole of an integral, a float is not finite and an exact scalar panics.
+    /// At a pole of an integral, a float is infinite or NaN, and an exact scalar panics.
     fn integrals(&self, x: &SVector<T, N>, eps: T) -> SVector<T, M>;
 }

@@ -1,6 +1,6 @@
 //! A family at one ε, for chains of one length.
 //!
-//! In: a state. Out: the next one, in place. All memory is allocated before the first step.
+//! In: a state. Out: the next state, in place. All memory is allocated before the first step.
 
 use core::fmt;
 use std::sync::{Mutex, PoisonError};
@@ -18,9 +18,9 @@ use super::scalar::Solved;
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
-/// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
+/// The map of a family at a fixed ε (half the time step) and a fixed number of sites.
 ///
-/// Made by [`LatticeMap::at`](super::LatticeMap::at). Steps do not allocate.
+/// [`LatticeMap::at`](super::LatticeMap::at) creates it. Steps do not allocate.
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
@@ -32,7 +32,6 @@ pub struct LatticeAt<M, T: LatticeScalar> {
     promise: Promise<T>,
 }
 
-/// The workspace of a step.
 struct Memory<T: LatticeScalar> {
     form: Form,
     site: Site<T>,
@@ -41,7 +40,7 @@ struct Memory<T: LatticeScalar> {
     whole_eliminations: u64,
 }
 
-/// Everything that determines the size and layout of a workspace.
+/// The values that determine size and layout of a workspace.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Form {
     sizes: Sizes,
@@ -55,7 +54,7 @@ impl<T: LatticeScalar> Memory<T> {
     fn new(form: Form) -> Self {
         let Form { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
-        // If a part meets too small a pivot, the whole chain is eliminated.
+        // Used only if elimination in parts meets too small a pivot.
         let folded = if partition.is_some() { Folded::rarely } else { Folded::new };
         Self {
             form,
@@ -66,7 +65,7 @@ impl<T: LatticeScalar> Memory<T> {
         }
     }
 
-    /// Takes `steps` steps at the ε of `constants`; an exact scalar stops before a pole.
+    /// Takes `steps` steps with the given constants and ε; an exact scalar stops before a pole.
     fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -93,7 +92,7 @@ impl<T: LatticeScalar> Memory<T> {
         Ok(())
     }
 
-    /// Solves A(x,ε)·w = f(x), or = `right`, by one elimination of the whole chain.
+    /// Solves A(x,ε)·w = f(x), or A(x,ε)·w = `right`, by eliminating the whole chain.
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -138,7 +137,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = Promise::new(&map, &eps, sites * sizes.block);
-        // Constants may overflow in T without harm to a promised step.
+        // Overflowing constants do not affect a step with a bound.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -147,10 +146,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
-    /// Sets the instruction set level of the steps; `None` if this processor lacks it.
+    /// Sets the level of the steps, by default the highest; `None` if this processor lacks it.
     ///
-    /// The level affects the last bits of long chains of `f32` and `f64`, as for an
-    /// [`Ensemble`](crate::Ensemble); the default is the highest.
+    /// It affects the last bits of long chains of `f32` and `f64`, as in an
+    /// [`Ensemble`](crate::Ensemble).
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
         self.memory = Mutex::new(Memory::new(self.form));
@@ -171,16 +170,16 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns the number of steps by one elimination of the whole chain: those of short chains,
-    /// and of long ones with too small a pivot in a part.
+    /// Returns the number of steps that eliminated the whole chain at once: all steps of short
+    /// chains, and steps of long chains in which a part had too small a pivot.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
 
-    /// Takes one step x ↦ x̃ in place. NaN persists; at a pole, floats are not finite.
+    /// Takes one step x ↦ x̃ in place. NaN persists; at a pole, floats become infinite or NaN.
     ///
     /// # Panics
-    /// If the state does not have this chain's length; at a pole of an exact scalar.
+    /// If the state has the wrong length; at a pole of an exact scalar.
     #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
         self.check(state);
@@ -190,10 +189,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes one step of the inverse map in place: the step with −ε.
+    /// Takes one step of the inverse map, the map with −ε, in place.
     ///
     /// # Panics
-    /// As [`step`](Self::step).
+    /// See [`step`](Self::step).
     #[track_caller]
     pub fn step_back(&mut self, state: &mut [T]) {
         self.check(state);
@@ -203,18 +202,18 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes one step with a bound on its backward error; on an error the state is unchanged.
+    /// Takes one step with a bound on its backward error; after an error the state is unchanged.
     ///
     /// `Ok` means |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i, proved for this
-    /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the given floats, and k is the
-    /// number of entries in the row of A. An exact scalar's step is exact.
+    /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact for the given floats, and k is the
+    /// number of entries in row i of A. Steps over exact scalars are exact.
     ///
     /// # Errors
-    /// At a pole, if the state or x̃ is not finite, and if neither two refinements nor (up to 4096
-    /// numbers) an allocating elimination over many digits reach the bound.
+    /// At a pole, or if the state or x̃ is not finite. Also if the bound is reached neither by two
+    /// steps of refinement nor, up to 4096 unknowns, by an allocating elimination over many digits.
     ///
     /// # Panics
-    /// If the state does not have this chain's length.
+    /// If the state has the wrong length.
     #[track_caller]
     pub fn try_step(&mut self, state: &mut [T]) -> Result<(), SingularStep> {
         self.check(state);
@@ -247,7 +246,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             }
             least = bound.min(least);
             if turn < REFINEMENTS {
-                // A non-finite x̃ is replaced by x before the refinement.
+                // Refinement starts at x if x̃ is not finite.
                 if !is_finite {
                     state.clone_from_slice(&promise.before);
                     promise.bound(map, state);
@@ -276,12 +275,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         failed(Reason::Refined, least * T::UNIT)
     }
 
-    /// Takes `steps` steps in place, also without [`Step`] in scope.
+    /// Takes `steps` steps in place; needs no import of [`Step`].
     ///
     /// Steps use the map's own workspace; a concurrent call from another thread allocates one.
     ///
     /// # Panics
-    /// As [`step`](Self::step).
+    /// See [`step`](Self::step).
     #[track_caller]
     pub fn advance(&self, state: &mut [T], steps: u64) {
         self.check(state);
@@ -295,10 +294,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes `steps` steps; after each, calls `visit` with its number, from 1 on, and the state.
+    /// Takes `steps` steps; after each calls `visit` with its number, from 1 on, and the state.
     ///
     /// # Panics
-    /// As [`step`](Self::step).
+    /// See [`step`](Self::step).
     #[track_caller]
     pub fn for_each(&mut self, state: &mut [T], steps: u64, mut visit: impl FnMut(u64, &[T])) {
         for k in 1..=steps {
@@ -307,16 +306,15 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of `next` as the step from `x`, the maximum of
+    /// Returns the componentwise backward error of the step from `x` to `next`, the maximum of
     ///
     ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
     ///
-    /// With b = x + εBx + 2εc the numerator is |A x̃ − b|, or 2ε times the defect of Kahan's
-    /// defining equation. Over an exact scalar the result is 0 only for the step. A NaN is returned
-    /// as it occurs.
+    /// With b = x + εBx + 2εc the numerator is |A x̃ − b|, which is 2ε times the defect of Kahan's
+    /// equation. Over an exact scalar the result is 0 only for the exact step. A NaN is returned.
     ///
     /// # Panics
-    /// If a state does not have this chain's length.
+    /// If a state has the wrong length.
     #[track_caller]
     pub fn residual(&self, x: &[T], next: &[T]) -> T {
         self.check(x);
@@ -347,10 +345,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         worst
     }
 
-    /// Returns f(x) in the layout of the state.
+    /// Returns f(x), ordered like the state.
     ///
     /// # Panics
-    /// If the state does not have this chain's length.
+    /// If the state has the wrong length.
     #[track_caller]
     pub fn field(&self, x: &[T]) -> Vec<T> {
         self.check(x);

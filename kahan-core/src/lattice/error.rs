@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// A mismatch of sites and parameters.
+/// An invalid number of sites, or invalid parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LatticeError {
@@ -10,7 +10,7 @@ pub enum LatticeError {
     NoSites,
     /// The equations divide by zero at these parameters, or a parameter or ε is not finite.
     Undefined,
-    /// A site parameter has values for another number of sites.
+    /// A site parameter has the wrong number of values.
     SiteParameter {
         /// The name of the parameter in the family.
         name: &'static str,

@@ -1,4 +1,4 @@
-//! The boundary of a chain, and the sizes of its equations, as values or as a type.
+//! The boundary condition of a chain, and the sizes of its equations, as values or as a type.
 
 /// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,9 +12,9 @@ pub enum Boundary {
 /// The sizes of a family's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// The number of arrays.
+    /// The number of arrays per site.
     pub block: usize,
-    /// The largest offset, at least 1.
+    /// The largest offset of a neighbour, at least 1.
     pub reach: usize,
     /// The number of parameters per site.
     pub parameters: usize,
@@ -24,16 +24,16 @@ pub struct Sizes {
     pub upper: usize,
     /// The number of scalar registers for the equations of one site.
     pub registers: usize,
-    /// The number of registers for the equations of gathered sites.
+    /// The number of registers for the equations of one site per SIMD lane.
     pub registers_abreast: usize,
 }
 
-/// The sizes of a family's equations, as a type, with its kernels.
+/// The sizes of a family's equations as a type, which selects its kernels.
 ///
 /// | parameter | meaning |
 /// |---|---|
 /// | `B` | arrays |
-/// | `R` | the largest offset, at least 1 |
+/// | `R` | the largest offset of a neighbour, at least 1 |
 /// | `P` | parameters per site |
 /// | `C` | prepared constants |
 /// | `LOWER` | the lower bandwidth of A, in unknowns |
@@ -41,9 +41,9 @@ pub struct Sizes {
 /// | `SITES` | 2R + 1, the sites in the equations of one site |
 /// | `WIDTH` | `LOWER` + 1 + `UPPER`, the entries of a row of the band |
 ///
-/// The entry of row (i, b) at column (i + o, b′) lies o·B + b′ − b to the right of the diagonal.
-/// The last two sizes follow from the others; they are explicit because array lengths cannot be
-/// computed from type parameters. Wrong values do not compile.
+/// The entry of row (i, b) in column (i + o, b′) lies o·B + b′ − b to the right of the diagonal.
+/// The last two sizes follow from the others, because array lengths cannot be computed from type
+/// parameters. Wrong values do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,

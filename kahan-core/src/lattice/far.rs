@@ -1,6 +1,6 @@
-//! The step of a chain with entries or pivots beyond the range of its scalar.
+//! The step of a chain whose entries or pivots exceed the range of its scalar.
 //!
-//! In: a state and ε. Out: x̃, by one elimination over long numbers, not yet judged.
+//! In: a state and ε. Out: x̃ by one elimination over long numbers, without a check of its error.
 
 use std::vec::Vec;
 
@@ -10,7 +10,7 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// The largest number of unknowns; each takes some kilobytes.
+/// The maximum number of unknowns, which need some kilobytes each.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
 /// Computes x̃ over numbers converted by `long`.

@@ -1,17 +1,15 @@
-//! A band, cyclic or not, solved by one elimination with partial pivoting.
+//! The solution of a banded system, cyclic or not, by one elimination with partial pivoting.
 //!
-//! In: the rows of a square system, one at a time, in the requested order. Out: the solution. A
-//! cyclic band of half-bandwidth h is an open one of 2h in the *folded* order 0, n−1, 1, n−2, ….
-//! Entries are added, so a ring shorter than its band is right, too. For rare use the memory is
-//! small: U is stored for one stretch of the chain, and each stretch is eliminated again in back
-//! substitution.
+//! In: the rows of a square system, one at a time, in a requested order. Out: the solution. A
+//! cyclic band of half-bandwidth h is an ordinary band of 2h in the *folded* order 0, n−1, 1, n−2,
+//! …. Entries are added, so rings may be shorter than their band. For rare use only one window of U
+//! is stored, and back substitution eliminates each window again.
 
 use std::vec;
 use std::vec::Vec;
 
 use crate::Scalar;
 
-/// The elimination order of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Order {
     /// 0, 1, 2, …
@@ -41,20 +39,17 @@ impl Order {
 pub(super) struct Folded<T> {
     order: Order,
     len: usize,
-    /// The lower bandwidth in elimination order.
     lower: usize,
-    /// The entries of a row from its pivot on: `lower` + 1 + `upper`.
+    /// The number of entries of a row from its pivot on: `lower` + 1 + `upper`.
     width: usize,
-    /// The number of places whose rows of U are stored at once.
+    /// The number of columns whose rows of U are stored at once.
     stretch: usize,
-    /// The `lower` + 1 rows from the current one on, from the current place on, with right-hand
-    /// side.
+    /// The `lower` + 1 candidate pivot rows from the current column on, with right-hand sides.
     window: Vec<T>,
-    /// The finished rows of a stretch, in the layout of the window.
+    /// The finished rows of U in a stretch, in the layout of the window.
     done: Vec<T>,
     /// The window at the start of each stretch.
     begun: Vec<T>,
-    /// The solution in the order of the unknowns.
     solution: Vec<T>,
 }
 
@@ -83,9 +78,8 @@ impl<T: Scalar> Folded<T> {
         Self::in_stretches(len, is_ring, lower, upper, len)
     }
 
-    /// Like `new`, for rare use: with little memory, and about twice the work for a long chain.
+    /// Like [`new`](Self::new), with little memory, but about twice the work for a long chain.
     pub(super) fn rarely(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
-        /// The length of a stretch, in windows.
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;
         Self::in_stretches(len, is_ring, lower, upper, WINDOWS * window)
@@ -111,8 +105,8 @@ impl<T: Scalar> Folded<T> {
         }
     }
 
-    /// Solves the system whose rows `write` adds to zeros; `None` if an exact scalar has no pivot.
-    /// `write` may be called twice for a row.
+    /// Solves the system; `write` adds row entries to zeros, and may be called twice for a row.
+    /// Returns `None` if no pivot of an exact scalar is nonzero.
     pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;
@@ -130,17 +124,16 @@ impl<T: Scalar> Folded<T> {
         Some(&self.solution)
     }
 
-    /// Eliminates the stretch from place `begin` on.
+    /// Eliminates the window of columns from `begin` on.
     fn eliminate_stretch(
         &mut self,
         begin: usize,
         write: &mut impl FnMut(usize, &mut BandRow<'_, T>),
     ) -> Option<()> {
         let stride = self.width + 1;
-        // Rows written in the previous stretches.
         let mut rows = if begin == 0 { 0 } else { self.len.min(begin + self.lower) };
         for place in begin..self.len.min(begin + self.stretch) {
-            // All rows with an entry at this place; the window is full except near the end.
+            // All rows with an entry in this column; the window is full except near the end.
             while rows < self.len && rows <= place + self.lower {
                 let entries = &mut self.window[(rows - place) * stride..][..stride];
                 entries.fill(T::zero());
@@ -157,7 +150,7 @@ impl<T: Scalar> Folded<T> {
         &self.solution
     }
 
-    /// Eliminates a place: moves the pivot row from the window to `done`, the others up.
+    /// Eliminates a column: moves the pivot row to `done`, and the other rows up.
     fn eliminate(&mut self, place: usize, rows: usize) -> Option<()> {
         let (width, stride) = (self.width, self.width + 1);
         let mut best = 0;
@@ -215,7 +208,7 @@ mod tests {
 
     use super::Folded;
 
-    /// Returns an entry of a band that needs exchanges: every third diagonal entry is 0.
+    /// Returns an entry of a band that needs row exchanges: every third diagonal entry is 0.
     fn entry(row: usize, offset: isize) -> f64 {
         if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
     }
@@ -239,7 +232,7 @@ mod tests {
             let whole = solved(&mut Folded::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
             for stretch in [1, 7, 13, 64, 999] {
                 let mut folded = Folded::in_stretches(len, is_ring, reach, reach, stretch);
-                // The second call finds the first one's data.
+                // The second call reuses the data of the first.
                 for _ in 0..2 {
                     let parts = solved(&mut folded, len, is_ring, reach as isize);
                     assert!(parts == whole, "{len} {is_ring} {reach} {stretch}");

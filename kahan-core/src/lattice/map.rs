@@ -1,8 +1,7 @@
-//! A family as a map of chains: names, conserved quantities, and equations.
+//! A family as a map of chains: names, integrals and equations.
 //!
-//! In: prepared constants, the states of a site and its neighbours, their parameters. Out: the
-//! site's field and its rows of A(x,ε), over any scalar: a number, lanes of them, numbers with
-//! bounds.
+//! In: prepared constants, and states and parameters of a site and its neighbours. Out: the site's
+//! field and its rows of A(x,ε), over numbers, SIMD lanes or numbers with error bounds.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::fmt::Debug;
@@ -16,24 +15,23 @@ use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 
 /// The Kahan map of a family: x ↦ x̃ for chains of any number of sites.
 ///
-/// A state is stored site by site with interleaved arrays: array b of site i is entry
+/// A state is stored site by site with interleaved arrays: array b of site i has index
 /// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** The macro implements the trait for a
-/// block with a family, and generates the equations of one site, which serve all sites.
+/// block with a family, by the equations of one site, which serve all sites.
 ///
 /// With R = [`Sizes::reach`], the equations of site i get
 /// - `constants`: the result of `constants`, each as an `L`;
 /// - `x`: the states of the sites i − R … i + R, site by site, arrays interleaved;
-/// - `c`: their per-site parameters, in this order;
-/// - `registers`: [`Sizes::registers`] scalars of scratch.
+/// - `c`: the per-site parameters of these sites, in this order;
+/// - `registers`: [`Sizes::registers`] scalars of scratch space.
 ///
-/// In a short cyclic chain one site may occur at several places of `x`; the results for these
-/// places are added. Implementations are `#[inline(always)]` without closures, so that passes over
-/// lanes compile them for the instructions of the lanes.
+/// In a short cyclic chain one site may occur several times in `x`; its results are then added.
+/// Implementations are `#[inline(always)]` without closures, so that lanes get target features.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The names of the arrays, in their order within a site.
     const ARRAYS: &'static [&'static str];
-    /// The number of arrays: the numbers per site in a state.
+    /// The number of arrays, which is the number of entries per site in a state.
     const BLOCK: usize = Self::ARRAYS.len();
     /// The largest offset of a neighbour in the equations, at least 1.
     const REACH: usize;
@@ -46,16 +44,14 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The name of H, if the family is ẋ = K∇H with a constant antisymmetric K.
     const HAMILTONIAN: Option<&'static str> = None;
 
-    /// Prepares the map at ε, half the time step, for a chain of `sites` sites, with all its
-    /// memory.
+    /// Prepares the map at ε, half the time step, for `sites` sites, and allocates all memory.
     ///
-    /// If a periodic chain is shorter than the stencil, a site is its own neighbour, and its
-    /// couplings add up.
+    /// In a ring shorter than the stencil a site is its own neighbour, and its couplings add up.
     ///
     /// # Errors
     /// If `sites` is 0, a site parameter has another number of values, or the equations divide by
-    /// zero. If only constants leave the range of T, there is a map: its plain steps are not
-    /// finite, its steps with a bound are unimpaired.
+    /// zero. If constants only overflow T, the map exists: plain steps give infinities or NaNs, and
+    /// steps with a bound are unaffected.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
             let given = self.site_parameter(index).len();
@@ -69,12 +65,12 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// Prepares the map of the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// # Errors
-    /// As [`at`](Self::at).
+    /// See [`at`](Self::at).
     fn at_dt(&self, dt: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         self.at(eps_from_dt(dt), sites)
     }
 
-    /// The kernels: a [`Stencil`] of the family's sizes, or a [`Menu`](super::Menu).
+    /// The kernels: a [`Stencil`] with the family's sizes, or a [`Menu`](super::Menu).
     #[doc(hidden)]
     type Kernels: Kernels;
 
@@ -86,8 +82,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     fn boundary(&self) -> Boundary;
 
-    /// Returns the constants of the equations: ε, plain parameters, and products of them; `None` on
-    /// a division by a zero without reciprocal. `convert` takes a parameter to the scalar L.
+    /// Returns the constants of the equations: ε, plain parameters, and products of both. `convert`
+    /// maps a parameter to the scalar L. `None` if a divisor is zero and has no reciprocal.
     #[doc(hidden)]
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 
@@ -97,10 +93,10 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         &[]
     }
 
-    /// Computes the field of the site, and its rows of A(x,ε) = I − ε f′(x).
+    /// Computes the field of a site, and its rows of A(x,ε) = I − ε f′(x).
     ///
-    /// `f[b]` is the derivative of array b. `a` holds (2R + 1)·B entries for each array b, in the
-    /// order of `x`, initially zero; only structural nonzeros are written.
+    /// `f[b]` is the derivative of array b. `a` has (2R + 1)·B entries per array b, in the order of
+    /// `x` and initially zero; only structural nonzeros are written.
     #[doc(hidden)]
     fn rows<L: Scalar>(
         &self,
@@ -145,8 +141,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         Self::INTEGRALS.len()
     }
 
-    /// Computes the densities at a site, from the arguments of [`rows`](Self::rows): those of the
-    /// integrals, then that of the Hamiltonian, if any.
+    /// Computes the densities at a site, from the arguments of [`rows`](Self::rows): first those of
+    /// the integrals, then that of the Hamiltonian, if there is one.
     #[doc(hidden)]
     fn densities<L: Scalar>(&self, _constants: &[L], _x: &[L], _c: &[L], _registers: &mut [L], _s: &mut [L]) {
     }

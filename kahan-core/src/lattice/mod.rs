@@ -1,13 +1,12 @@
-//! Chains of any number of sites: one equation per site, couplings to a few neighbours.
+//! Chains of any number of sites: one equation per site, coupled to a few neighbours.
 //!
 //! In: the equations of one site, from a family `for i in periodic { … }`. Out: steps of the whole
-//! chain. A(x,ε) is a band, with corners if periodic; its linear system is solved without
-//! allocations.
+//! chain. A(x,ε) is banded, with corners if periodic; the system is solved without allocation.
 //!
-//! A step goes from [`LatticeAt::advance`] to `Memory::advance`, and for a long chain to
-//! `InParts::step`, whose two passes (`parts/first.rs`, `parts/second.rs`) are divided among
-//! threads (`divide`). `Kernels` names the kernel for the family's sizes, `InLanes` its registers.
-//! A short chain is one elimination (`folded.rs`).
+//! [`LatticeAt::advance`] calls `Memory::advance`. Short chains are eliminated at once
+//! (`folded.rs`). Long chains are divided into parts (`InParts::step`), whose two passes
+//! (`parts/first.rs`, `parts/second.rs`) run in SIMD lanes and on threads; `Kernels` selects the
+//! code for the family's sizes.
 
 mod at;
 

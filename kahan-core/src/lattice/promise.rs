@@ -1,9 +1,9 @@
-//! The step with a small backward error.
+//! The step of a chain with a small backward error.
 //!
 //! In: a state and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
-//! unknown i, or the reason for failure; k is the number of entries in the row of A. Residuals in
-//! wider numbers with error bounds refine a step at most twice. With d = x̃ − x the residual b −
-//! A·x̃ is 2εf − A·d, and b is A·x + 2εf.
+//! unknown i, or the reason for failure; k is the number of entries in row i of A. At most two
+//! steps of iterative refinement use residuals in wider numbers with error bounds. With d = x̃ − x
+//! the residual b − A·x̃ is 2εf − A·d, and b is A·x + 2εf.
 
 use core::cell::Cell;
 use std::vec;
@@ -22,13 +22,12 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct Promise<T: LatticeScalar> {
-    /// `None` if a divisor of the constants is too small for these numbers; then only `far` judges.
+    /// The equations in `T::Near`; `None` if a divisor of the constants is too small for them.
     near: Option<Rows<T::Near>>,
-    /// `None` if a divisor of the constants may be zero.
+    /// The equations in `T::Far`; `None` if a divisor of the constants may be zero.
     far: Option<Rows<T::Far>>,
     /// The largest magnitude of ε and the parameters.
     largest: f64,
-    /// The state before the step.
     pub(super) before: Vec<T>,
     /// b − A·x̃, rounded.
     pub(super) residual: Vec<T>,
@@ -74,7 +73,7 @@ impl<T: LatticeScalar> Promise<T> {
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
     }
 
-    /// Bounds the backward error of `next` in units of (k + 8)·u and stores the residual.
+    /// Bounds the backward error of `next` in units of (k + 8)·u, and stores the residual.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
@@ -106,8 +105,7 @@ impl<J: Scalar> Rows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes residual and backward error in row b of the current site; no input exceeds
-    /// `largest`.
+    /// Computes residual and backward error in row b of this site; `largest` bounds the inputs.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
     where
         M: LatticeMap<T>,

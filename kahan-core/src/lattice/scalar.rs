@@ -1,4 +1,4 @@
-//! The scalars of chains, and the numbers that solve and judge their steps.
+//! The scalars of chains, and the number types that solve their steps and bound their errors.
 
 #[cfg(feature = "exact")]
 use num_traits::Zero;
@@ -14,7 +14,7 @@ use super::LatticeMap;
 use super::far::eliminated;
 use super::parts::{InParts, NoParts, Parted};
 
-/// A scalar of a chain: `f32`, `f64`, [`Dd`], with the feature `exact` also `BigRational`.
+/// A scalar of a chain: `f32`, `f64`, [`Dd`], or with the feature `exact` `BigRational`.
 #[diagnostic::on_unimplemented(
     message = "a chain of `{Self}` cannot be stepped",
     label = "not a `LatticeScalar`; for a number, write `1.0`, not `1`",
@@ -26,18 +26,17 @@ pub trait LatticeScalar: Pivot + Solved + Send + Sync {
     fn absolute(&self) -> Self;
 }
 
-/// The types that solve the chains of a scalar and judge their steps.
+/// The types that solve the steps of a scalar's chains and bound their errors.
 pub(super) trait Solved: Sized {
-    /// Wider numbers for judging a step.
+    /// Wider numbers with error bounds.
     type Near: Judge<Self>;
 
-    /// The workspace for steps of a long chain in parts.
     type Parts: Parted<Self>;
 
-    /// The widest numbers, without underflow, for cases that `Near` leaves open.
+    /// The widest numbers with error bounds, which never underflow, for what `Near` leaves open.
     type Far: Judge<Self>;
 
-    /// The relative error u of an operation; 0 for an exact scalar.
+    /// The unit roundoff u; 0 for an exact scalar.
     const UNIT: f64;
 
     /// Computes x̃ by elimination over long numbers; `None` for exact scalars and very long chains.
@@ -54,12 +53,12 @@ pub(super) trait Solved: Sized {
     }
 }
 
-/// Numbers with error bounds, in which a formula over T is judged.
+/// Numbers with error bounds that evaluate formulas over T.
 pub(super) trait Judge<T>: Scalar {
-    /// Converts exactly.
+    /// Converts a number exactly.
     fn given(number: &T) -> Self;
 
-    /// Returns the nearest number of T, with the known bounds on the value.
+    /// Returns the nearest number of T, and the magnitude and error bound of the value.
     fn known(&self) -> (T, Known<Size>);
 }
 

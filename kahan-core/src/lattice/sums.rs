@@ -1,7 +1,7 @@
-//! Conserved quantities of a family, as sums over all sites.
+//! Integrals of a family, as sums over all sites.
 //!
 //! In: a state. Out: linear integrals, the energy, and the modified energy that the map conserves,
-//! by compensated sums (A. Neumaier, ZAMM 54 (1974) 39–51).
+//! by compensated summation (A. Neumaier, ZAMM 54 (1974) 39–51).
 
 use std::vec;
 use std::vec::Vec;
@@ -18,10 +18,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         M::INTEGRALS
     }
 
-    /// Returns the linear integrals, which the macro has proved for every number of sites.
+    /// Returns the values of the linear integrals, which are proved for every number of sites.
     ///
     /// # Panics
-    /// If the state does not have this chain's length.
+    /// If the state has the wrong length.
     pub fn integrals(&self, x: &[T]) -> Vec<T> {
         let mut totals = vec![Total::zero(); self.map().integral_count()];
         self.for_each_site(x, T::clone, |densities: &[T]| {
@@ -30,7 +30,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         totals.into_iter().map(Total::sum).collect()
     }
 
-    /// Evaluates the densities of every site over L.
     fn for_each_site<S, L: Scalar + FromScalar<T>>(
         &self,
         x: &[S],
@@ -40,7 +39,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (map, sites) = (self.map(), self.sites());
         let block = map.sizes().block;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
-        // Constants exist, because the chain was constructed with them.
+        // Constants exist, because the chain was created with them.
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
         let (mut site, mut densities) = (Site::of(map.sizes()), vec![L::zero(); map.integral_count() + 1]);
         for i in 0..sites {
@@ -52,7 +51,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     /// Returns H(x), which the flow conserves but the map does not.
     ///
-    /// A call for a family without a Hamiltonian fails in `cargo build`, not in `cargo check`.
+    /// A family without a Hamiltonian fails to compile in `cargo build`, but not in `cargo check`.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -67,7 +66,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// ```
     ///
     /// # Panics
-    /// If the state is not of this chain's length.
+    /// If the state has the wrong length.
     pub fn hamiltonian(&self, x: &[T]) -> T {
         const { assert!(M::HAMILTONIAN.is_some(), "the family claims no `hamiltonian`") };
         let (mut total, place) = (Total::zero(), self.map().integral_count());
@@ -75,14 +74,14 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         total.sum()
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map conserves if H has degree at most
-    /// three, as the macro has proved (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel,
-    /// J. Phys. A 46 (2013) 025201).
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x). The map conserves this modified energy if H has
+    /// degree at most three, which the macro has proved (E. Celledoni, R. I. McLachlan, B. Owren,
+    /// G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
     ///
-    /// Cost: one step, as x̃ − x = 2ε A⁻¹ f, and a copy of the state.
+    /// Cost: one step, because x̃ − x = 2ε A⁻¹ f, and a copy of the state.
     ///
     /// # Panics
-    /// As [`step`](Self::step).
+    /// See [`step`](Self::step).
     pub fn modified_energy(&mut self, x: &[T]) -> T {
         const { assert!(M::HAMILTONIAN.is_some(), "the family claims no `hamiltonian`") };
         let mut next = x.to_vec();
@@ -116,7 +115,6 @@ impl<T: LatticeScalar> FromScalar<T> for Along<T> {
     }
 }
 
-/// A compensated sum.
 #[derive(Clone, Debug)]
 pub(super) struct Total<T> {
     sum: T,
@@ -140,7 +138,7 @@ impl<T: LatticeScalar> Total<T> {
     }
 
     pub(super) fn sum(self) -> T {
-        // The compensation of an infinite sum is NaN.
+        // The compensation of an infinite sum would be NaN.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }
     }
 }

@@ -1,6 +1,6 @@
-//! A map prepared at a fixed ε: owns the map, ε and the constants that depend only on them.
+//! A map prepared at a fixed ε.
 //!
-//! In: a map and ε, once. Out: steps that take only a state, without allocation or `dyn`.
+//! In: a map and ε, once. Out: steps that take a state only and neither allocate nor dispatch.
 
 use core::fmt;
 
@@ -12,10 +12,10 @@ use crate::{PreparedStep, Scalar, SingularStep, Step, Stopped, Workspace};
 
 use super::{KahanMap, Orbit, Pivot};
 
-/// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
+/// The Kahan map M at one ε, half the time step; see [`KahanMap::at`].
 ///
-/// Everything that depends only on ε and the parameters is computed once. Quotients remain in the
-/// step, so that a zero denominator shows as a pole. The type can be named, for example in a field:
+/// Everything that depends only on ε and the parameters is computed once. Divisions by functions of
+/// the state stay in the step, so that poles show. The type can be named, for example in a field:
 ///
 /// ```
 /// use kahan_core::KahanAt;
@@ -53,7 +53,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         Self { map, eps, prepared }
     }
 
-    /// Returns the map.
+    /// Returns the underlying map.
     pub fn map(&self) -> &M {
         &self.map
     }
@@ -63,18 +63,18 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         &self.eps
     }
 
-    /// Returns the orbit that begins with `x`; the orbit owns a copy of the prepared step.
+    /// Returns the orbit that starts at `x`. It owns a copy of the prepared step.
     #[inline]
     pub fn orbit(&self, x: SVector<T, N>) -> Orbit<Self> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the prepared step, for code that finishes steps differently (in lanes, compensated).
+    /// Returns the prepared step, for code that completes steps itself (in lanes, compensated).
     pub fn prepared(&self) -> &M::Prepared {
         &self.prepared
     }
 
-    /// Returns x̃, bit for bit equal to [`KahanMap::step`].
+    /// Returns x̃, bit for bit the result of [`KahanMap::step`].
     ///
     /// # Panics
     /// For exact scalars, at a pole.
@@ -86,10 +86,10 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         }
     }
 
-    /// Returns x̃ with a bound, or the reason for failure; see [`KahanMap::try_step`].
+    /// Returns x̃ with an error bound, or the reason for failure; see [`KahanMap::try_step`].
     ///
     /// # Errors
-    /// As [`KahanMap::try_step`].
+    /// See [`KahanMap::try_step`].
     #[inline(always)]
     pub fn try_step(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep>
     where

@@ -1,7 +1,7 @@
-//! The checked step: the `try_step` of maps written by hand and of exact scalars.
+//! The checked step: `try_step` of handwritten maps and of exact scalars.
 //!
 //! In: a point, ε, and the fast step. Out: a finite x̃ without an error bound, or the reason for
-//! failure. If the fast step leaves the scalar's range, elimination with partial pivoting follows.
+//! failure. If the fast step overflows, elimination with partial pivoting follows.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -24,7 +24,6 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     }
     let matrix = matrix();
     if !can_eliminate(&matrix) {
-        // The determinant may overflow, too.
         return Err(SingularStep::new(f64::NAN, eps.approximate()));
     }
     let increment = increment_by_elimination(matrix, map.field_at(x, eps), eps).ok_or_else(singular)?;
@@ -32,11 +31,11 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     if is_finite(&next) { Ok(next) } else { Err(singular()) }
 }
 
-/// Returns whether a finite increment conceals an overflow, because 1/∞ = 0.
+/// Returns whether a finite increment may hide an overflow, because 1/∞ = 0.
 ///
-/// An overflowing denominator makes the increments of its components 0; an overflowing inner
-/// denominator makes all increments 0. In a map that eliminates, an overflowing pivot makes one
-/// increment 0. Every other overflow leaves ∞ or NaN. If f(x) = 0, increments of 0 conceal nothing.
+/// An overflowing denominator makes its components' increments 0, and an overflowing inner
+/// denominator all increments. In a map by elimination, an overflowing pivot makes one increment 0.
+/// Any other overflow leaves ∞ or NaN. If f(x) = 0, increments of 0 are correct.
 fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,
@@ -55,7 +54,7 @@ fn advance<T: Scalar, const N: usize>(x: &SVector<T, N>, increment: &SVector<T, 
     SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
 }
 
-/// Returns whether elimination cannot overflow: partial pivoting grows entries by at most 2ᴺ⁻¹.
+/// Returns whether elimination cannot overflow; partial pivoting grows entries by at most 2ᴺ⁻¹.
 fn can_eliminate<T: Pivot, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     matrix.iter().all(|entry| {
         let grown = (1..N).fold(entry.clone(), |size, _| size.clone() + size);

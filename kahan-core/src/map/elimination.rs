@@ -1,8 +1,7 @@
 //! The step by elimination, for maps without a closed form.
 //!
-//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state.
-//! The step suits every field. If det A(x,ε) = 0 it has no value, although the reduced map may have
-//! one.
+//! In: a map and ε. Out: x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state. It works for
+//! every field, but not at det A(x,ε) = 0, where the reduced map may have a value.
 
 use nalgebra::SVector;
 
@@ -10,10 +9,10 @@ use crate::field::linear::increment_by_elimination;
 use crate::step::NoLanes;
 use crate::{KahanMap, PreparedStep, Quotients, Scalar};
 
-/// The prepared step of any map M: holds the map and ε, and eliminates at every state.
+/// The prepared step of any map M, which eliminates at every state.
 ///
-/// Cost per step: A(x,ε), f(x), and about N³/3 multiplications and N divisions. A map written by
-/// hand implements [`KahanMap`] with two lines:
+/// Cost per step: A(x,ε), f(x), and about N³/3 multiplications and N divisions. With it, a
+/// handwritten map implements [`KahanMap`] in two lines:
 ///
 /// ```
 /// use kahan_core::prelude::*;

@@ -1,7 +1,7 @@
-//! Error estimates of steps and orbits relative to the flow.
+//! Estimates of the error of steps and orbits against the flow.
 //!
-//! In: points of an orbit. Out: the leading term of the time discretisation error, an estimate
-//! without rounding and higher-order terms, and without a reference solution.
+//! In: points of an orbit. Out: the leading term of the discretisation error, without rounding
+//! errors, higher-order terms or a reference solution.
 
 use core::array::from_fn;
 
@@ -18,10 +18,9 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     ///
     ///   h³[f′f′f/12 − f″(f,f)/6] + O(h⁴)
     ///
-    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles. If
-    /// coefficients depend on ε, 2ε(f at ε − f at 0) is added. Subtracting the estimate from x̃
-    /// raises the order to 3 but loses the structure of the map. Cost: f, f′ and Q once, and two
-    /// products with f′.
+    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles, plus 2ε(f at ε
+    /// − f at 0) if coefficients depend on ε. Subtracting the estimate from x̃ raises the order to
+    /// 3 but destroys the map's structure. Cost: f, f′, Q, and two products with f′.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -83,7 +82,7 @@ pub struct Estimated<T, const N: usize> {
     pub error: SVector<T, N>,
 }
 
-/// An orbit with error estimates; made by [`Orbit::with_error_estimate`].
+/// An orbit with error estimates; see [`Orbit::with_error_estimate`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> {
@@ -94,15 +93,14 @@ pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: u
 }
 
 impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Adds estimates of the error relative to the flow through the next point, whose error is 0.
+    /// Adds error estimates relative to the flow through the next point, whose own error is 0.
     ///
     /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the recurrence is
     ///
     ///   eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁)
     ///
-    /// At a fixed time the error is O(ε²) and the estimate is off by O(ε⁴), while the error stays
-    /// small compared with the scale on which φ′ changes. Rounding is excluded. Cost: about three
-    /// steps per step.
+    /// At a fixed time the error is O(ε²), and the estimate is off by O(ε⁴) while the error is
+    /// small on the scale on which φ′ varies. Rounding is not included. Cost: three steps per step.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -127,7 +125,7 @@ impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> 
 }
 
 impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>> {
-    /// Adds error estimates as for a plain orbit.
+    /// Adds error estimates, like those of a plain orbit.
     pub fn with_error_estimate(self) -> ErrorEstimates<Compensated<KahanAt<M, T, N>>, M, T, N> {
         let Compensated(at) = self.map.clone();
         ErrorEstimates { orbit: self, at, last: None }
@@ -135,7 +133,7 @@ impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<K
 }
 
 impl<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> ErrorEstimates<S, M, T, N> {
-    /// Returns the underlying orbit, which knows why it [stopped](Orbit::stopped).
+    /// Returns the underlying orbit, which also tells why it [stopped](Orbit::stopped).
     pub fn orbit(&self) -> &Orbit<S> {
         &self.orbit
     }

@@ -1,7 +1,4 @@
-//! Systems converted to another scalar.
-//!
-//! In: a system, and a conversion of its parameters to another scalar. Out: the system over that
-//! scalar, for steps in a wider precision, in dual numbers, or with error bounds.
+//! Systems over another scalar: wider numbers, dual numbers, or numbers with error bounds.
 
 use nalgebra::SVector;
 
@@ -9,7 +6,7 @@ use crate::{KahanMap, Scalar};
 
 use super::tangent::carry_along;
 
-/// A system that exists over every scalar; [`kahan!`](crate::kahan) generates implementations.
+/// A system that exists over every scalar; [`kahan!`](crate::kahan) implements it.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -30,13 +27,12 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
     type Extended<U: Scalar>: ExtendScalars<U, N>;
 
-    /// Returns the system with each parameter converted to U by `convert`. Literals in the field
-    /// are exact numbers, which every scalar rounds by itself.
+    /// Returns the system with each parameter converted by `convert`; U rounds the exact literals.
     fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
     /// Returns J(x)·v, for x̃ = `y`; `None` at a pole of an exact scalar.
     ///
-    /// If det A is zero only at poles, the macro generates the solution of
+    /// If det A vanishes only at poles, the macro generates the solution of
     ///
     ///   A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v
     ///

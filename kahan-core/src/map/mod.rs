@@ -1,9 +1,8 @@
 //! Kahan's map of a quadratic field and the objects derived from it.
 //!
-//! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the
-//! linear system A·x̃ = b, Jacobians, determinants, orbits. Every step runs through a prepared
-//! step: code from the macro, or elimination. All else has defaults for any field; the macro
-//! overrides some of them.
+//! In: a state x and ε, half the time step. Out: x̃, the linear system A·x̃ = b, Jacobians,
+//! determinants, orbits. Every step runs through a prepared step: generated code, or elimination.
+//! Other methods have defaults for any field, and the macro overrides some of them.
 
 mod at;
 mod checked;
@@ -42,7 +41,7 @@ pub(crate) use tangent::{carry, carry_to};
 pub use through_f64::StepThroughF64;
 pub use through_f64::ThroughF64;
 
-/// Returns ε = dt/2 for the time step dt.
+/// Returns ε = dt/2.
 #[inline]
 pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
     T::constant(&Constant::ratio(1, 2)) * dt
@@ -50,19 +49,17 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 
 /// Kahan's map x ↦ x̃ of a quadratic field f, defined by (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c.
 ///
-/// In every method `eps` is ε, **half the time step**. The inverse of the map is the map with −ε.
+/// `eps` is ε, **half the time step**, in every method. The inverse of the map is the map with −ε.
 ///
 /// # Poles
-/// The map is the *reduced* rational map: numerators and denominators have no common factor. At a
-/// pole this map has no value. There a float result is not finite, and an exact scalar panics, but
-/// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. If det A(x,ε) = 0
-/// but the reduced map has a value, steps and Jacobian use that value. Fields too large to be
-/// reduced while compiling, including all of more than eight variables, have a pole wherever det A
-/// vanishes.
+/// The map is the *reduced* rational map: numerators and denominators have no common factor. At its
+/// poles a float result is infinite or NaN, an exact scalar panics, [`try_step`](Self::try_step)
+/// returns an error, and an exact [`Orbit`] ends. If det A(x,ε) = 0 but the reduced map has a
+/// value, steps and Jacobian use that value. A field too large for reduction at compile time, such
+/// as every field of more than eight variables, has a pole wherever det A vanishes.
 ///
 /// # Range
-/// If a denominator overflows, a float step may be wrong without notice; only `try_step` detects
-/// this.
+/// If a denominator overflows, a float step may be wrong without notice, except in `try_step`.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -83,9 +80,9 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
-    /// The step at a known ε, with everything computed that depends only on ε and the parameters.
+    /// The step at a fixed ε, with everything computed that depends only on ε and the parameters.
     ///
-    /// The macro generates a type. A map written by hand can use
+    /// The macro generates this type. A handwritten map can use
     /// [`Elimination`](crate::Elimination), which suits every field, or its own [`PreparedStep`].
     type Prepared: PreparedStep<T, N>;
 
@@ -95,7 +92,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// For exact scalars, if the field divides by zero at these parameters.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
-    /// Returns whether coefficients of the field depend on ε. If so, the map implements
+    /// Returns whether coefficients of the field depend on ε. If so, the map must override
     /// [`field_at`](Self::field_at), [`field_jacobian_at`](Self::field_jacobian_at) and
     /// [`polarized_at`](Self::polarized_at), which ignore ε by default.
     #[inline(always)]
@@ -124,7 +121,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.polarized(x, y)
     }
 
-    /// Returns the matrix A(x,ε) = I − εf′(x), with the coefficients of f at ε.
+    /// Returns A(x,ε) = I − εf′(x), with the coefficients of f at ε.
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let slopes = self.field_jacobian_at(x, &eps);
         SMatrix::from_fn(|i, j| {
@@ -145,22 +142,20 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Returns x̃, the state after one time step 2ε.
     ///
     /// Fields of ordinary size use the reduced closed form with one or two divisions. Away from
-    /// poles its error is of the order of the scalar's rounding unit while ‖εf′(x)‖ is not much
-    /// above 1. For longer steps the error is about that of elimination with pivoting up to
-    /// ‖εf′(x)‖∞ = 1000, or up to the limit in the documentation of the generated type.
+    /// poles its error is of the order of the rounding unit while ‖εf′(x)‖ is not much above 1. For
+    /// longer steps it is about that of elimination with pivoting, up to ‖εf′(x)‖∞ = 1000 or the
+    /// limit that the documentation of the generated type states.
     ///
-    /// Over floats a closed form takes the same operations at every point, without tests or
-    /// allocations. Some fields have a faster form that divides by ε, used for |ε| from 2⁻⁶⁴ to 2⁶⁴
-    /// (`f32`: 2⁻¹⁶ to 2¹⁶). If the map is too large to be reduced, a step eliminates along the
-    /// couplings, in an order found while compiling. A pivot smaller by more than a factor of 16
-    /// than an entry of its row and an entry of its column makes the step use partial pivoting on
-    /// the whole matrix.
+    /// Over floats a closed form runs the same operations at every point, without branches or
+    /// allocation. Some fields have a faster form that divides by ε, used for |ε| from 2⁻⁶⁴ to 2⁶⁴
+    /// (`f32`: 2⁻¹⁶ to 2¹⁶). A map too large for a closed form uses sparse elimination in an order
+    /// found at compile time. If a pivot is more than 16 times smaller than an entry of its row and
+    /// an entry of its column, that step uses partial pivoting on the whole matrix.
     ///
-    /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit), which prepare the step
-    /// once and give bit for bit equal results.
+    /// At a fixed ε use [`at`](Self::at) or [`orbit`](Self::orbit): prepared once, with equal bits.
     ///
     /// # Panics
-    /// For exact scalars, at a pole; floats give a result that is not finite.
+    /// For exact scalars, at a pole; floats become infinite or NaN.
     #[inline]
     fn step(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         match self.prepare(&eps).next(x) {
@@ -176,21 +171,21 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
     /// for x, ε and the parameters as given; u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for
-    /// [`Dd`](crate::Dd). Every call proves the bound by computing an error bound beside each
-    /// value: first in the scalar itself, if necessary in the next wider one, then in 17 digits of
-    /// 64 bits at arbitrary positions, without overflow. If terms are a thousand powers of ten
-    /// apart, elimination over up to 256 digits follows; it takes milliseconds, allocates, and
-    /// needs `std`. Ordinary points get the bits of [`step`](Self::step) at little more than its
-    /// cost; `benches/results` has the times. In unoptimised builds wide numbers need stack space
-    /// that grows with the number of variables.
+    /// [`Dd`](crate::Dd). Every call proves the bound by a running error analysis: first in the
+    /// scalar itself, if necessary in a wider scalar, then in floating-point numbers of 17 × 64
+    /// bits without overflow. If terms differ by a thousand powers of ten, elimination with up to
+    /// 256 × 64 bits follows, which takes milliseconds, allocates, and needs `std`. Ordinary points
+    /// get the bits of [`step`](Self::step) at little more than its cost; `benches/results` has the
+    /// times. In unoptimised builds wide numbers need stack space that grows with the number of
+    /// variables.
     ///
-    /// In more than eight variables `Ok` holds finite numbers with a small componentwise backward
-    /// error instead, proved likewise. With at most k entries in a row of A,
+    /// In more than eight variables `Ok` instead guarantees a small componentwise backward error,
+    /// proved likewise. With at most k entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///
-    /// Exact scalars give the exact step. Maps written by hand and scalars of other crates get the
-    /// finite result of `step`, or of elimination with partial pivoting, without a bound.
+    /// Exact scalars give the exact step. Handwritten maps and foreign scalars get the finite
+    /// result of `step`, or of elimination with partial pivoting, without a bound.
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, if x̃ is beyond the scalar's
@@ -203,8 +198,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// Takes a prepared step for [`try_step`](Self::try_step). The macro overrides this default,
-    /// which serves maps written by hand, by `stable_step`.
+    /// Runs a prepared step for [`try_step`](Self::try_step). This default serves handwritten maps;
+    /// the macro overrides it by `stable_step`.
     #[doc(hidden)]
     fn try_prepared(
         &self,
@@ -218,7 +213,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         checked_step(self, prepared, x, eps)
     }
 
-    /// Returns the state one time step 2ε earlier, by the inverse map, which is the map with −ε.
+    /// Returns the state one time step 2ε earlier, by the map with −ε.
     ///
     /// # Panics
     /// For exact scalars, at a pole of the inverse map.
@@ -230,39 +225,39 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Returns ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε), with ∂x̃ᵢ/∂xⱼ in row i, column j.
     ///
     /// # Panics
-    /// For exact scalars, at a pole; floats give entries that are not finite.
+    /// For exact scalars, at a pole; float entries become infinite or NaN.
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let next = self.step(x, eps.clone());
         let back = self.matrix(&next, -eps.clone());
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns D(x,ε) = det A(x,ε), which is 0 at every pole and at the poles removed by reduction.
+    /// Returns D(x,ε) = det A(x,ε), which is 0 at every pole and where reduction removed one.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }
 
-    /// Returns det ∂x̃/∂x; this is det A(x̃,−ε)/det A(x,ε) if det A ≠ 0.
+    /// Returns det ∂x̃/∂x, which is det A(x̃,−ε)/det A(x,ε) if det A ≠ 0.
     ///
     /// # Panics
-    /// For exact scalars, at a pole; a float is not finite there.
+    /// For exact scalars, at a pole; floats become infinite or NaN.
     fn det_jacobian(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.jacobian(x, eps))
     }
 
-    /// Returns (N, D) = (adj A·b, det A) without division, defined everywhere: x̃ = N/D if D ≠ 0.
+    /// Returns (N, D) = (adj A·b, det A) without division, defined everywhere; x̃ = N/D if D ≠ 0.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// Returns the reduced numerators and denominator without division; equal to
-    /// [`rational_map`](Self::rational_map) if they differ from it only by a constant factor.
+    /// Returns the reduced numerators and denominator without division, or
+    /// [`rational_map`](Self::rational_map) if both differ only by a constant factor.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)
     }
 
-    /// Prepares the map at one ε for many steps; the result owns a copy of this map.
+    /// Prepares the map at one ε for many steps. The result owns a copy of this map.
     #[inline]
     fn at(&self, eps: T) -> KahanAt<Self, T, N> {
         KahanAt::new(self.clone(), eps)
@@ -282,7 +277,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.at(eps_from_dt(dt))
     }
 
-    /// Returns the orbit x₀, x₁, … from x₀ = `x`; the orbit owns all its data.
+    /// Returns the orbit x₀ = `x`, x₁, …, which owns all its data.
     #[inline]
     fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<KahanAt<Self, T, N>> {
         Orbit::new(self.at(eps), x)

@@ -1,4 +1,4 @@
-//! Scalars ordered by magnitude, with a test for finiteness, as the stable tier requires.
+//! Scalars with an order by magnitude and a test for finiteness.
 
 use crate::{Dd, Scalar};
 
@@ -13,7 +13,7 @@ pub trait Pivot: Scalar {
     /// Returns whether |self| > |other|; false if either is NaN.
     fn magnitude_exceeds(&self, other: &Self) -> bool;
 
-    /// Returns whether this is neither NaN nor infinite; always true for exact scalars.
+    /// Returns whether the number is neither NaN nor infinite; always true for exact scalars.
     fn is_finite_number(&self) -> bool;
 }
 

@@ -1,6 +1,6 @@
-//! Derivatives of one or several steps along a direction.
+//! Derivatives of one or more steps along a direction.
 //!
-//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by its linear
+//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by a linear
 //! system or by a step over dual numbers. Products are never fused, so all builds give equal bits.
 
 use core::array::from_fn;
@@ -11,7 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::Along;
 use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
-/// Returns J·v of consecutive `stages` (maps with their ε); `None` at a pole of an exact scalar.
+/// Returns J·v for consecutive `stages` (maps with their ε); `None` at a pole of an exact scalar.
 #[inline(always)]
 pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -27,7 +27,7 @@ pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     Some(v)
 }
 
-/// Like `carry`, if the point after the last stage is already known as `next`.
+/// Like [`carry`], with the known point `next` after the last stage.
 #[inline(always)]
 pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     mut stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -54,7 +54,7 @@ fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
 ) -> Option<SVector<Along<T>, N>> {
     let extended = map.extend_scalars::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
     let quotients: Quotients<_, N> = extended.prepare(&Along::from_value(eps.clone())).quotients(&along)?;
-    // In place, because over lanes compilers emit a call for building an array.
+    // Updates in place, because over lanes compilers build an array by a call.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
     }

@@ -1,7 +1,6 @@
 //! Steps on `f32` states that are computed in `f64` and rounded once.
 //!
-//! In: a map over `f32`, or any step over `f64`. Out: steps over `f32`. Parameters, ε and state of
-//! a map over `f32` are converted to `f64` exactly.
+//! In: a map over `f32`, converted exactly, or any step over `f64`. Out: a step over `f32`.
 
 use core::array::from_fn;
 #[cfg(feature = "std")]
@@ -22,10 +21,10 @@ use crate::{Step, Stopped, Workspace};
 ///
 /// Away from poles x̃ is the `f32` nearest to the exact x̃, except for about one component in 10⁷
 /// close to the middle between two floats; near a pole this rate grows with the condition number of
-/// the step. In an orbit each step waits for the conversions, which takes longer than a step in
+/// the step. In an orbit each step waits for the conversions, so it takes longer than a step in
 /// `f64` (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this map one trajectory at
-/// a time. A compensated orbit rounds the increment with the carry once; a plain orbit rounds each
-/// point to `f32`, which makes integrals drift as in `f32`.
+/// a time. A compensated orbit rounds the increment with the carry once. A plain orbit rounds each
+/// point to `f32`, so integrals drift as in `f32`.
 ///
 /// ```
 /// use kahan_core::ThroughF64;
@@ -49,7 +48,7 @@ pub struct ThroughF64<M>(
     pub M,
 );
 
-/// A step over `f64` on states in `f32`; made by [`ThroughF64::of_step`].
+/// A step over `f64` on `f32` states; see [`ThroughF64::of_step`].
 #[cfg(feature = "std")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepThroughF64<S> {
@@ -174,7 +173,7 @@ impl<M> ThroughF64<M> {
     }
 }
 
-/// Computes step, Jacobian and determinants in `f64` with one rounding, all else in `f32`.
+/// Step, Jacobian and determinants are computed in `f64` and rounded once, all else in `f32`.
 impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M> {
     type Prepared = ThroughF64Step<<M::Extended<f64> as KahanMap<f64, N>>::Prepared>;
 

@@ -1,12 +1,11 @@
-//! Bursts: the points of some consecutive steps of a group of trajectories.
+//! Bursts: the points of several consecutive steps of a group of trajectories.
 //!
-//! In: as many trajectories as lanes of the widest register, side by side. Out: the points that the
-//! observers of each trajectory, or of all at once, read.
+//! A group has as many trajectories as the widest register has lanes; observers read its points.
 
 use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};
 
-/// The number of steps that a group is advanced before its observers see the points.
+/// The number of steps that a group advances before its observers read the points.
 pub(super) const BURST: usize = 16;
 
 /// The observers of the trajectories of a group, followed by `None` in unused lanes.
@@ -41,36 +40,35 @@ impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
     }
 }
 
-/// Tangent vectors of a group of trajectories that are carried along side by side.
+/// Tangent vectors to propagate for all trajectories of a group, in SIMD lanes.
 #[derive(Debug)]
 pub struct SideBySide<'a, T, P> {
     /// The consecutive points.
     pub places: &'a [P],
-    /// The vectors at the first point, each with one column for each variable.
+    /// The vectors at the first point; each has one column per variable.
     pub vectors: &'a mut [P],
-    /// The squared lengths of the vectors after each step; empty if they are not needed.
+    /// The squared lengths of the vectors after each step; empty if not needed.
     pub squares: &'a mut [Group<T>],
     /// The instruction set to use.
     pub level: Level,
 }
 
-/// Consecutive points of each trajectory of a group.
+/// Consecutive points of every trajectory of a group.
 #[derive(Debug)]
 pub struct Burst<'a, P> {
-    /// The step of the first of `seen`.
     pub(super) before: u64,
-    /// The points shown last, then the points of the following steps.
+    /// The last point already shown, then the points of the following steps.
     pub(super) seen: &'a [P],
     pub(super) level: Level,
 }
 
 impl<P> Burst<'_, P> {
-    /// Returns the new points of all trajectories, with their steps.
+    /// Returns the new points of all trajectories with their step numbers.
     pub fn steps(&self) -> impl Iterator<Item = (u64, &P)> {
         (self.before + 1..).zip(&self.seen[1..])
     }
 
-    /// Shows the new points of one trajectory with their steps, without the first `done` of them.
+    /// Shows the new points of one trajectory except the first `done`, with their step numbers.
     #[inline(always)]
     pub fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where

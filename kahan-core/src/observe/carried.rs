@@ -1,6 +1,6 @@
-//! Tangent vectors carried along an orbit, and the observers that read only these vectors.
+//! Tangent vectors propagated along an orbit, and the observers that need only these vectors.
 //!
-//! In: the points of the orbit, one after another. Out: K scaled tangent vectors at the last point.
+//! In: the points of the orbit, in order. Out: K scaled tangent vectors at the last point.
 
 use core::array::from_fn;
 
@@ -19,7 +19,6 @@ use super::{Observer, TangentMap};
 #[derive(Clone, Debug)]
 pub struct Carried<M: TangentMap, const K: usize> {
     map: M,
-    /// The base point of the vectors.
     place: M::State,
     vectors: [M::State; K],
     /// The binary exponent of each vector: tangent vector k is `vectors[k]`·2^`exponents[k]`.
@@ -28,7 +27,7 @@ pub struct Carried<M: TangentMap, const K: usize> {
 }
 
 impl<M: TangentMap, const K: usize> Carried<M, K> {
-    /// Starts with vectors in general directions.
+    /// Starts with arbitrary vectors that avoid special directions.
     pub(super) fn new(map: M) -> Self {
         let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
         Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
@@ -43,7 +42,7 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps = step;
     }
 
-    /// Scales the vectors to moderate size, and returns their squared lengths before scaling.
+    /// Scales the vectors to moderate size; returns their squared lengths before scaling.
     #[inline(always)]
     pub(super) fn scale(&mut self) -> [Size; K] {
         from_fn(|k| scale(&mut self.vectors[k], &mut self.exponents[k]))
@@ -53,7 +52,7 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps
     }
 
-    /// Returns the vectors, each up to a power of two.
+    /// Returns the vectors, up to powers of two.
     pub(super) fn vectors(&self) -> [&[M::Scalar]; K] {
         self.vectors.each_ref().map(M::State::as_slice)
     }
@@ -63,14 +62,14 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
     }
 }
 
-/// Returns a state of the map's dimension with entry i = `entry(i)`.
+/// Returns a state of the map's dimension with entry i equal to `entry(i)`.
 pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
     let mut vector = M::State::zeros(map.dimension());
     vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, place)| *place = entry(i));
     vector
 }
 
-/// Carries vectors from `x` to `next`, in pairs that share the work on the points.
+/// Propagates vectors from `x` to `next`, in pairs that share the work on the points.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
@@ -87,25 +86,25 @@ pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     }
 }
 
-/// A quantity computed from the lengths of K tangent vectors.
+/// An indicator computed from the lengths of K tangent vectors.
 pub trait Indicator<const K: usize> {
     /// The type of the report.
     type Report;
 
-    /// Whether the quantity needs every step; otherwise steps 0, 1, …, [`PAUSE`], 2·[`PAUSE`], ….
+    /// Whether it needs every step; otherwise it gets steps 0, 1, …, [`PAUSE`], 2·[`PAUSE`], ….
     const LOOKS_AT_EACH: bool;
 
-    /// Starts from the squared lengths of the vectors at the first point.
+    /// Starts with the squared lengths of the vectors at the first point.
     fn new(first: [Size; K]) -> Self;
 
-    /// Reads the squared lengths of the vectors after `step` steps.
+    /// Records the squared lengths of the vectors after `step` steps.
     fn look(&mut self, step: u64, sizes: [Size; K]);
 
     /// Returns the report; `carried` holds the vectors at the last point.
     fn report<M: TangentMap>(self, carried: Carried<M, K>) -> Self::Report;
 }
 
-/// An observer that carries K tangent vectors along and computes an `Indicator` from them.
+/// An observer that propagates K tangent vectors and computes an `Indicator` from them.
 #[derive(Clone, Debug)]
 pub struct Follower<I, M: TangentMap, const K: usize> {
     carried: Carried<M, K>,
@@ -113,7 +112,7 @@ pub struct Follower<I, M: TangentMap, const K: usize> {
 }
 
 impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
-    /// Observes orbits of a prepared map, given by value or by reference.
+    /// Creates an observer of orbits of a prepared map, given by value or reference.
     pub fn new(map: M) -> Self {
         let mut carried = Carried::new(map);
         let indicator = I::new(carried.scale());
@@ -122,7 +121,7 @@ impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
 }
 
 impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follower<I, M, K> {
-    /// Scales the vectors and shows their lengths to the indicator, on steps that need it.
+    /// Scales the vectors and passes their lengths to the indicator, at steps that need it.
     #[inline(always)]
     fn look(&mut self, step: u64) {
         if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, M::Scalar, K>() {
@@ -132,10 +131,10 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follow
     }
 }
 
-/// An observer that may skip points: a loop carries its tangent vectors to a later point.
+/// An observer that may skip points: a loop propagates its tangent vectors to a later point.
 ///
-/// The loop shows every point up to step [`PAUSE`]. After that it shows at least the steps that are
-/// powers of two, and the multiples of [`PAUSE`] at which the squared length of a vector is [not
+/// The loop shows every point up to step [`PAUSE`]. Later it shows at least the steps that are
+/// powers of two, and the multiples of [`PAUSE`] at which a vector's squared length is [not
 /// moderate](super::are_moderate).
 pub trait Resumed<T> {
     /// Returns the number of tangent vectors.
@@ -144,7 +143,7 @@ pub trait Resumed<T> {
     /// Returns tangent vector k at the latest point.
     fn vector(&mut self, k: usize) -> &[T];
 
-    /// Takes the point of a step and the vectors there: entry i of vector k is `entry(k, i)`.
+    /// Receives the point of a step and the vectors there; entry i of vector k is `entry(k, i)`.
     fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T);
 }
 
@@ -165,7 +164,6 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
             vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, own)| *own = entry(k, i));
         }
         carried.place.as_mut_slice().copy_from_slice(x);
-        // Each step is shown to the indicator once.
         if core::mem::replace(&mut carried.steps, step) < step {
             self.look(step);
         }
@@ -185,7 +183,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         self.look(step);
     }
 
-    /// Carries all trajectories side by side if the followers share one map with lanes.
+    /// Propagates all trajectories in lanes if the observers share one map that has lanes.
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
@@ -209,21 +207,21 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
     }
 }
 
-/// The number of steps between two scalings of vectors that are not read at each step.
+/// The number of steps between scalings of vectors that are not needed at every step.
 ///
 /// A moderate vector leaves the range of `f64` in between only if every step changes its length by
 /// a factor of 2⁶⁰; near a pole only one or two steps do.
 pub const PAUSE: u64 = 16;
 
-/// Returns whether vectors are scaled after each step: if the indicator needs it, and for `f32`,
-/// whose range a vector can leave in one step.
+/// Returns whether vectors are scaled after every step: if the indicator needs it, and for `f32`,
+/// whose range a vector can leave in a single step.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Carries the vectors of a group side by side from the step after `done` on, until one must be
-/// scaled. Returns the steps taken; `None` if none is left or the maps don't allow it.
+/// Propagates the vectors of a group in lanes, from the step after `done` on, until one must be
+/// scaled. Returns the number of steps; `None` if no steps remain or the maps do not allow it.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
     group: &mut Observers<'_, Follower<I, M, K>>,
@@ -240,7 +238,7 @@ where
     if places.len() < 2 {
         return None;
     }
-    // Lanes without a trajectory carry moderate vectors, so they never stop the others.
+    // Unused lanes get moderate vectors, so they never stop the others.
     let mut ones = places.first()?.clone();
     ones.as_mut().fill([T::one(); GROUP]);
     let mut vectors: [P; K] = from_fn(|_| ones.clone());
@@ -280,7 +278,7 @@ where
     Some(taken)
 }
 
-/// Returns entry i of vector k: a multiple of 1/64 up to 1, chosen to avoid special directions.
+/// Returns entry i of vector k, a multiple of 1/64 up to 1, chosen to avoid special directions.
 fn any_direction<T: FloatScalar>(k: usize, i: usize) -> T {
     T::constant(&Constant::ratio(((37 * i + 23 * k * (i + 1) + 11) % 64 + 1) as i64, 64))
 }

@@ -6,7 +6,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of the distances of integrals of motion from their first values.
+/// An observer of the distances of integrals from their initial values.
 ///
 /// ```
 /// use kahan_core::observe::Drift;
@@ -28,7 +28,7 @@ pub struct Drift<F, T, const M: usize> {
     integrals: F,
     first: [T; M],
     last: [T; M],
-    /// The greatest |I − I(x₀)|; NaN after the first NaN.
+    /// The largest |I − I(x₀)|; NaN after the first NaN.
     max: [f64; M],
 }
 
@@ -43,7 +43,7 @@ pub struct Drifted {
 }
 
 impl<F: Fn(&[T]) -> [T; M], T: Scalar, const M: usize> Drift<F, T, M> {
-    /// Observes the drift of `integrals`, a function that computes all of them at once.
+    /// Creates an observer of `integrals`, a function that computes all integrals at once.
     pub fn of(integrals: F) -> Self {
         let zeros = || from_fn(|_| T::zero());
         Self { integrals, first: zeros(), last: zeros(), max: [0.0; M] }

@@ -1,13 +1,10 @@
-//! Observers whose answer ends the run.
-//!
-//! In: an observer, or a sink of crossings, with an answer before the run is over. Out: an observer
-//! or sink that ends the run with that answer.
+//! Observers and sinks of crossings that end the run as soon as their answer is known.
 
 #[cfg(feature = "std")]
 use super::{AtMost, Kept, Sink};
 use super::{Escape, Observer};
 
-/// An observer that ends the run with its answer; see [`Escape::ending`], [`AtMost::ending`].
+/// An observer that ends the run; see [`Escape::ending`] and [`AtMost::ending`].
 ///
 /// ```
 /// use kahan_core::observe::{Drift, Escape};
@@ -59,7 +56,7 @@ impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
 
 #[cfg(feature = "std")]
 impl<C> AtMost<C> {
-    /// Returns a sink that ends the run once `capacity` crossings are kept.
+    /// Returns a sink that ends the run after `capacity` crossings.
     pub fn ending(self) -> Ending<Self> {
         Ending(self)
     }

@@ -1,8 +1,8 @@
 //! Observation of every trajectory of an ensemble.
 //!
-//! In: an ensemble, a map, and observers for each trajectory. Out: the reports in the order of the
-//! points. A group of trajectories is advanced a burst of steps and then shown to its observers, so
-//! that each of the two loops keeps its data in the first-level cache.
+//! In: an ensemble, a map, and observers of each trajectory. Out: the reports, in the order of the
+//! points. A group of trajectories alternates between a burst of steps and its observers, so that
+//! each of these loops keeps its data in the first-level cache.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -17,16 +17,14 @@ use super::Observer;
 use super::burst::{BURST, Burst, Grouped};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Advances every point by `steps` steps, like [`advance`](Self::advance) with equal bits, and
-    /// shows each trajectory to observers of its own.
+    /// Steps like [`advance`](Self::advance) and shows each trajectory to its own observers.
     ///
-    /// `observers(i)` makes the observers of trajectory i, which see [`point`](Self::point) i as
-    /// step 0. The bits of a report depend neither on the place of the trajectory nor on threads.
-    /// With the feature `parallel`, large ensembles run on the current thread pool of rayon. Each
-    /// group of 16 trajectories allocates once.
+    /// `observers(i)` creates the observers of trajectory i; step 0 is [`point`](Self::point) i.
+    /// The bits of a report depend neither on i nor on threads. With the feature `parallel`, large
+    /// ensembles run on rayon's current thread pool. Each group of 16 trajectories allocates once.
     ///
     /// # Panics
-    /// At a pole, for scalars without a reciprocal of zero. If maps and points differ in number.
+    /// At a pole of an exact scalar. If the numbers of maps and points differ.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -89,8 +87,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Advances a group of trajectories and shows every step to the observers; after each burst `tell`
-/// receives the number of steps taken, and may stop the run.
+/// Advances a group of trajectories and shows every step to the observers. After each burst `tell`
+/// gets the number of steps taken and may stop the run.
 pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     points: &mut P,
     observers: &mut [O],

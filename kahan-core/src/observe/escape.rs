@@ -2,7 +2,7 @@
 
 use super::Observer;
 
-/// An observer of the first step at which a condition holds; later points are not tested.
+/// An observer of the first step at which a condition holds; it tests no later points.
 #[derive(Clone, Debug)]
 pub struct Escape<F> {
     condition: F,
@@ -10,7 +10,7 @@ pub struct Escape<F> {
 }
 
 impl<F> Escape<F> {
-    /// Observes when `condition` first holds for a point.
+    /// Creates an observer of the first point that satisfies `condition`.
     pub fn when<T>(condition: F) -> Self
     where
         F: Fn(&[T]) -> bool,

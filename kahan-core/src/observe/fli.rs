@@ -6,16 +6,15 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
-/// An observer of the fast Lyapunov indicator: the logarithm of the greatest length so far of a
+/// An observer of the fast Lyapunov indicator: the logarithm of the largest length so far of a
 /// tangent vector of initial length 1.
 ///
-/// Over n steps it grows like log n on a torus and like n for chaotic motion. C. Froeschlé, E.
-/// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. The report is NaN after a pole.
-///
-/// Made by `Fli::new(&map)` for a [`TangentMap`]. Cost: a tangent vector and its square.
+/// Over n steps it grows like log n for regular and like n for chaotic motion. C. Froeschlé, E.
+/// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. It is NaN after a pole.
+/// `Fli::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector and its square.
 pub type Fli<M> = Follower<Greatest, M, 1>;
 
-/// The squares of a vector's first and greatest lengths.
+/// The squared initial and largest lengths of a vector.
 #[derive(Clone, Debug)]
 pub struct Greatest {
     first: Size,
@@ -38,7 +37,7 @@ impl Indicator<1> for Greatest {
         }
         match size.partial_cmp(&self.greatest) {
             Some(Ordering::Greater) => self.greatest = size,
-            // NaN stays: it is not comparable.
+            // NaN stays, because it is not comparable.
             None => self.greatest = Size::of(f64::NAN),
             _ => {}
         }

@@ -1,8 +1,8 @@
 //! Lengths and products beyond the range of floats.
 //!
-//! In: factors, one after another, or a growing vector. Out: the product or length as a mantissa
-//! and a power of two, and its logarithm. Scaling by powers of two is exact, so the bits of a
-//! report do not depend on the steps at which a vector is scaled.
+//! In: successive factors, or a growing vector. Out: the product or length as a mantissa and a
+//! power of two, and its logarithm. Scaling by powers of two is exact, so the bits of a report do
+//! not depend on when a vector is scaled.
 
 use core::cmp::Ordering;
 use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
@@ -21,7 +21,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length of a vector from that after scaling by 2^−`exponent`.
+    /// Returns the squared length before scaling by 2^−`exponent`, from `squared` after it.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }
@@ -33,16 +33,16 @@ impl Size {
         Self { mantissa, exponent: 0 }
     }
 
-    /// Multiplies by `factor`, and brings the mantissa to a magnitude from ½ to 1.
+    /// Multiplies by `factor`, and normalises the mantissa to a magnitude from ½ to 1.
     pub(super) fn multiply(&mut self, factor: Self) {
         let (mantissa, exponent) = libm::frexp(self.mantissa * factor.mantissa);
         *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };
     }
 
-    /// Returns the natural logarithm of the magnitude; it depends only on the value.
+    /// Returns the natural logarithm of the magnitude, which depends only on the value.
     pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
-        // For a number near 1 the exponent becomes 0, which avoids cancellation of two logarithms.
+        // The exponent becomes 0 near 1, which avoids cancellation of two logarithms.
         let (mantissa, exponent) =
             if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
         libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
@@ -61,11 +61,11 @@ impl PartialOrd for Size {
 }
 
 /// Vectors are scaled by 2^±`BITS` while their squared lengths are outside 2^±(2·`BITS`), so that
-/// one step stays in the range of `f32`, too.
+/// one step also stays in the range of `f32`.
 const BITS: i64 = 32;
 
 /// Scales a finite nonzero vector by powers of two until its squared length is moderate, and adds
-/// the scaling to `exponent`. Returns the squared length of the vector before any scaling.
+/// the scaling to `exponent`. Returns the squared length of the unscaled vector.
 #[inline(always)]
 pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
 where
@@ -81,7 +81,7 @@ where
     Size::of_square(squared, *exponent)
 }
 
-/// Returns the upper end 2⁶⁴ of the moderate squared lengths; the lower end is its reciprocal.
+/// Returns 2⁶⁴, the upper end of the moderate squared lengths; the lower end is its reciprocal.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(super) fn most<T: Scalar>() -> T {
@@ -89,7 +89,7 @@ pub(super) fn most<T: Scalar>() -> T {
     root.clone() * root
 }
 
-/// Returns whether all squared lengths of a group are moderate or NaN: no vector must be scaled.
+/// Returns whether no vector of a group needs scaling: all squared lengths are moderate or NaN.
 #[cfg(feature = "std")]
 pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
     let most: f64 = most::<T>().approximate();
@@ -104,7 +104,7 @@ fn is_moderate(squared: f64) -> bool {
 }
 
 /// Returns the scaled vector, the exponent of the removed factor, and the squared length. Takes a
-/// copy, so that the loop of the caller keeps the vector in registers.
+/// copy, so that the caller's loop keeps the vector in registers.
 #[cold]
 #[inline(never)]
 fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
@@ -115,10 +115,9 @@ where
     let up = T::constant(&Constant::integer(1 << BITS));
     let down = T::one() / up;
     let mut exponent = 0;
-    // Enough scalings to cross the whole range of `f64`.
+    // Enough scalings to cover the whole range of `f64`.
     for _ in 0..2 * 1100 / BITS {
         let squared = square(vector.as_slice());
-        // The square of a small vector may underflow to 0.
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {
             break;
         }

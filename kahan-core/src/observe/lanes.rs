@@ -1,8 +1,8 @@
-//! Tangent vectors of a group of trajectories, side by side in registers.
+//! Tangent vectors of a group of trajectories, propagated in SIMD lanes.
 //!
-//! In: the points and tangent vectors of the group, as columns. Out: the vectors carried along, and
-//! their squared lengths at every step. The operations, their order and the absence of fused ones
-//! are those of a single trajectory, so the bits agree on every level.
+//! In: the points and tangent vectors of the group, as columns. Out: the propagated vectors, and
+//! their squared lengths at every step. Operations, their order and the lack of fusing match a
+//! single trajectory, so the bits agree on every level.
 
 use core::array::from_fn;
 
@@ -16,8 +16,8 @@ use crate::{EnsembleScalar, ExtendScalars};
 use super::growth::most;
 use super::{Grouped, SideBySide};
 
-/// The work of carrying vectors by one map along the points. Returns the number of steps taken,
-/// which is smaller if squares are asked for and one leaves the moderate range.
+/// The propagation of vectors by one map along the points. Returns the number of steps taken, which
+/// is smaller if squares are requested and one leaves the moderate range.
 pub(super) struct ByOneMap<'a, S, T, P, const N: usize> {
     pub(super) map: &'a S,
     pub(super) work: SideBySide<'a, T, P>,
@@ -48,7 +48,6 @@ where
                 for (k, columns) in vectors.iter_mut().enumerate() {
                     let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
-                    // Steps of floats have a value at every point.
                     let stages = S::in_order(&stages).map(|(map, eps)| (map, eps));
                     let Some(carried) = carry_to(stages, &x, &y, &v) else { continue };
                     let mut squared = L::zero();

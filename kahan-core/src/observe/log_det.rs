@@ -7,7 +7,7 @@ use super::{Observer, TangentMap};
 
 /// An observer of the mean of log |det ∂x̃/∂x| per unit of time, the sum of all Lyapunov exponents.
 ///
-/// Cost: a determinant in every step, and one logarithm at the end.
+/// Cost: a determinant per step, and one logarithm at the end.
 #[derive(Clone, Debug)]
 pub struct MeanLogDet<M: TangentMap> {
     map: M,
@@ -17,7 +17,7 @@ pub struct MeanLogDet<M: TangentMap> {
 }
 
 impl<M: TangentMap> MeanLogDet<M> {
-    /// Observes orbits of a prepared map, given by value or by reference.
+    /// Creates an observer of orbits of a prepared map, given by value or reference.
     pub fn new(map: M) -> Self {
         Self { place: M::State::zeros(map.dimension()), map, product: Size::ONE, steps: 0 }
     }

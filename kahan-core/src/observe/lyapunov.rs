@@ -6,12 +6,11 @@ use super::growth::Size;
 
 /// An observer of the largest Lyapunov exponent, the growth rate of tangent vectors.
 ///
-/// The exact Jacobian carries a tangent vector in a general direction along. After n steps its
-/// length has grown by exp(λ·2εn) times a factor that is bounded or grows slowly. On a torus the
-/// factor is linear, and the estimate of λ tends to 0 like log(n)/n.
+/// The exact Jacobian propagates a tangent vector in a general direction. After n steps its length
+/// has grown by exp(λ·2εn) times a factor that is bounded or grows slowly. For quasi-periodic
+/// motion the factor is linear, and the estimate of λ tends to 0 like log(n)/n.
 ///
-/// Made by `Lyapunov::new(&map)` for a [`TangentMap`]. Cost: a tangent vector, about that of a
-/// step.
+/// `Lyapunov::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector, about that of a step.
 pub type Lyapunov<M> = Follower<Growth, M, 1>;
 
 /// The squared lengths of a tangent vector at the first step and at powers of two.
@@ -28,7 +27,7 @@ pub struct Exponent {
     /// The mean growth rate; NaN without a step.
     pub value: f64,
     /// An estimate of the error, not a bound: the distance of `value` from the mean rate up to a
-    /// point between an eighth and a quarter of the run. NaN before the fourth step.
+    /// point between an eighth and a quarter of the run. NaN before step 4.
     pub error: f64,
 }
 
@@ -54,7 +53,7 @@ impl Indicator<1> for Growth {
     }
 }
 
-/// Squared lengths at the last three steps that are powers of two; the report takes logarithms.
+/// Squared lengths at the last three steps that are powers of two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doublings([(u64, Size); 3]);
 
@@ -65,14 +64,13 @@ impl Default for Doublings {
 }
 
 impl Doublings {
-    /// Records the squared length at a step that is a power of two.
     #[inline(always)]
     pub(super) fn pass(&mut self, step: u64, square: Size) {
         let [_, before, last] = self.0;
         self.0 = [before, last, (step, square)];
     }
 
-    /// Returns the exponent from the first and last squared lengths, with steps of length `time`.
+    /// Returns the exponent from the first and last squared lengths, with time step `time`.
     pub(super) fn exponent(&self, first: Size, last: (u64, Size), time: f64) -> Exponent {
         let rate = |(steps, square): (u64, Size)| 0.5 * (square.ln() - first.ln()) / (steps as f64 * time);
         let value = rate(last);

@@ -12,13 +12,12 @@ use super::growth::Size;
 /// tangent vectors stay bounded. For chaotic motion it grows like λ·εn, with the largest exponent λ
 /// per unit of time. P. M. Cincotta, C. M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
-/// Made by `Megno::new(&map)` for a [`TangentMap`]. Cost: a tangent vector and a logarithm.
+/// `Megno::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector and a logarithm per step.
 pub type Megno<M> = Follower<MeanGrowth, M, 1>;
 
 /// The partial sums of MEGNO.
 #[derive(Clone, Debug, Default)]
 pub struct MeanGrowth {
-    /// log |v₀|
     first: f64,
     /// The sum of log(|vₖ|/|v₀|) over the steps before the last.
     before: f64,

@@ -1,7 +1,7 @@
-//! Observers: questions about an orbit that are answered in the loop, without storing the orbit.
+//! Observers, which answer questions about an orbit while it runs, without storing it.
 //!
-//! In: the points of an orbit, or of every trajectory of an ensemble, one after another. Out: one
-//! report for each observer. Observers keep only what their reports need; no step allocates.
+//! In: the points of an orbit, or of every trajectory of an ensemble, in order. Out: one report per
+//! observer. Observers store only what their reports need; no step allocates.
 //!
 //! ```
 //! use kahan_core::observe::{Drift, Extrema, Lyapunov};
@@ -23,21 +23,20 @@
 //!
 //! | question | observer |
 //! |---|---|
-//! | between which values a quantity stays | [`Extrema`] |
-//! | how well integrals are kept | [`Drift`] |
-//! | the largest exponent, all in descending order, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
-//! | whether an orbit is regular or chaotic, after few steps | [`Fli`], [`Megno`], [`Sali`] |
+//! | the range of an observable | [`Extrema`] |
+//! | how well integrals are conserved | [`Drift`] |
+//! | the largest Lyapunov exponent, all in descending order, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
+//! | regular or chaotic motion, after few steps | [`Fli`], [`Megno`], [`Sali`] |
 //! | the rotation number | [`Rotation`] |
-//! | where it crosses a section, and when first | [`Section`], [`first_crossing`] |
-//! | when it escapes, when it comes back | [`Escape`], [`Period`] |
-//! | when it escapes or crosses, and the run ends there | [`Ending`] |
-//! | how many points lie in each part of a range | [`Residence`] |
+//! | crossings of a section, the first crossing | [`Section`], [`first_crossing`] |
+//! | the times of escape and of return | [`Escape`], [`Period`] |
+//! | a run that ends at its escape or crossing | [`Ending`] |
+//! | a histogram of an observable | [`Residence`] |
 //! | the points themselves | [`Visit`] |
 //!
-//! Times are in steps; exponents are per unit of time, and a step takes Δt = 2ε. Elementary
+//! Times are in steps. Exponents are per unit of time, where a step takes Δt = 2ε. Elementary
 //! functions come from the `libm` crate, so equal points give equal bits on every machine.
-//!
-//! Observers of derivatives take the prepared map ([`TangentMap`]), by value or by reference.
+//! Observers of derivatives take the prepared map ([`TangentMap`]), by value or reference.
 
 #[cfg(feature = "std")]
 mod burst;
@@ -74,10 +73,10 @@ mod zero;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 pub use burst::{Burst, Grouped, Observers, SideBySide};
-/// Observers whose tangent vectors a loop carries, and the steps between two scalings.
+/// Observers whose tangent vectors a loop propagates, and the interval between two scalings.
 #[doc(hidden)]
 pub use carried::{PAUSE, Resumed};
-/// Parts of the observation of groups of trajectories, for maps that are read at run time.
+/// Components for observing groups of trajectories of maps read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use {
@@ -106,9 +105,9 @@ pub use spectrum::Spectrum;
 pub use tangent::{Tangent, TangentMap};
 pub use visit::Visit;
 
-/// An observer of orbits in the scalar `T`.
+/// An observer of orbits over the scalar `T`.
 ///
-/// Observers see the variables of a state, and all numbers of a state that is a `Vec`.
+/// It sees the variables of a state, or all numbers of a state that is a `Vec`.
 ///
 /// ```
 /// use kahan_core::observe::Observer;
@@ -142,8 +141,8 @@ pub use visit::Visit;
 /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, Beyond(2.0, None)), Some(7));
 /// ```
 ///
-/// Tuples of up to eight observers, arrays and (with `std`) vectors of observers are observers too,
-/// and report all answers; `()` observes nothing.
+/// Tuples of up to eight observers, arrays and (with `std`) vectors of observers are observers that
+/// report all answers; `()` observes nothing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not observe orbits of numbers of the type `{T}`",
     label = "not an observer of such orbits",
@@ -153,33 +152,32 @@ pub trait Observer<T> {
     /// The type of the report.
     type Report;
 
-    /// Whether `is_done` can return true.
     #[doc(hidden)]
     const MAY_END: bool = true;
 
-    /// Looks at the point after `step` steps; steps are shown in order, from x₀ at step 0.
+    /// Processes the point after `step` steps; steps come in order, from x₀ at step 0.
     fn observe(&mut self, step: u64, x: &[T]);
 
-    /// Returns whether the observer needs no further point; asked after each point.
+    /// Returns whether the observer needs no further points; called after each point.
     ///
-    /// A done observer ends the run of an orbit, and its trajectory of an ensemble goes on unseen.
-    /// Tuples, arrays and vectors are done with their first observer that is done.
+    /// A finished observer ends the run of an orbit; in an ensemble its trajectory continues
+    /// unobserved. Tuples, arrays and vectors finish with their first member that does.
     #[inline(always)]
     fn is_done(&self) -> bool {
         false
     }
 
-    /// Returns the report on the points seen.
+    /// Returns the report on the points observed.
     fn report(self) -> Self::Report;
 
-    /// Returns the observer as one that may skip points; `None` if every point must be shown.
+    /// Returns the observer as one that may skip points; `None` if it needs every point.
     #[doc(hidden)]
     #[inline]
     fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
         None
     }
 
-    /// Shows some points of a group of trajectories, each to the observer of the trajectory.
+    /// Shows some points of a group of trajectories, each to the observer of its trajectory.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     #[inline]
@@ -192,7 +190,7 @@ pub trait Observer<T> {
     }
 }
 
-/// Shows the points of each trajectory of a group to the observer until the observer is done.
+/// Shows the points of each trajectory of a group to its observer until the observer is done.
 #[cfg(feature = "std")]
 #[inline]
 fn show_in_turn<T, O, P>(group: &mut Observers<'_, O>, burst: &Burst<'_, P>)

@@ -6,12 +6,11 @@ use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
 
 impl<S: Step> Orbit<S> {
-    /// Shows the next point of the orbit as step 0 and the points of `steps` further steps to the
-    /// observers, and returns the report.
+    /// Shows the next point, as step 0, and `steps` further points; returns the observers' report.
     ///
     /// The run ends early if the observers are [done](Observer::is_done), or at a pole of an exact
-    /// orbit, which [`stopped`](Self::stopped) then returns. The next call starts at the point
-    /// after the last one shown. Allocates a copy of the state only if that is a `Vec`.
+    /// orbit, which [`stopped`](Self::stopped) then returns. The next call starts after the last
+    /// point shown. A copy of the state is allocated only if the state is a `Vec`.
     ///
     /// ```
     /// use kahan_core::observe::Escape;
@@ -43,7 +42,7 @@ impl<S: Step> Orbit<S> {
 
     #[inline(always)]
     fn show(&mut self, steps: u64, observers: &mut impl Observer<S::Scalar>) {
-        // The compiler can keep a local copy of the state in registers.
+        // The compiler can hold a local copy of the state in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
             if state.step_with(&self.map, &mut self.workspace).is_none() {
@@ -61,7 +60,7 @@ impl<S: Step> Orbit<S> {
 
 impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
     /// Returns the first crossing with `level` = 0 within `steps` steps after the next point, like
-    /// [`first_crossing`](super::first_crossing). The orbit continues after the crossing.
+    /// [`first_crossing`](super::first_crossing). The orbit continues from there.
     pub fn first_crossing(
         &mut self,
         steps: u64,

@@ -4,10 +4,9 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of the first return: the first step at which an orbit that has left a ball around
-/// its first point is in the ball again.
+/// An observer of the first return to a ball around the initial point after leaving it.
 ///
-/// Points before the orbit leaves the ball do not count. Radius 0 finds periods of exact orbits.
+/// Radius 0 finds periods of exact orbits.
 ///
 /// ```
 /// use kahan_core::observe::Period;
@@ -44,8 +43,8 @@ pub struct Return<T> {
 }
 
 impl<T: Scalar, V: AsMut<[T]>> Period<T, V> {
-    /// Observes the first return to the ball of the given radius around x₀; `place` is the memory
-    /// for x₀, an array or a vector with a number for each variable.
+    /// Creates an observer of the first return to the ball of this radius around x₀. `place` is
+    /// memory for x₀: an array or vector with a number per variable.
     pub fn within(radius: T, place: V) -> Self {
         Self { squared: radius.clone() * radius, start: place, was_away: false, back: None }
     }

@@ -1,4 +1,4 @@
-//! Observing an orbit that goes through poles.
+//! Observation of an orbit that continues through poles.
 
 use crate::{ExtendScalars, Projective, ThroughPoles};
 
@@ -9,12 +9,12 @@ where
     M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
-    /// Like [`Orbit::observe`](crate::Orbit::observe), without the points at infinity.
+    /// Like [`Orbit::observe`](crate::Orbit::observe), but skips points at infinity.
     ///
-    /// Observers of single points (extrema, drift, escape, residence, return) see the finite
+    /// Observers of single points (extrema, drift, escape, residence, return) work on the finite
     /// points. Sections count a sign change across infinity as a jump. Observers that compare
     /// consecutive points (rotation, exponents) would treat the points before and after infinity as
-    /// neighbours: give them an orbit that ends there.
+    /// neighbours; for these use an orbit that ends at infinity.
     ///
     /// ```
     /// use kahan_core::observe::Extrema;

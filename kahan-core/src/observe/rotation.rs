@@ -1,8 +1,7 @@
 //! The rotation number of an orbit.
 //!
-//! In: a projection of the orbit to a plane. Out: the weighted mean of the angles between
-//! consecutive points as seen from the origin; it converges faster than any power of the number of
-//! steps for quasi-periodic motion.
+//! In: a projection of the orbit to a plane. Out: a weighted mean of the angles between consecutive
+//! points around the origin, which converges fast for quasi-periodic motion.
 
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
@@ -11,7 +10,7 @@ use crate::Scalar;
 
 use super::{Extremes, Observer};
 
-/// An observer of the rotation number: turns per step of the orbit projected to a plane.
+/// An observer of the rotation number: revolutions per step of the orbit projected to a plane.
 ///
 /// The angles between consecutive points are averaged with the weights
 ///
@@ -19,12 +18,12 @@ use super::{Extremes, Observer};
 ///
 /// On a torus with a smooth angle the average converges faster than any power of the number of
 /// steps (S. Das, Y. Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017) 4111). About a hundred
-/// turns give all digits of `f64`.
+/// revolutions give all digits of `f64`.
 ///
 /// The projected curve should encircle the origin once. For the frequency of one variable, project
 /// to the variable and its rate of change, and use [`between`](Self::between) with their extremes.
-/// Angles are known modulo whole turns, so the result is modulo 1; each angle is taken within half
-/// a turn of the first.
+/// The result is modulo 1, because angles are known modulo full revolutions; each angle is taken
+/// within half a revolution of the first.
 ///
 /// Cost: an arctangent and at most two exponentials per step.
 ///
@@ -50,10 +49,10 @@ pub struct Rotation<F, T> {
     plane: F,
     steps: u64,
     middle: [f64; 2],
-    /// The reciprocals of half the distances between the extremes.
+    /// The reciprocals of half the ranges of both coordinates.
     units: [f64; 2],
     last: [f64; 2],
-    /// The first angle, in turns.
+    /// The first angle, in revolutions.
     first: f64,
     whole: Mean,
     half: Mean,
@@ -64,22 +63,22 @@ pub struct Rotation<F, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Turns {
-    /// Turns per step, modulo 1; positive from the first coordinate to the second.
+    /// Revolutions per step, modulo 1; positive from the first coordinate to the second.
     pub value: f64,
     /// An estimate of the error: the distance from the mean over the first half of the steps.
     pub error: f64,
 }
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
-    /// Observes the rotation around the origin of `plane` over `steps` steps. Later points are
-    /// ignored; on a shorter run the mean converges like an unweighted one.
+    /// Creates an observer of the rotation around the origin of `plane` over `steps` steps. Later
+    /// points are ignored; in a shorter run the mean converges like an unweighted one.
     pub fn of(steps: u64, plane: F) -> Self {
         let unit = Extremes { least: T::zero() - T::one(), greatest: T::one() };
         Self::between(steps, plane, [unit.clone(), unit])
     }
 
-    /// Observes the rotation over `steps` steps around the centre of the extremes of the two
-    /// coordinates, each in units of half their distance, so that the angle grows evenly.
+    /// Creates an observer of the rotation over `steps` steps around the centre of the extremes.
+    /// Both coordinates are divided by half their range, so that the angle grows evenly.
     pub fn between(steps: u64, plane: F, extremes: [Extremes<T>; 2]) -> Self {
         let ends = extremes.map(|Extremes { least, greatest }| [least.approximate(), greatest.approximate()]);
         Self {
@@ -127,7 +126,7 @@ impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Observer<T> for Rotation<F, T> {
     }
 }
 
-/// Returns the angle modulo 1 that is within half a turn of `of`.
+/// Returns the angle, in revolutions, equal to `turns` modulo 1 and within ½ of `of`.
 fn within_half_a_turn(turns: f64, of: f64) -> f64 {
     if turns - of > 0.5 {
         turns - 1.0

@@ -6,17 +6,16 @@ use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::{Size, square};
 
-/// An observer of the smaller alignment index of two unit tangent vectors: the smaller of |v + w|
-/// and |v − w| after the last step.
+/// An observer of the smaller alignment index of two unit tangent vectors v and w: the smaller of
+/// |v+w| and |v−w| after the last step.
 ///
-/// For chaotic motion both vectors turn to the direction of fastest growth, and the index falls
-/// exponentially to rounding errors or 0. For regular motion in four or more variables the index
-/// stays of moderate size. In two variables, and where vectors align with the flow, it falls like a
-/// power of time. C. Skokos, J. Phys. A 34 (2001) 10029.
+/// For chaotic motion both vectors align with the direction of fastest growth, and the index falls
+/// exponentially to the rounding level or 0. For regular motion in four or more variables it stays
+/// of moderate size. In two variables, or if vectors align with the flow, it falls like a power of
+/// time. C. Skokos, J. Phys. A 34 (2001) 10029.
 ///
-/// The report is a number from 0 to √2, or NaN after a pole. Cost: two tangent vectors, which share
-/// the work on the points.
-/// Made by `Sali::new(&map)` for a [`TangentMap`].
+/// The report lies between 0 and √2, or is NaN after a pole. `Sali::new(&map)` takes a
+/// [`TangentMap`]. Cost: two tangent vectors, which share the work on the points.
 pub type Sali<M> = Follower<Alignment, M, 2>;
 
 /// The indicator of [`Sali`], which reads the vectors only at the end.
@@ -44,7 +43,7 @@ impl Indicator<2> for Alignment {
             let (v, w) = (v.approximate() / lengths[0], w.approximate() / lengths[1]);
             (sum + (v + w) * (v + w), difference + (v - w) * (v - w))
         });
-        // NaN compares false, so `difference`, NaN as well, is returned.
+        // Comparisons with NaN are false, so the result is `difference`, which is NaN as well.
         libm::sqrt(if sum < difference { sum } else { difference })
     }
 }

@@ -1,7 +1,7 @@
 //! Crossings of an orbit with a section.
 //!
-//! In: a function whose zero set is the section, and a map that can make a part of its step. Out:
-//! the crossings, refined on the map's own curve between points, and the number of jumps.
+//! In: a function whose zero set is the section, and a map that can step by a fraction of ε. Out:
+//! the crossings, refined on the map's own curve between two points, and the number of jumps.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -13,21 +13,21 @@ use super::zero::{Place, is_zero, narrow, small};
 
 /// An observer of the crossings with a section s(x) = 0: a plane, or a level set of any function.
 ///
-/// A crossing lies between two points of the orbit where s changes its sign, or at the second if s
-/// is 0 there. It is refined to rounding on the curve
+/// A crossing lies between two points of the orbit where s changes its sign, or at the second point
+/// if s is 0 there. It is refined to rounding accuracy on the curve
 ///
 /// x(θ) = φ_{θε}(xₙ), 0 ≤ θ ≤ 1,
 ///
-/// the map's step with a part of ε. The curve is as far from the flow as a step is, O(ε³), and
-/// integrals of the map at ε hold on the curve up to that distance.
+/// the map's steps with fractions of ε. This curve is as close to the flow as a step is, O(ε³), and
+/// conserves the integrals of the map at ε to that order.
 ///
-/// A sign change without a zero is a jump, which is counted and is not a crossing: at a pole or a
-/// discontinuity of s, and where the curve passes through infinity, at a pole of the map. The
-/// search ends at two values of θ that differ by the unit roundoff u. A crossing has |s| ≤ u^⅓ of
-/// the larger of |s(xₙ)| and |s(xₙ₊₁)| there: 2⁻¹⁷ in `f64`, 2⁻⁸ in `f32`. Rounding at a zero
-/// leaves about u·|x|/|xₙ₊₁ − xₙ| of it. All tests are independent of the unit of length.
+/// A sign change without a zero is counted as a jump instead: at a pole or discontinuity of s, or
+/// where the curve passes through infinity at a pole of the map. The search ends at two values of θ
+/// that differ by the unit roundoff u. At a crossing |s| is at most u^⅓ times the larger of |s(xₙ)|
+/// and |s(xₙ₊₁)|: 2⁻¹⁷ in `f64`, 2⁻⁸ in `f32`. Rounding at a zero leaves about u·|x|/|xₙ₊₁ − xₙ| of
+/// it. All tests are independent of the unit of length.
 ///
-/// Cost: s at every step, some fifteen steps for a crossing, up to some hundred for a jump.
+/// Cost: s at every step, about fifteen steps per crossing, up to about a hundred per jump.
 ///
 /// ```
 /// use kahan_core::observe::{AtMost, Direction, Section};
@@ -54,7 +54,7 @@ pub struct Section<M: Step, F, S> {
     direction: Direction,
     sink: S,
     jumps: u64,
-    /// The latest point; `step` and `height` are its step and the value of s there.
+    /// The latest point; `step` is its step number and `height` its value of s.
     place: M::State,
     step: u64,
     height: f64,
@@ -71,7 +71,7 @@ pub struct Sectioned<R> {
     pub jumps: u64,
 }
 
-/// The directions of sign changes that are observed.
+/// The directions of the observed sign changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -104,7 +104,7 @@ impl Direction {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Crossing<P, T> {
-    /// The number n of whole steps before the crossing.
+    /// The number n of full steps before the crossing.
     pub step: u64,
     /// The fraction θ of the step from xₙ, 0 < θ ≤ 1.
     pub part: T,
@@ -119,10 +119,10 @@ pub trait Sink<C> {
     /// The type of the report.
     type Report;
 
-    /// Takes the next crossing.
+    /// Receives the next crossing.
     fn take(&mut self, crossing: C);
 
-    /// Returns whether the sink needs no further crossing, so that the run may end.
+    /// Returns whether the sink needs no further crossings, so that the run may end.
     #[inline(always)]
     fn is_full(&self) -> bool {
         false
@@ -132,7 +132,7 @@ pub trait Sink<C> {
     fn report(self) -> Self::Report;
 }
 
-/// A closure is called with every crossing, and reports nothing.
+/// Calls the closure with every crossing; reports nothing.
 impl<C, F: FnMut(C)> Sink<C> for F {
     type Report = ();
 
@@ -143,7 +143,7 @@ impl<C, F: FnMut(C)> Sink<C> for F {
     fn report(self) {}
 }
 
-/// A sink that keeps the first crossings, in memory allocated at the beginning.
+/// A sink that stores the first crossings, in memory allocated at the start.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug)]
 pub struct AtMost<C> {
@@ -156,15 +156,15 @@ pub struct AtMost<C> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Kept<C> {
-    /// The first crossings, at most as many as the capacity.
+    /// The first crossings, up to the capacity.
     pub kept: Vec<C>,
-    /// The number of all crossings.
+    /// The total number of crossings.
     pub all: u64,
 }
 
 #[cfg(feature = "std")]
 impl<C> AtMost<C> {
-    /// Keeps the first `capacity` crossings, and counts all.
+    /// Creates a sink that stores the first `capacity` crossings and counts all.
     pub fn new(capacity: usize) -> Self {
         Self { found: Kept { kept: Vec::with_capacity(capacity), all: 0 }, capacity }
     }
@@ -197,7 +197,7 @@ where
     T: FloatScalar,
     S: Sink<Crossing<PointOf<M>, T>>,
 {
-    /// Observes the crossings with `level` = 0 on orbits of `map`, and hands them to `sink`.
+    /// Creates an observer that gives each crossing of `level` = 0, by orbits of `map`, to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
         Self {
@@ -213,7 +213,7 @@ where
         }
     }
 
-    /// Forgets the latest point, so that points may be skipped while s is known to keep its sign.
+    /// Forgets the latest point. The caller may then skip points while s is known to keep its sign.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
@@ -230,7 +230,6 @@ where
             if part.is_one() {
                 state.as_mut_slice()[..x.len()].copy_from_slice(x);
             } else {
-                // Steps of floats continue at poles.
                 let _ = map.part(&(part * eps), state.as_mut_slice(), workspace);
             }
             state.to_point()
@@ -239,7 +238,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &Place<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // θ = 0 belongs to the step before.
+        // θ = 0 belongs to the previous step.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -251,8 +250,8 @@ where
     }
 }
 
-/// Returns whether a point of the curve between the ends is not finite or near a pole of the curve:
-/// much larger than the ends in some variable, and far from the adjacent point `beside`.
+/// Returns whether a point of the curve is infinite or near a pole of the curve: in some variable
+/// much larger than both ends, and far from the adjacent point `beside`.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -278,7 +277,7 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if rises || falls {
-            // Between points of non-consecutive steps lies infinity.
+            // Points of non-consecutive steps have infinity between them.
             let crossing = if step == self.step + 1 { self.crossing(x, end) } else { None };
             match crossing {
                 Some(crossing) => self.sink.take(crossing),
@@ -286,7 +285,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // A part of a step ignores the numbers that a mode keeps behind the point, so they stay.
+        // The numbers stored after the point may be old, because a fraction of a step ignores them.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 
@@ -301,10 +300,10 @@ where
 }
 
 /// Returns the first crossing with `level` = 0 of the orbit from `start`, within `steps` steps;
-/// `None` without a crossing. A start on the section and jumps of `level` are no crossings.
+/// `None` if none occurs. A start on the section and jumps of `level` do not count.
 ///
-/// `map` is a prepared map, a chain, a map read at run time, or a reference to one; states of
-/// `&dyn Step` are `Vec`s. The crossing is refined like those of a [`Section`].
+/// `map` is a prepared map, a chain, a map read at run time, or a reference to one; states of `&dyn
+/// Step` are `Vec`s. The crossing is refined like those of a [`Section`].
 ///
 /// ```
 /// use kahan_core::observe::first_crossing;
@@ -340,7 +339,6 @@ where
     Orbit::new(&map, start).observe(steps, section).points
 }
 
-/// A sink that keeps the first crossing and ends the run.
 #[derive(Clone, Debug)]
 pub(super) struct First<C>(pub(super) Option<C>);
 

@@ -13,23 +13,20 @@ use super::{Exponent, Observer, TangentMap};
 
 /// An observer of the k largest Lyapunov exponents, per unit of time, in descending order.
 ///
-/// Carries tangent vectors v₁, …, vₖ along, and every m steps makes each orthogonal to those before
-/// it (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980)
-/// 9). The growth rate of the orthogonal part of vⱼ tends to the j-th largest exponent. Short runs
-/// may give another order, so the report sorts the rates. With as many vectors as variables, the
-/// vectors begin along the axes, and the sum of the exponents is
-/// [`MeanLogDet`](super::MeanLogDet) up to rounding.
+/// Propagates tangent vectors v₁, …, vₖ, and every m steps makes each orthogonal to those before it
+/// (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980)
+/// 9). The growth rate of the orthogonal component of vⱼ tends to the j-th largest exponent. Short
+/// runs may give another order, so the report sorts the rates. With as many vectors as variables,
+/// the vectors start along the axes, and the exponents sum to [`MeanLogDet`](super::MeanLogDet) up
+/// to rounding. Vectors are scaled by powers of two only.
 ///
-/// Vectors are scaled only by powers of two, without square roots.
-///
-/// Cost: k tangent vectors in every step, about k² inner products every m steps.
+/// Cost: k tangent vectors per step, and about k² inner products every m steps.
 #[derive(Clone, Debug)]
 pub struct Spectrum<M: TangentMap> {
     map: M,
     place: M::State,
     directions: Vec<GrowingVector<M::State>>,
     every: u64,
-    /// The steps until the next orthogonalisation.
     until: u64,
     turns: u64,
     steps: u64,
@@ -40,23 +37,23 @@ struct GrowingVector<P> {
     vector: P,
     /// The squared length after the last orthogonalisation.
     squared: f64,
-    /// The square of the growth up to the last orthogonalisation.
+    /// The squared growth up to the last orthogonalisation.
     growth: Size,
     doublings: Doublings,
 }
 
 impl<M: TangentMap> Spectrum<M> {
-    /// Observes the `k` largest exponents of a prepared map, given by value or by reference.
+    /// Creates an observer of the `k` largest exponents of a prepared map or a reference to one.
     ///
-    /// The vectors are made orthogonal every `every` steps. Choose `every` small enough that no
-    /// vector outgrows another beyond the precision of the scalar in between.
+    /// Vectors are orthogonalised every `every` steps. This must be often enough that no vector
+    /// outgrows another beyond the precision of the scalar.
     ///
     /// # Panics
     /// If there are fewer variables than `k`, or `every` is 0.
     pub fn new(map: M, k: usize, every: u64) -> Self {
         let variables = map.dimension();
         assert!(k <= variables && every > 0, "{k} exponents in {variables} variables, every {every} steps");
-        // Fewer vectors must avoid invariant subspaces of the field, often coordinate planes.
+        // Fewer vectors than variables must avoid invariant subspaces, often coordinate planes.
         let off_axis = if k < variables { 1 } else { 0 };
         let entry = |j: usize, i: usize| {
             let skew = Constant::ratio(off_axis * ((29 * i + 17 * j + 5) % 32) as i64, 64);
@@ -113,7 +110,7 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
     }
 }
 
-/// Makes each vector orthogonal to those before it, and records its growth.
+/// Makes each vector orthogonal to those before it (Gram–Schmidt), and records its growth.
 fn make_orthogonal<P, T>(directions: &mut [GrowingVector<P>])
 where
     P: StateVector<T>,

@@ -1,6 +1,6 @@
-//! Maps that carry tangent vectors along, and the map of a point with its tangent vectors.
+//! Maps that propagate tangent vectors, and the map of a point with its tangent vectors.
 //!
-//! In: a map at its ε, a point, tangent vectors there. Out: the vectors at the next point. The
+//! In: a map at its ε, a point, and tangent vectors there. Out: the vectors at the next point. The
 //! number of variables may be known only at run time.
 
 #[cfg(feature = "std")]
@@ -23,12 +23,12 @@ use crate::{ExtendScalars, FloatScalar, KahanAt, Scalar, Step};
 #[cfg(feature = "std")]
 use super::{Grouped, SideBySide, lanes::ByOneMap};
 
-/// A map that carries tangent vectors along: v ↦ J(x)·v, J = ∂x̃/∂x.
+/// A map with its tangent map v ↦ J(x)·v, J = ∂x̃/∂x.
 ///
-/// Implemented by prepared maps, compositions of them, maps read at run time, and references.
+/// Prepared maps, their compositions, maps read at run time, and references implement it.
 ///
 /// # Panics
-/// The methods panic if a slice is not as long as the number of variables.
+/// The methods panic if a slice's length is not the number of variables.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` carries no tangent vectors along",
     label = "not a prepared map of `kahan!`, a composition of one, or a map that is read at run time",
@@ -38,7 +38,7 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
     fn carry(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// Like [`carry`](Self::carry), given the next point x̃, which saves about half of the work.
+    /// Like [`carry`](Self::carry), with known x̃, which halves the work.
     #[inline(always)]
     fn carry_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
         self.carry(x, v);
@@ -47,11 +47,11 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Returns det J(x).
     fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
 
-    /// Carries the vectors of a group of trajectories along their points, each by its own map, and
-    /// writes the squared lengths after each step if `work` has room for them.
+    /// Propagates the vectors of a group of trajectories along their points, each by its own map,
+    /// and writes the squared lengths after each step if `work` has room for them.
     ///
     /// Returns the number of steps taken, which is smaller if a squared length leaves the moderate
-    /// range. Returns `None` for different maps and for steps without lanes. The bits are those of
+    /// range; `None` for different maps and steps without lanes. Bits are those of
     /// [`carry_to`](Self::carry_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
@@ -94,7 +94,7 @@ impl<M: TangentMap> TangentMap for &M {
     }
 }
 
-// One implementation for each map: one for all `Staged<T, N>` would leave N undetermined.
+// One implementation per map, because one for all `Staged<T, N>` would leave N undetermined.
 macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map
@@ -105,7 +105,6 @@ macro_rules! implement_for_stages {
             #[inline(always)]
             fn carry(&self, x: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
-                // Steps of floats have a value at every point.
                 if let Some(carried) = carry(Self::in_order(&stages).copied(), &point(x), v) {
                     *v = carried;
                 }
@@ -161,10 +160,10 @@ fn point<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
     vector(from_fn(|i| x[i]))
 }
 
-/// A map on points with tangent vectors; made by [`KahanAt::tangent`] or [`new`](Self::new).
+/// A map on points with tangent vectors; see [`KahanAt::tangent`].
 ///
-/// States have (1 + k)·n numbers: a point, then k vectors, which are neither scaled nor made
-/// orthogonal. A [part](Step::part) of a step moves only the point.
+/// States have (1 + k)·n numbers: a point, then k vectors, which are neither scaled nor
+/// orthogonalised. A [part](Step::part) of a step moves only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -191,7 +190,7 @@ pub struct Tangent<S> {
 }
 
 impl<S> Tangent<S> {
-    /// Returns the map on points with the given number of tangent vectors.
+    /// Creates the map on points with this number of tangent vectors.
     pub const fn new(map: S, vectors: usize) -> Self {
         Self { map, vectors }
     }
@@ -235,7 +234,7 @@ where
         carry([(&self.map.map, &self.map.eps)].into_iter(), x, v)
     }
 
-    /// Like [`carry`](Self::carry), given the next point x̃, which saves about half of the work.
+    /// Like [`carry`](Self::carry), with known x̃, which halves the work.
     #[inline(always)]
     pub fn carry_to(
         &self,

@@ -1,4 +1,4 @@
-//! The observer that shows every point to a closure.
+//! An observer that passes every point to a closure.
 
 use super::Observer;
 

@@ -1,9 +1,8 @@
 //! Search for a sign change of a function, which may be a zero or a jump.
 //!
-//! In: a function on 0 ≤ θ ≤ 1 with values of opposite signs at the ends. Out: two arguments on
-//! both sides of the sign change, as close as the precision of θ allows, and whether the function
-//! is small at both. The function may have poles, jumps and NaN values: the search ends as at a
-//! zero, and the values at the two arguments tell the cases apart.
+//! In: a function on 0 ≤ θ ≤ 1 with opposite signs at the ends. Out: two arguments on both sides of
+//! the sign change, as close as the precision of θ allows. The function may have poles, jumps and
+//! NaNs: the search then ends in the normal way, and [`is_zero`] distinguishes the cases.
 
 use crate::{Constant, FloatScalar};
 
@@ -13,12 +12,12 @@ pub(super) struct Place<T> {
     pub height: T,
 }
 
-/// Returns the ratio u^⅓ to the larger end value up to which a value next to the sign change is
-/// small, for the unit roundoff u of the scalar: 2⁻¹⁷ for `f64`, 2⁻⁸ for `f32`.
+/// Returns u^⅓ for the unit roundoff u: 2⁻¹⁷ for `f64`, 2⁻⁸ for `f32`. A value beside the sign
+/// change counts as small up to this fraction of the larger end value.
 ///
-/// Adjacent arguments differ by about u. Near a zero, values have rounding errors of u·|x|/|x̃ − x|
-/// of the change from end to end, if the step moves x to x̃: below u^⅓ in steps that move the point
-/// by more than u^⅔ of its size. A jump keeps its height, and values at a pole are larger.
+/// Adjacent arguments differ by about u. Near a zero, rounding errors are about u·|x|/|x̃ − x| of
+/// the change from end to end, for a step from x to x̃. They stay below u^⅓ if the step moves the
+/// point by more than u^⅔ of its size. At a jump or a pole the values remain large.
 pub(super) fn small<T: FloatScalar>() -> f64 {
     libm::exp2(-f64::from(T::SHORT_BITS))
 }
@@ -36,16 +35,16 @@ pub(super) fn is_zero<T: FloatScalar>(places: [Place<T>; 2], ends: [T; 2]) -> bo
 
 /// Returns two places with the sign change between them, or a zero and a place beside it.
 ///
-/// Each step goes to the zero of a secant. The value of a place that stays is halved in the next
-/// secant (the Illinois method). Steps keep a least distance from both places. Bisection replaces
-/// the secant after two secants that did not halve the distance, and after a value beyond both.
+/// The Illinois method: secants, with the value at a retained end halved in the next secant. Steps
+/// keep a least distance from both places. Bisection replaces the secant after two secants that did
+/// not halve the interval, and after a value beyond both ends.
 pub(super) fn narrow<T: FloatScalar>([start, end]: [T; 2], mut level: impl FnMut(T) -> T) -> [Place<T>; 2] {
     let half = T::constant(&Constant::ratio(1, 2));
     let least = (0..digits::<T>()).fold(T::one(), |least, _| least * half);
     let mut last = Place { part: T::one(), height: end };
     let mut other = Place { part: T::zero(), height: start };
     let (mut weighted, mut slow) = (start, 0);
-    // Two secants and a bisection halve the distance.
+    // Two secants and a bisection halve the interval.
     for _ in 0..3 * digits::<T>() {
         let gap = other.part - last.part;
         let share = if gap.approximate() < 0.0 { -least / gap } else { least / gap };
@@ -64,10 +63,9 @@ pub(super) fn narrow<T: FloatScalar>([start, end]: [T; 2], mut level: impl FnMut
             at if at > 0.0 && at < closest => share,
             at if at > 1.0 - closest && at <= 1.0 => T::one() - share,
             at if at > 0.0 && at < 1.0 => secant,
-            // An end value is infinite.
             _ => half,
         };
-        // A function with a limit may lack a value at one argument, so try others.
+        // The function may lack a value at an isolated argument, so try others.
         let ratios = [ratio, half, half * half, half + half * half];
         let mut places = ratios.into_iter().map(|ratio| {
             let part = last.part + ratio * gap;

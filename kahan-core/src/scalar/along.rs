@@ -1,19 +1,17 @@
-//! Dual numbers with one derivative that know whether they are constant: v + s·d with d² = 0.
+//! Dual numbers v + s·d, d² = 0, with one derivative, which know whether they are constant.
 //!
 //! In: the closed form of a step. Out: its value and its derivative along one direction. Constants
-//! have no slope, so nothing is multiplied by 0; in an inlined step compilers know which numbers
-//! are constants. Without optimisation operators are calls, like in [`dual`](super::dual).
+//! have no slope, so nothing is multiplied by 0, which compilers see in an inlined step.
 
 use num_traits::{One, Zero};
 
 use super::tuning::fenced;
 use super::{Constant, Scalar, operators};
 
-/// A value with its derivative along one direction.
+/// A value and its derivative along one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Along<T> {
     pub(crate) value: T,
-    /// The derivative; `None` for a constant.
     pub(crate) slope: Option<T>,
 }
 
@@ -23,20 +21,20 @@ impl<T: Scalar> Along<T> {
         Self { value, slope: None }
     }
 
-    /// Makes a number that compilers do not pack with its neighbours, as shuffles cost more.
+    /// Creates a number that compilers do not pack with others, because shuffles would cost more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
     }
 
-    /// Returns the derivative, 0 for a constant.
+    /// Returns the derivative, which is 0 for a constant.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn into_slope(self) -> T {
         self.slope.unwrap_or_else(T::zero)
     }
 }
 
-/// Returns the slope of a function of two numbers, from both slopes or the one present.
+/// Combines the slopes of two operands; a constant operand has none.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],

@@ -1,20 +1,19 @@
 //! Exact rational literals as data.
 //!
 //! In: the numbers of a field, written by the macro or read at run time. Out: the exact ratio, or
-//! the nearest `f32`, `f64` or pair of `f64`. Each is rounded once: small ratios by a correctly
-//! rounded division, long ones by the writer of the data. Nothing here divides digits or limbs.
+//! the nearest `f32`, `f64` or double-double. Each is rounded once: small ratios by a correctly
+//! rounded division, long ones in advance by the writer of the data.
 
 use super::wide::Digits;
 
-/// An exact rational number p/q from which every [`Scalar`](crate::Scalar) can be made; the digits
-/// are borrowed, usually from static data.
+/// An exact rational number p/q, convertible to every [`Scalar`](crate::Scalar).
 #[derive(Clone, Copy, Debug)]
 pub struct Constant<'a>(Form<'a>);
 
 #[derive(Clone, Copy, Debug)]
 enum Form<'a> {
     Integer(i64),
-    /// |p|, q ≤ 2²⁴, exact in `f32`, so that one division rounds correctly to `f32` and to `f64`.
+    /// Both are at most 2²⁴, so exact in `f32`: a single division rounds correctly to any float.
     Ratio(i64, i64),
     Long(Long<'a>),
 }
@@ -33,13 +32,13 @@ struct Long<'a> {
 const RATIO_LIMIT: u64 = 1 << 24;
 
 impl<'a> Constant<'a> {
-    /// Makes the integer n.
+    /// Creates the integer n.
     #[inline(always)]
     pub const fn integer(n: i64) -> Self {
         Self(Form::Integer(n))
     }
 
-    /// Makes p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
+    /// Creates p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
     ///
     /// # Panics
     /// Outside that range, at compile time in a constant.
@@ -52,10 +51,10 @@ impl<'a> Constant<'a> {
         Self(Form::Ratio(p, q))
     }
 
-    /// Makes any rational ±numerator/denominator from little-endian 64-bit limbs and its roundings.
+    /// Creates ±numerator/denominator from little-endian 64-bit limbs, together with its roundings.
     ///
-    /// `single` and `double` are the nearest floats, and `low` is the `f64` nearest to the rest;
-    /// all three have the sign of the number. The denominator must not be zero.
+    /// `single` and `double` are the nearest floats, and `low` is the `f64` nearest to the
+    /// remainder; all three have the sign of the number. The denominator must be nonzero.
     #[inline(always)]
     pub const fn exact(
         negative: bool,
@@ -68,7 +67,7 @@ impl<'a> Constant<'a> {
         Self(Form::Long(Long { negative, numerator, denominator, single, double, low }))
     }
 
-    /// Returns whether this is an integer of magnitude at most 2⁵³.
+    /// Returns whether this is an integer of absolute value at most 2⁵³.
     #[inline(always)]
     pub(crate) const fn is_whole(&self) -> bool {
         matches!(self.0, Form::Integer(n) if n.unsigned_abs() <= 1 << 53)
@@ -94,12 +93,12 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns (high, low): the nearest `f64`, and the `f64` nearest to the rest.
+    /// Returns (high, low): the nearest `f64`, and the `f64` nearest to the remainder.
     #[inline(always)]
     pub const fn to_double_double(&self) -> (f64, f64) {
         let high = self.to_f64();
         let low = match self.0 {
-            // Both integers are below 2⁶⁵ in size, and the difference fits an f64.
+            // Both integers are below 2⁶⁵ in absolute value, and their difference fits an f64.
             Form::Integer(n) => (n as i128 - high as i128) as f64,
             Form::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
             Form::Long(long) => long.low,
@@ -107,7 +106,7 @@ impl<'a> Constant<'a> {
         (high, low)
     }
 
-    /// Returns the number, exact unless numerator or denominator exceeds the digits.
+    /// Returns the number, exact unless numerator or denominator has too many digits.
     pub(crate) fn to_digits<const D: usize, const M: usize>(self) -> Digits<D, M> {
         match self.0 {
             Form::Integer(n) => Digits::from(n),
@@ -144,7 +143,6 @@ const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     (p - leading * q) - rest * q
 }
 
-/// Returns a natural number from its little-endian limbs.
 #[cfg(feature = "exact")]
 fn natural(limbs: &[u64]) -> num_bigint::BigUint {
     num_bigint::BigUint::new(limbs.iter().flat_map(|&limb| [limb as u32, (limb >> 32) as u32]).collect())

@@ -1,10 +1,9 @@
-//! Dual numbers v + g·d with d² = 0: a value with its gradient in N directions.
+//! Dual numbers v + g·d, d² = 0: a value with its gradient in N directions.
 //!
-//! In: the closed form of a step. Out: its value and exact derivatives from one formula. Dual
-//! numbers serve rational formulas only: they have neither an order nor roots.
-//!
-//! Operators are inlined by force, so that steps over lanes stay in registers. Without optimisation
-//! they are calls, since every inlined operator would enlarge the frame of its caller.
+//! In: the closed form of a step. Out: its value and exact derivatives. Only rational formulas are
+//! supported: dual numbers have no order and no roots. Operators are always inlined in optimised
+//! builds, so that steps over lanes stay in registers; in other builds they are calls, because
+//! inlining would enlarge stack frames.
 
 use core::array::from_fn;
 use core::ops::Neg;
@@ -23,12 +22,12 @@ pub struct Dual<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Dual<T, N> {
-    /// Returns a constant: a number with gradient 0.
+    /// Creates a constant, with gradient 0.
     pub fn from_value(value: T) -> Self {
         Self { value, gradient: from_fn(|_| T::zero()) }
     }
 
-    /// Returns the coordinate of direction `i`, with derivative 1 along `i` and 0 along the others.
+    /// Creates the coordinate of direction `i`, with derivative 1 along `i` and 0 along the others.
     pub fn coordinate(value: T, i: usize) -> Self {
         Self { value, gradient: from_fn(|j| if i == j { T::one() } else { T::zero() }) }
     }
@@ -40,7 +39,7 @@ impl<const N: usize> From<f64> for Dual<f64, N> {
     }
 }
 
-/// Replaces each entry of a gradient by a function of it, or of it and another gradient's entry.
+/// Replaces each entry of a gradient by an expression in it, and in the entry of another gradient.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {
         for $own in &mut $dual.gradient {

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::Scalar;
 
-/// A scalar that the `embed` function of a lift takes: `f32` or `f64`. Elementary functions are
+/// A scalar that the `embed` method of a lift accepts: `f32` or `f64`. Elementary functions are
 /// computed in `f64`, and rounded once for `f32`.
 #[diagnostic::on_unimplemented(
     message = "`embed` has values in `f32` and `f64`, not in `{Self}`",
@@ -54,7 +54,7 @@ pub fn components_in_f64<T: EmbedScalar, const N: usize>(x: &SVector<T, N>) -> [
     core::array::from_fn(|i| x[i].widened())
 }
 
-/// Returns the point of a lift: states, then new variables.
+/// Creates the point of a lift: the states, then the new variables.
 pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize>(
     x: &SVector<T, N>,
     new: [f64; NEW],
@@ -62,7 +62,7 @@ pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize
     SVector::from_fn(|i, _| if i < N { x[i] } else { T::narrowed(new[i - N]) })
 }
 
-/// Returns the states of a point of a lift, its first components.
+/// Returns the states of a point of a lift, which are its first components.
 pub fn projected<T: Scalar, const M: usize, const N: usize>(x: &SVector<T, M>) -> SVector<T, N> {
     SVector::from_fn(|i, _| x[i].clone())
 }

@@ -1,4 +1,4 @@
-//! Half steps ε with few bits, whose powers are exact.
+//! Half time steps ε with few bits, whose powers are exact.
 
 use crate::FloatScalar;
 
@@ -6,16 +6,16 @@ use crate::FloatScalar;
 /// 17, `Dd`: 35), so that its square and cube are exact.
 ///
 /// A step may use ε, ε² and ε³, each computed once and rounded. A rounded ε is still some ε, and
-/// its map keeps its own integrals. But the rounded ε² is not the square of the rounded ε, so the
-/// step is that of no ε. Its error is equal in every step, and integrals drift in proportion to the
-/// number of steps, in compensated orbits, too. Exact powers avoid this drift.
+/// its map conserves its own integrals. But the rounded ε² is not the square of the rounded ε, so
+/// the step belongs to no ε. Its error is equal in every step, and integrals drift in proportion to
+/// the number of steps, even in compensated orbits. Exact powers avoid this drift.
 ///
 /// The drift matters in long runs (from about 10⁷ steps in `f64`, 10⁵ in `f32`) of systems whose
-/// step multiplies parameters with powers of ε. The integrals of the Euler top drift at ε = 0.05,
-/// and not at ε = 3/64. The result differs from `eps` by at most 2⁻¹⁷ of it (`f32`: 2⁻⁸).
+/// step multiplies parameters by powers of ε. The integrals of the Euler top drift at ε = 0.05, but
+/// not at ε = 3/64. The result differs from `eps` by a relative 2⁻¹⁷ at most (`f32`: 2⁻⁸).
 ///
-/// A short ε does not help if the product of a parameter with ε is rounded, or in compositions,
-/// whose stages have steps of their own. For a homogeneous field
+/// A short ε does not help if the product of a parameter and ε is rounded, nor in compositions,
+/// whose stages have other step sizes. For a homogeneous field
 /// [`Orbit::scaled`](crate::Orbit::scaled) removes ε altogether. Infinities and NaN are returned
 /// unchanged; a subnormal ε keeps fewer bits.
 ///

@@ -1,12 +1,12 @@
 //! `f32` and `f64` as scalars.
 //!
 //! Every number has a reciprocal (±∞ at ±0), so nothing branches or panics; results at poles are
-//! not finite. A multiply-add is a multiplication and an addition, which gives equal bits on every
-//! processor. Programs compiled for x86-64 with the feature `fma` fuse them, with other bits.
+//! infinite or NaN. A multiply-add is two operations, with equal bits on every processor, except in
+//! programs compiled for x86-64 with the target feature `fma`, which fuse it.
 
 use super::{Constant, Scalar};
 
-/// a·b + c, rounded once. `mul_add` needs the standard library.
+/// a·b + c, rounded once; `mul_add` needs the standard library.
 #[cfg(all(feature = "std", target_feature = "fma"))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {

@@ -1,6 +1,4 @@
-//! Scalars that round.
-//!
-//! In: a float of any width. Out: the number of its bits whose cube is exact, and rounding to it.
+//! Scalars that round, and rounding to so few bits that the cube is exact.
 
 use super::{Dd, Scalar};
 
@@ -16,7 +14,7 @@ pub trait FloatScalar: Scalar + Copy {
     const SHORT_BITS: u32;
 
     /// Returns the nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits;
-    /// infinities and NaN unchanged.
+    /// infinities and NaN stay unchanged.
     fn nearest_short(self) -> Self;
 }
 
@@ -25,7 +23,7 @@ macro_rules! implement_for_float {
         impl FloatScalar for $float {
             const SHORT_BITS: u32 = <$float>::MANTISSA_DIGITS / 3;
 
-            /// Rounds ties away from zero; truncates instead of rounding to infinity.
+            /// Rounds ties away from zero, but never to infinity.
             fn nearest_short(self) -> Self {
                 // Adjacent bit patterns are adjacent numbers, so rounding the pattern suffices.
                 let dropped = <$float>::MANTISSA_DIGITS - Self::SHORT_BITS;
@@ -48,7 +46,7 @@ implement_for_float!(f64);
 impl FloatScalar for Dd {
     const SHORT_BITS: u32 = 35;
 
-    /// Rounds ties away from zero; truncates instead of rounding to infinity.
+    /// Rounds ties away from zero, but never to infinity.
     fn nearest_short(self) -> Self {
         const DROPPED: u32 = f64::MANTISSA_DIGITS - Dd::SHORT_BITS;
         const UNIT: u64 = 1 << DROPPED;

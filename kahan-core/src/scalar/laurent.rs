@@ -1,8 +1,8 @@
 //! Truncated Laurent series in δ: Σ cₖδᵏ from some k, possibly negative, up to O(δᵉ).
 //!
-//! In: a formula at a point shifted by δ. Out: the limit of the formula as δ → 0, also where the
-//! formula is infinite or undefined at δ = 0. Known coefficients over an exact scalar are exact.
-//! Cancellation shortens a series, down to O(δᵉ) without a known term.
+//! In: a formula at a point shifted by δ. Out: its limit as δ → 0, even if the formula is infinite
+//! or undefined at δ = 0. Known coefficients over an exact scalar are exact. Cancellation shortens
+//! a series, possibly to O(δᵉ) without a known term.
 
 use core::ops::Neg;
 use std::vec::Vec;
@@ -11,14 +11,13 @@ use num_traits::{One, Zero};
 
 use super::{Constant, Scalar, operators};
 
-/// A number, or a truncated Laurent series.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Laurent<T> {
     /// An exact number, without higher powers of δ.
     Number(T),
     /// Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)); the first term is not 0.
     Series {
-        /// The power of the first term; without terms, the power e of O(δᵉ).
+        /// The power of the first term; without terms, the power e in O(δᵉ).
         start: i64,
         /// The coefficients from δ^start on.
         terms: Vec<T>,
@@ -28,13 +27,13 @@ pub(crate) enum Laurent<T> {
 use Laurent::{Number, Series};
 
 impl<T: Scalar> Laurent<T> {
-    /// Returns δ with the given number of terms.
+    /// Returns δ, known to this many terms.
     pub(crate) fn delta(terms: usize) -> Self {
         let terms = (0..terms.max(1)).map(|k| if k == 0 { T::one() } else { T::zero() });
         Series { start: 1, terms: terms.collect() }
     }
 
-    /// Returns the lowest power with a known nonzero coefficient; `None` without one.
+    /// Returns the lowest power with a known nonzero coefficient; `None` if all are unknown or 0.
     pub(crate) fn order(&self) -> Option<i64> {
         match self {
             Number(number) => (!number.is_zero()).then_some(0),
@@ -50,7 +49,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Returns the power of δ from which on nothing is known; `None` for a number.
+    /// Returns the power from which on coefficients are unknown; `None` for a number.
     fn end(&self) -> Option<i64> {
         match self {
             Number(_) => None,
@@ -67,14 +66,13 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Makes a series from `start` on, without leading zeros.
+    /// Creates a series from `start` on, dropping leading zeros.
     fn of(start: i64, mut terms: Vec<T>) -> Self {
         let zeros = terms.iter().take_while(|term| term.is_zero()).count();
         terms.drain(..zeros);
         Series { start: start + zeros as i64, terms }
     }
 
-    /// Returns a number as the coefficients of a series.
     fn written_out(number: T, terms: usize) -> Vec<T> {
         let mut number = Some(number);
         (0..terms).map(|_| number.take().unwrap_or_else(T::zero)).collect()
@@ -107,7 +105,7 @@ fn sum<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     Laurent::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
 }
 
-/// Multiplies; the product has as many terms as the shorter series.
+/// Multiplies; the product has as many terms as the shorter factor.
 fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     match (a, b) {
         (Number(number), _) | (_, Number(number)) if number.is_zero() => Number(number),
@@ -120,7 +118,7 @@ fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     }
 }
 
-/// Divides to as many terms as the shorter series has; the divisor must have a term.
+/// Divides to as many terms as the shorter operand has; the divisor must have a term.
 fn quotient<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     match (a, b) {
         (series, Number(divisor)) => series.map(|term| term / divisor.clone()),
@@ -175,7 +173,7 @@ impl<T: Scalar> Scalar for Laurent<T> {
         Some(self / divisor)
     }
 
-    /// Prefers the lower order, since division by it keeps more terms.
+    /// Prefers the lower order, because division by it loses fewer terms.
     fn is_better_pivot(&self, than: &Self) -> bool {
         match (self.order(), than.order()) {
             (Some(own), Some(other)) => own < other,
@@ -213,7 +211,7 @@ mod tests {
         assert_eq!(b - a.clone(), series(0, &[1]));
         let number = Laurent::Number(BigRational::from_integer(4.into()));
         assert_eq!(a.clone() + number.clone(), series(-2, &[1, 2, 7]));
-        // A series known only below δ⁰ absorbs a number.
+        // A series unknown from δ⁰ on absorbs a number.
         assert_eq!(series(-3, &[1, 2]) + number.clone(), series(-3, &[1, 2]));
         let nothing = a.clone() - a;
         assert_eq!(nothing, Series { start: 1, terms: vec![] });

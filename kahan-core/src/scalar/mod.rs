@@ -1,9 +1,8 @@
-//! What a number must do to run through a Kahan map.
+//! The numbers that a Kahan map computes with.
 //!
-//! In: any type with the four operations and the rationals inside it. Out: the same code over
-//! floats, exact rationals, dual numbers, or lanes of floats. [`Scalar`] asks for no ordering, no
-//! square root and no conversion. No method shares its name with one of num-traits, so both can be
-//! in scope.
+//! In: a type with + − × ÷ that contains the rationals. Out: one code over floats, exact rationals,
+//! dual numbers and SIMD lanes. [`Scalar`] requires no ordering, square root or conversion. Its
+//! methods share no name with num-traits, so both can be in scope.
 
 mod along;
 pub(crate) mod bounded;
@@ -45,8 +44,7 @@ pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
 ///
-/// To make a type one, implement the operators and [`constant`](Scalar::constant); the other
-/// methods have defaults that suit an exact field.
+/// Implement the operators and [`constant`](Scalar::constant); the other methods suit exact fields.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",
@@ -70,57 +68,55 @@ pub trait Scalar:
     + MulAssign
     + DivAssign
 {
-    /// The scalar nearest to an exact rational.
+    /// Returns the scalar nearest to an exact rational.
     fn constant(c: &Constant<'_>) -> Self;
 
-    /// 1/self, or `None` where the scalar has no such value and dividing would panic.
+    /// Returns 1/self; `None` if the value does not exist and division would panic.
     ///
-    /// Floats always answer (1/0 is infinite), so that their steps never branch.
+    /// Floats always return a value (1/0 is infinite), so their steps have no branches.
     fn reciprocal(&self) -> Option<Self> {
         if self.is_zero() { None } else { Some(Self::one() / self.clone()) }
     }
 
-    /// self/divisor, or `None` where [`reciprocal`](Self::reciprocal) has no value for the divisor.
+    /// Returns self/divisor; `None` if the divisor has no [`reciprocal`](Self::reciprocal).
     #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
-        // Where reciprocals always have a value, this one is not computed.
+        // If reciprocals always exist, the compiler removes this one.
         divisor.reciprocal()?;
         Some(self / divisor)
     }
 
-    /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number
-    /// rather than zero.
+    /// Returns whether `self` is the better pivot. The default prefers a nonzero number to zero.
     fn is_better_pivot(&self, than: &Self) -> bool {
         than.is_zero() && !self.is_zero()
     }
 
-    /// self·factor + addend, rounded once where the target has an instruction for that, else as
-    /// written.
+    /// Returns self·factor + addend, with one rounding if the target can fuse it, otherwise two.
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
 
-    /// self·factor − subtrahend, rounded as [`multiply_add`](Self::multiply_add).
+    /// Returns self·factor − subtrahend, rounded like [`multiply_add`](Self::multiply_add).
     #[inline(always)]
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
         self * factor - subtrahend
     }
 
-    /// self − a·b, rounded as [`multiply_add`](Self::multiply_add).
+    /// Returns self − a·b, rounded like [`multiply_add`](Self::multiply_add).
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
 
-    /// The number as a constant of a step, which ε and the parameters fix: a number with a
-    /// derivative along the state has none as such.
+    /// Returns the number as a constant of a prepared step. A number with a derivative along the
+    /// state drops that derivative, because ε and parameters do not depend on the state.
     #[inline(always)]
     fn prepared(&self) -> Self {
         self.clone()
     }
 
-    /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.
+    /// Returns a nearby `f64` for reports, never for computing; NaN by default.
     fn approximate(&self) -> f64 {
         f64::NAN
     }

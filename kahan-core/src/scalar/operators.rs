@@ -1,7 +1,7 @@
-//! The operators of numbers, written from functions.
+//! Macros that implement arithmetic operators from functions.
 
-/// Writes + − × ÷ of a type, each from a function of two numbers, and the assignments; the generic
-/// parameters of the type stand in brackets.
+/// Implements + − × ÷ and their assignments, each operator from a function of two numbers. The
+/// generic parameters of the type stand in brackets.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! operators {
@@ -24,7 +24,7 @@ macro_rules! operators {
     };
 }
 
-/// Writes the assignments of a type from its operators.
+/// Implements the assignment operators of a type from its operators.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! assignments {

@@ -1,29 +1,27 @@
-//! Tuning for compilers and processors: scalars whose steps are divided by ε, and values that are
-//! kept from being packed into vectors.
+//! Tuning for compilers and processors: steps divided by ε, and fences against auto-vectorisation.
 //!
-//! In: a scalar, and the decisions of a step's plan. Out: equal numbers, computed faster. Types are
-//! known at compile time, so optimised programs contain none of the tests here.
+//! Results stay equal. Optimised programs contain no type tests: types are known at compile time.
 
 use core::any::{Any, TypeId};
 
 use super::Scalar;
 use super::bounded::{Bounded, PackedDouble, PackedSingle};
 
-/// Steps over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ with this k, where powers of ε stay in range.
+/// Steps over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ for this k, which keeps powers of ε in range.
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// The limit of ε for `f64`, like [`BITS_OF_SINGLE_STEPS`].
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Steps over `f64` itself may divide by ε down to 2 to minus this power, so that parts of a step
-/// and stages of a composition have the form of the whole step.
+/// Plain `f64` steps may divide by ε down to 2 to the power minus this. Fractions of a step and
+/// stages of a composition then use the form of the whole step.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]
 pub(crate) fn is<T: 'static, U: 'static>() -> bool {
-    // Sizes first: without optimisation a comparison of types in every step is slow.
+    // Compares sizes first, because comparing types in every step is slow without optimisation.
     size_of::<T>() == size_of::<U>() && TypeId::of::<T>() == TypeId::of::<U>()
 }
 
-/// Returns the number as a U, which T is.
+/// Casts a number of type T to U, which must be T.
 ///
 /// # Panics
 /// If T is another type.
@@ -40,7 +38,7 @@ pub(crate) fn is_float<T: 'static>() -> bool {
     is::<T, f32>() || is::<T, f64>()
 }
 
-/// Returns j and k such that steps over T may divide by ε from 2⁻ʲ to 2ᵏ; `None` if never.
+/// Returns j and k if steps over T may divide by ε from 2⁻ʲ to 2ᵏ; `None` if they never may.
 #[inline(always)]
 fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     if is::<T, f64>() {
@@ -69,7 +67,7 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// Returns the number; fences a float, or the magnitude of a bounded value, in a register.
+/// Returns the number after fencing it, or a bounded value's magnitude, in a register.
 ///
 /// Compilers pack adjacent scalars into vectors. If one scalar is late, the others wait for it, and
 /// the shuffles cost more than the saved operations.
@@ -82,17 +80,17 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃: fenced after `several` successive reciprocals, when one component is
-/// on the critical path of an orbit, and in `f32`, whose vectors have more lanes than components.
+/// Returns a component of x̃. It is fenced in `f32`, which has more lanes than components, and
+/// after `several` successive reciprocals, when one component is on an orbit's critical path.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }
 }
 
-/// Changes the number if it is a U, and returns whether it is.
+/// Applies `change` if the number is a U; returns whether it is.
 #[inline(always)]
 fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -> bool {
-    // Types first: a call of `downcast_mut` that is never reached needs no inlining.
+    // Compares types first, so that unreachable calls of `downcast_mut` need no inlining.
     if is::<T, U>()
         && let Some(number) = (number as &mut dyn Any).downcast_mut()
     {
@@ -102,7 +100,7 @@ fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -
     false
 }
 
-/// An empty assembler statement, across which compilers do not pack.
+/// An empty assembler statement, which prevents packing across it.
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 #[allow(unsafe_code, reason = "nothing else keeps a compiler from packing scalars, and costs no instruction")]
 mod fence {
@@ -110,8 +108,7 @@ mod fence {
         ($name:ident, $float:ty) => {
             #[inline(always)]
             pub(super) fn $name(mut number: $float) -> $float {
-                // SAFETY: the assembler sees only a comment, which changes no register and touches
-                // no memory.
+                // SAFETY: the assembler text is a comment, which changes no register and no memory.
                 unsafe {
                     core::arch::asm!(
                         "/* {0} stands alone */",

@@ -1,7 +1,7 @@
 //! The common interface of all maps at their ε.
 //!
-//! In: a state as a slice. Out: the state some steps later, in its place. A function over [`Step`]
-//! takes compiled maps, maps read at run time, chains and compositions, by type or as `&dyn Step`.
+//! In: a state as a slice. Out: the state after some steps, in place. A function over [`Step`]
+//! accepts compiled maps, maps read at run time, chains and compositions, as type or `&dyn Step`.
 
 #[cfg(feature = "std")]
 use std::any::Any;
@@ -23,22 +23,22 @@ use crate::{Scalar, SingularStep};
 /// | map | made by | states |
 /// |---|---|---|
 /// | of a block of [`kahan!`](crate::kahan) | [`KahanMap::at`](crate::KahanMap::at) | `SVector` |
-/// | a composition of that | [`KahanAt::composed`](crate::KahanAt::composed) | `SVector` |
-/// | of a family, a chain of some sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
-/// | of a text that is read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
-/// | one of these or of a text, rounding errors beside its points | [`Increments::compensated`](crate::Increments::compensated) | `SMatrix` of two columns, `Vec` |
-/// | a map with tangent vectors beside its points | [`Tangent`](crate::Tangent) | `Vec` |
-/// | of a text, derivatives by first points, parameters and ε beside its points | `kahan_runtime::MapAt::sensitivities` | `Vec` |
-/// | any map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
+/// | a composition of such a map | [`KahanAt::composed`](crate::KahanAt::composed) | `SVector` |
+/// | of a family, a chain of sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
+/// | of a text read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
+/// | any of these except chains, with rounding errors | [`Increments::compensated`](crate::Increments::compensated) | `SMatrix` of two columns, `Vec` |
+/// | a map with tangent vectors | [`Tangent`](crate::Tangent) | `Vec` |
+/// | of a text, with derivatives by initial state, parameters and ε | `kahan_runtime::MapAt::sensitivities` | `Vec` |
+/// | a map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
 /// | a reference to any | `&map` | the map's |
-/// | any, chosen at run time | `&dyn Step<Scalar = f64>`, `Box<dyn Step<Scalar = f64>>` | `Vec` |
+/// | any map, chosen at run time | `&dyn Step<Scalar = f64>`, `Box<dyn Step<Scalar = f64>>` | `Vec` |
 ///
-/// [`state`](Self::state) makes a state from the numbers of a point.
-/// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) take
-/// any map. Chains have no compositions, and carry neither rounding errors nor vectors.
+/// [`state`](Self::state) creates a state from the numbers of a point.
+/// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) accept
+/// any map. Chains cannot be composed, and have neither compensation nor tangent vectors.
 ///
-/// The bits are those of the map's own methods; a state of another length panics. A chain has a
-/// method `advance` of its own, so write `Step::advance(&chain, …)` for the method of this trait.
+/// The bits are those of the map's own methods; a state of another length panics. A chain has its
+/// own method `advance`, so write `Step::advance(&chain, …)` for the method of this trait.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -88,7 +88,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps.
     ///
-    /// Makes a workspace in each call; [`advance`](Self::advance) takes one.
+    /// Each call creates a workspace; [`advance`](Self::advance) reuses one.
     ///
     /// # Errors
     /// # Panics
@@ -99,7 +99,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after one step at another ε.
     ///
-    /// Makes a workspace in each call; [`part`](Self::part) takes one.
+    /// Each call creates a workspace; [`part`](Self::part) reuses one.
     ///
     /// # Errors
     /// # Panics
@@ -108,9 +108,9 @@ pub trait Step {
         self.part(eps, x, &mut Workspace::new())
     }
 
-    /// Replaces `x` by the state after `steps` steps, with `workspace` as memory to compute in.
+    /// Replaces `x` by the state after `steps` steps, using `workspace` as scratch memory.
     ///
-    /// Steps do not allocate; a call may once, for a chain or a wrapper of a map on vectors.
+    /// Steps do not allocate. A call may allocate once, for a chain or a wrapped map on vectors.
     ///
     /// # Errors
     /// [`Stopped`] at a pole of an exact scalar, with the pole in `x`. Floats continue at poles.
@@ -119,9 +119,9 @@ pub trait Step {
     /// If the length of `x` is not [`dimension`](Self::dimension).
     fn advance(&self, x: &mut [Self::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped>;
 
-    /// Replaces `x` by the state after one step at another ε, computing anew all that depends on ε.
+    /// Replaces `x` by the state after one step at another ε, which is prepared anew.
     ///
-    /// The curve θ ↦ φ_{θε}(x) leads from x to x̃, as close to the flow as a step is.
+    /// The curve θ ↦ φ_{θε}(x), 0 ≤ θ ≤ 1, joins x to x̃ and is as close to the flow as a step is.
     ///
     /// # Errors
     /// # Panics
@@ -133,7 +133,7 @@ pub trait Step {
         workspace: &mut Workspace,
     ) -> Result<(), Stopped>;
 
-    /// Returns the state at a point, with zeros for the numbers carried beside the point.
+    /// Returns the state at a point; numbers stored beside the point are 0.
     ///
     /// # Panics
     /// If `point` is longer than a state.
@@ -158,10 +158,10 @@ pub trait Step {
     }
 }
 
-/// The points of a map's orbits: states without the numbers carried beside the point.
+/// The points of a map's orbits: states without the numbers stored beside the point.
 pub type PointOf<S> = <<S as Step>::State as StateVector<<S as Step>::Scalar>>::Point;
 
-/// Runs [`Step::advance`] by repeated `next` on a local state, which compilers keep in registers.
+/// Runs [`Step::advance`] by `next` on a local state, which compilers keep in registers.
 #[inline(never)]
 pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     x: &mut [T],
@@ -191,9 +191,9 @@ pub(crate) fn check_length(found: usize, expected: usize) {
     assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
-/// A state as a slice: the numbers of a point, then those that a mode carries beside the point.
+/// A state as a slice: a point, then other numbers such as compensations or tangent vectors.
 pub trait StateVector<T>: Clone + fmt::Debug {
-    /// The type of the point. A `Vec` doesn't separate the point, so there it is the whole state.
+    /// The type of the point; for a `Vec` it is the whole state.
     type Point: StateVector<T>;
 
     /// Returns a state of `len` zeros.
@@ -214,14 +214,14 @@ pub trait StateVector<T>: Clone + fmt::Debug {
     /// Returns a copy of the point.
     fn to_point(&self) -> Self::Point;
 
-    /// Replaces the state by the next one, without allocation; `None` at a pole of an exact scalar.
+    /// Replaces the state by the next one without allocating; `None` at a pole of an exact scalar.
     fn step_with<S>(&mut self, map: &S, workspace: &mut Workspace) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,
         T: Scalar;
 }
 
-/// States in columns; the first column is the point.
+/// A state as columns; the first column is the point.
 impl<T: Scalar, const N: usize, const C: usize> StateVector<T> for SMatrix<T, N, C> {
     type Point = SVector<T, N>;
 
@@ -295,8 +295,8 @@ impl<T: Scalar> StateVector<T> for Vec<T> {
     }
 }
 
-/// Reusable memory to compute in, allocated by a map at first use. Its contents never influence
-/// results, so one workspace serves any maps in turn.
+/// Reusable scratch memory, allocated by a map at first use. Its contents never influence results,
+/// so one workspace can serve different maps.
 #[derive(Default)]
 pub struct Workspace {
     #[cfg(feature = "std")]
@@ -310,7 +310,7 @@ impl Workspace {
         Self::default()
     }
 
-    /// Returns the held memory if it has type `M` and `fits`, otherwise new memory from `make`.
+    /// Returns the stored memory if it has type `M` and `fits`, otherwise new memory from `make`.
     #[cfg(feature = "std")]
     pub fn of<M: Any + Send + Sync>(
         &mut self,
@@ -326,7 +326,6 @@ impl Workspace {
     }
 }
 
-/// Clones are empty.
 impl Clone for Workspace {
     fn clone(&self) -> Self {
         Self::new()
@@ -339,7 +338,7 @@ impl fmt::Debug for Workspace {
     }
 }
 
-/// The report on a run that ended early.
+/// The report on a run that stopped early.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stopped {
     /// The number of steps taken.
@@ -382,7 +381,6 @@ impl<S: Step> Step for &S {
     }
 }
 
-// Maps chosen at run time; their states are vectors.
 #[cfg(feature = "std")]
 macro_rules! implement_for_a_choice {
     ($($choice:ty),*) => {$(

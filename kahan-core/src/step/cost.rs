@@ -1,19 +1,19 @@
 //! The cost of a step.
 
-/// The cost of a step, counted in its plan: a deterministic measure to compare settings by.
+/// The cost of a step, counted in its plan; deterministic, for comparing settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
     /// Additions, subtractions, multiplications and divisions; a multiply-add counts as two.
     pub operations: u32,
     /// Divisions, which are also counted in `operations`.
     pub divisions: u32,
-    /// Latency in cycles from one state to the next, on a current core: additions take 3,
-    /// multiplications 4, divisions 14.
+    /// Latency in cycles from one state to the next, with 3 cycles per addition, 4 per
+    /// multiplication and 14 per division.
     pub critical_path: u32,
 }
 
 impl StepCost {
-    /// Makes a cost from `operations`, `divisions` among them, and `critical_path`.
+    /// Creates a cost; `operations` includes the `divisions`.
     pub const fn of(operations: u32, divisions: u32, critical_path: u32) -> Self {
         StepCost { operations, divisions, critical_path }
     }
@@ -25,7 +25,7 @@ impl StepCost {
         work.max(f64::from(self.critical_path))
     }
 
-    /// Returns the cost of elimination in n variables, with dense A(x,ε) and f(x).
+    /// Returns the cost of a step by elimination in n variables, with dense A(x,ε) and f(x).
     pub const fn of_elimination(n: usize) -> Self {
         let n = n as u32;
         let (matrix, field) = (2 * n * n * n, n * n * (n + 1));

@@ -1,13 +1,12 @@
 //! The error of a step without a value.
 //!
-//! In: det A, ε, and the reason. Out: a report in the terms of the map. The report holds floats for
-//! every scalar, so that it is `Copy` and never allocates.
+//! The report holds floats for every scalar, so it is `Copy` and never allocates.
 
 use core::fmt;
 
 use crate::Scalar;
 
-/// The error of a step without a finite value: a pole of the map, overflow, or too few digits.
+/// The error of a step without a finite value: pole, overflow, or insufficient precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SingularStep {
@@ -25,24 +24,24 @@ pub enum Reason {
     Pole,
     /// The point, ε or a parameter is not a finite number.
     NotFinite,
-    /// The field divides by zero at the parameters.
+    /// The field has a zero divisor at these parameters.
     NoField,
-    /// The step is known, but outside the range of the scalar.
+    /// The step is known, but beyond the range of the scalar.
     BeyondRange,
-    /// The given number of 64-bit digits does not determine the step.
+    /// This number of 64-bit digits does not determine the step.
     Digits(usize),
-    /// Elimination with iterative refinement leaves too large a backward error.
+    /// Elimination with iterative refinement left too large a backward error.
     Refined,
-    /// Numbers overflowed before another reason was found.
+    /// Numbers overflowed before any other reason was found.
     Overflow,
-    /// Iterates have different limits along lines through the point; only on orbits through poles.
+    /// Limits along different lines through the point differ; only on orbits through poles.
     Indeterminate,
-    /// Lines through the point show no limit; occurs only on orbits through poles.
+    /// No limit along lines through the point was found; only on orbits through poles.
     Unfollowed,
 }
 
 impl SingularStep {
-    /// Makes the error of a step without bounds from det A(x,ε) and ε, rounded to `f64`.
+    /// Creates the error of a step without bounds from det A(x,ε) and ε.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
         let reason = if determinant == 0.0 {
             Reason::Pole
@@ -54,7 +53,7 @@ impl SingularStep {
         Self::because(reason, determinant, f64::INFINITY, eps)
     }
 
-    /// Makes the error for a reason; `bound` is the smallest relative error bound that was reached.
+    /// Creates the error for a reason; `bound` is the smallest relative error bound reached.
     pub(crate) fn because(reason: Reason, determinant: f64, bound: f64, eps: f64) -> Self {
         Self { determinant, bound, eps, reason }
     }
@@ -80,20 +79,20 @@ impl SingularStep {
         self.reason
     }
 
-    /// Returns det A(x,ε) rounded to `f64`: 0 at an exact pole, NaN if not computed or overflown.
+    /// Returns det A(x,ε) rounded to `f64`: 0 at an exact pole, NaN if unknown or overflown.
     pub fn determinant(&self) -> f64 {
         self.determinant
     }
 
     /// Returns the smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that any precision reached.
     ///
-    /// Infinite at a pole and if no bound was sought; the backward error in more than eight
-    /// variables. A bound below 64 u belongs to a result outside the range of the scalar.
+    /// It is infinite at a pole and if no bound was computed. In more than eight variables it is
+    /// the backward error. A bound below 64 u belongs to a result beyond the range of the scalar.
     pub fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// Returns ε, half the time step, of the failed step, rounded to `f64`.
+    /// Returns the ε (half the time step) of the failed step, rounded to `f64`.
     pub fn eps(&self) -> f64 {
         self.eps
     }
@@ -140,14 +139,14 @@ impl fmt::Display for SingularStep {
                 )?;
             }
         }
-        // Scalars without an approximation have no ε to print.
+        // Scalars without an approximation by `f64` have no ε to print.
         if eps.is_nan() { Ok(()) } else { write!(f, " (eps = {eps:?}, half the time step)") }
     }
 }
 
 impl core::error::Error for SingularStep {}
 
-/// Panics with the report of a pole, for calls without another way to report it.
+/// Panics with the report of a pole, for functions that cannot return an error.
 #[cold]
 pub fn pole<T: Scalar>(eps: &T) -> ! {
     panic!("{}", SingularStep::pole(eps.approximate()))

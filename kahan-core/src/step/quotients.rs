@@ -1,4 +1,4 @@
-//! The increment of a step before its last multiplication, whose rounding the caller chooses.
+//! The increment of a step before its last multiplication, so that the caller can fuse it.
 
 use core::array::from_fn;
 
@@ -12,38 +12,37 @@ use crate::scalar::tuning::component;
 ///
 /// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ without a reciprocal.
 ///
-/// Each reciprocal is that of a denominator; numerators or reciprocals contain the factor 2ε.
+/// Numerators or reciprocals contain the factor 2ε.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotients<T, const N: usize> {
     /// The numerators.
     pub numerators: [T; N],
-    /// The reciprocals; `None` if the numerator is already the increment.
+    /// The reciprocals of the denominators; `None` if the numerator is already the increment.
     pub reciprocals: [Option<T>; N],
-    /// Whether the reciprocals were computed one after the other.
+    /// Whether later reciprocals depend on earlier ones.
     pub(crate) several: bool,
 }
 
 impl<T: Scalar, const N: usize> Quotients<T, N> {
-    /// Makes increments numeratorᵢ · reciprocal.
+    /// Creates increments numeratorᵢ · reciprocal.
     #[inline(always)]
     pub fn over(numerators: [T; N], reciprocal: T) -> Self {
         Self { numerators, reciprocals: from_fn(|_| Some(reciprocal.clone())), several: false }
     }
 
-    /// Makes increments numeratorᵢ · reciprocalᵢ, or numeratorᵢ.
+    /// Creates increments numeratorᵢ · reciprocalᵢ, or numeratorᵢ.
     #[inline(always)]
     pub fn over_each(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: false }
     }
 
-    /// Like [`over_each`](Self::over_each), for reciprocals computed one after the other, of which
-    /// some components need only the first.
+    /// Like [`over_each`](Self::over_each), for reciprocals in sequence; some components need one.
     #[inline(always)]
     pub fn over_several(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: true }
     }
 
-    /// Makes increments without a pending multiplication.
+    /// Creates increments that need no multiplication.
     #[inline(always)]
     pub fn whole(increments: [T; N]) -> Self {
         Self { numerators: increments, reciprocals: from_fn(|_| None), several: false }
@@ -76,12 +75,13 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     /// Returns x̃ and its carry from x and its carry c: the step of a compensated orbit.
     ///
     /// The carry is added while the step waits for its division, so the critical path is that of a
-    /// plain step. With b = x + c and the rest c − (b − x):
+    /// plain step. With b = x + c and rest = c − (b − x):
     ///
     /// t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
-    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding of n·r is lost. Otherwise t − b is rounded,
-    /// and the carry errs by at most u·|t − b|, no more than that rounding. So no branch is needed.
+    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding of n·r is lost. Otherwise t − b is rounded
+    /// too, and the carry errs by no more than that rounding, at most u·|t − b|. So no branch is
+    /// needed.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));

@@ -1,7 +1,6 @@
 //! Steps as straight-line programs over prepared constants.
 //!
-//! In: a [`Kernel`], formulas written by the macro, and the constants that ε and the parameters
-//! fix. Out: a [`PreparedStep`] over any scalar.
+//! In: a generated [`Kernel`], and constants fixed by ε and parameters. Out: a [`PreparedStep`].
 
 use core::array::from_fn;
 use core::marker::PhantomData;
@@ -23,12 +22,11 @@ pub trait Kernel<const N: usize, const C: usize> {
     fn quotients<T: Scalar>(constants: &[Padded<T>; C], state: [T; N]) -> Option<Quotients<T, N>>;
 }
 
-/// A prepared constant, aligned to 32 bytes without a neighbour.
+/// A prepared constant, padded to 32 bytes.
 ///
-/// Compilers load adjacent scalars as one vector, and shuffling the vector apart lengthens the
-/// critical path of an orbit. They also load a single-precision constant with the next twelve
-/// bytes, and compute with all four numbers. Zeros fill these bytes, as other contents could be
-/// subnormal, which is many times slower.
+/// Compilers load adjacent scalars as one vector, and unpacking it lengthens the critical path of
+/// an orbit. They also load a single-precision constant with the next twelve bytes and compute with
+/// all four numbers. Zeros fill these bytes, because subnormal contents would be many times slower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);
@@ -41,14 +39,14 @@ impl<T: Scalar> Padded<T> {
     }
 }
 
-/// The prepared step of a [`Kernel`]: its constants.
+/// The prepared step of a [`Kernel`].
 pub struct StraightStep<K, T, const C: usize> {
     constants: [Padded<T>; C],
     kernel: PhantomData<fn() -> K>,
 }
 
 impl<K, T: Clone, const C: usize> StraightStep<K, T, C> {
-    /// Makes the step from its constants.
+    /// Creates the step from its constants.
     #[inline(always)]
     pub fn new(constants: [T; C]) -> Self {
         Self { constants: from_fn(|i| Padded(constants[i].clone(), [0; 3])), kernel: PhantomData }
@@ -99,7 +97,7 @@ where
 }
 
 /// Evaluates the formulas for scalars that own memory, such as big rationals. Their operations are
-/// calls already, so the formulas are compiled once instead of inlined everywhere.
+/// calls anyway, so the formulas are compiled once instead of inlined.
 #[inline(never)]
 fn called<K, T, const N: usize, const C: usize>(
     constants: &[Padded<T>; C],

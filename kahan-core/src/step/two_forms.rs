@@ -1,6 +1,4 @@
-//! Steps with two forms: one that is faster in some cases, and a general one.
-//!
-//! In: both forms, prepared. Out: one step that takes the faster form where possible.
+//! Steps with two prepared forms: a general one, and one that is faster in some cases.
 
 use nalgebra::SVector;
 
@@ -11,8 +9,8 @@ use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
 /// A step with a form divided by ε, for floats at an ordinary ε, and a general form.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx is a multiple of h + x, so no multiplication by ε lies on the
-/// critical path. The divided form has no value at ε = 0, overflows sooner, and is not for lanes.
+/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, a multiplication less on the
+/// critical path. The divided form is undefined at ε = 0, overflows sooner, and is not for lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
     /// The divided form; `None` if ε or the scalar does not allow it.
@@ -25,7 +23,7 @@ pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// Makes the step at `eps` from the constants of both forms; calls `over_eps` only if allowed.
+    /// Creates the step at `eps` from the constants of both forms; calls `over_eps` if allowed.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -78,7 +76,7 @@ where
     }
 }
 
-/// Evaluates the general form for a scalar that usually takes the other one. Not inlined, to keep
+/// Evaluates the general form for a scalar that usually takes the other. Not inlined, which keeps
 /// the step small; takes copies, so that a loop keeps its state in registers.
 #[cold]
 #[inline(never)]
@@ -88,7 +86,7 @@ where
     T: Scalar,
 {
     let quotients = general.quotients(&x)?;
-    // Increments of floats are half as large to return.
+    // For floats the increment is half the size of the quotients.
     Some(if tuning::is_float::<T>() {
         Quotients::whole(quotients.increment().data.0[0].clone())
     } else {
@@ -96,8 +94,7 @@ where
     })
 }
 
-/// A step for single orbits, whose second division shortens the critical path, and the form for
-/// lanes, which share one divider.
+/// A form for orbits, whose second division shortens the critical path, and one for lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,
@@ -109,7 +106,7 @@ pub type StepOfOneOrbit<S, G, T, const C: usize, const D: usize> =
     OneOrbit<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOfOneOrbit<S, G, T, C, D> {
-    /// Makes the step from the constants of both forms.
+    /// Creates the step from the constants of both forms.
     #[inline(always)]
     pub fn new(step: impl FnOnce() -> [T; C], of_lanes: impl FnOnce() -> [T; D]) -> Self {
         Self { step: StraightStep::new(step()), of_lanes: StraightStep::new(of_lanes()) }

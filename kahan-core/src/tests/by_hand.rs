@@ -1,4 +1,4 @@
-//! Test systems: closed forms by the macro, and one written by hand with elimination.
+//! Test systems: closed forms by the macro, and a handwritten system with elimination.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -21,7 +21,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A system reduced for every ξ.
+    /// A system whose closed form is reduced for every ξ.
     pub(super) struct E7 { xi }
     xdot = -x^2;
     ydot = -xi*x*y;
@@ -44,11 +44,11 @@ crate::kahan! {
     wdot = y*z + x;
 }
 
-/// A field with quadratic, linear and constant parts, stepped by elimination.
+/// A field with quadratic, linear and constant terms, stepped by elimination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Coupled;
 
-/// Implements the field of one type for another, whose map is written by hand.
+/// Implements the field of one type for another type with a handwritten map.
 macro_rules! field_of {
     ($field:expr, for $name:ident in $n:literal) => {
         impl<T: Scalar> QuadraticField<T, $n> for $name {

@@ -1,4 +1,4 @@
-//! Literals as data: roundings are to nearest, and exact numbers stay exact.
+//! Literals as data: floats are correctly rounded, and exact numbers stay exact.
 
 use crate::{Constant, Scalar};
 
@@ -64,7 +64,7 @@ mod exact {
         assert_eq!(Q::constant(&LONG), -(power + q(1, 1)) / q(3, 1));
     }
 
-    /// Returns whether |x − approximation| ≤ u·|x|, as after rounding to the nearest float.
+    /// Returns whether |x − approximation| ≤ u·|x|, as after rounding to nearest.
     fn is_rounded(x: &Q, approximation: f64, unit: f64) -> bool {
         (x - rational(approximation)).abs() <= x.abs() * rational(unit)
     }

@@ -1,4 +1,4 @@
-//! The laws of Kahan's map over the rationals, with `==`, at seeded points of each system.
+//! The laws of Kahan's map, exact over the rationals, at seeded points of each system.
 
 use num_traits::Zero;
 
@@ -13,7 +13,7 @@ fn points<const N: usize>(seed: u64) -> impl Iterator<Item = (nalgebra::SVector<
     core::iter::repeat_with(move || (rationals.vector(), rationals.next())).take(12)
 }
 
-/// Checks a law for all systems at all points off det A = 0, of which there must be some.
+/// Checks a law for all systems at all points with det A ≠ 0, of which there must be some.
 macro_rules! on_every_system {
     ($law:ident) => {{
         macro_rules! on {

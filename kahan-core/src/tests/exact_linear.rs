@@ -1,4 +1,4 @@
-//! Elimination against the division-free algorithm over the rationals, with singular matrices.
+//! Elimination against the division-free algorithm over the rationals, including singular matrices.
 
 use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};

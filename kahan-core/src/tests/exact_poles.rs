@@ -1,4 +1,4 @@
-//! Poles over the rationals: removable ones have the values of the paper's formulas.
+//! Poles over the rationals; at removable ones the map has the values of the paper's formulas.
 
 use std::format;
 use std::panic::catch_unwind;
@@ -29,7 +29,7 @@ fn e1_has_a_value_at_its_removable_pole() {
     assert!(E1.det_matrix(&x, eps.clone()).is_zero());
     assert_eq!(E1.step(&x, eps.clone()), next);
     assert_eq!(E1.det_jacobian(&x, eps.clone()), -Q::one());
-    // For a parameter the map keeps the factor that it loses at the parameter value 1.
+    // With a parameter, the map retains the factor that cancels at ξ = 1.
     assert!(E7 { xi: q(1, 1) }.try_step(&x, eps).is_err());
 }
 

@@ -1,4 +1,4 @@
-//! Guarantees for floats: no panic for any input, poles and overflow are detected, `f32` works.
+//! Guarantees for floats: no input panics, poles and overflow are detected, `f32` works.
 
 use std::format;
 
@@ -10,7 +10,7 @@ use crate::{KahanMap, eps_from_dt, vector};
 
 const HARD: [f64; 9] = [0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
-/// Calls every method, which must not panic, and checks the results for consistency.
+/// Calls every method, none of which may panic, and checks that the results are consistent.
 fn call_everything<M: KahanMap<f64, N> + Clone, const N: usize>(map: &M, x: SVector<f64, N>, eps: f64) {
     let _ = (map.step(&x, eps), map.step_back(&x, eps), map.matrix(&x, eps), map.rhs(&x, eps));
     let _ = (map.jacobian(&x, eps), map.det_jacobian(&x, eps), map.det_matrix(&x, eps));

@@ -1,4 +1,4 @@
-//! Macros in a scope without a prelude, beside user types with names of the prelude.
+//! Macros in a scope without a prelude, beside user types named like prelude items.
 
 mod scope {
     #![no_implicit_prelude]

@@ -1,4 +1,4 @@
-//! Elimination over floats: backward errors, singular matrices, entries that are not finite.
+//! Elimination over floats: backward errors, singular matrices, infinities and NaNs.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -6,7 +6,6 @@ use crate::field::linear::{determinant, determinant_and_adjugate_product, solve}
 
 type Matrix = SMatrix<f64, 3, 3>;
 
-/// Returns a matrix that needs pivoting.
 fn awkward() -> Matrix {
     Matrix::new(1e-20, 2.0, -1.0, 4.0, 0.5, 3.0, -2.0, 1.0, 7.0)
 }
@@ -23,7 +22,7 @@ fn pivoting_keeps_the_residual_at_the_level_of_rounding() {
 fn both_determinants_agree_to_rounding() {
     let a = awkward();
     let (_, division_free) = determinant_and_adjugate_product(&a, &SVector::zeros());
-    // The permanent of |A| bounds every sum.
+    // The permanent of |A| bounds every intermediate sum.
     assert!((determinant(a) - division_free).abs() <= 64.0 * f64::EPSILON * 100.0);
     assert!((determinant(a) + 73.0).abs() <= 64.0 * f64::EPSILON * 100.0, "{}", determinant(a));
 }

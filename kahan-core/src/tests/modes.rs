@@ -83,16 +83,16 @@ fn a_composition_is_its_stages_in_order() {
     assert_eq!(E3.at(0.05).composed(Composition::KAHAN).step(&start()), E3.step(&start(), 0.05));
 }
 
-/// With ε ≈ 2⁻⁴⁰ a plain orbit adds increments cut to 13 bits, a compensated one whole increments.
+/// At ε ≈ 2⁻⁴⁰ a plain orbit adds increments cut to 13 bits, a compensated orbit whole increments.
 #[test]
 fn small_increments_are_not_lost() {
     let (start, eps, steps) = (vector![1.0_f64, 0.5, 1.5], 1e-12, 100_000);
-    // A single step of equal length has an error of order (2·steps·ε)³ = 8e-21.
+    // A single step over the whole time has an error of order (2·steps·ε)³ = 8e-21.
     let there = E3.step(&start, eps * f64::from(steps));
     let error = |x: Option<SVector<f64, 3>>| (x.unwrap() - there).amax();
     let plain = error(E3.orbit(start, eps).nth(steps as usize));
     let compensated = error(E3.orbit(start, eps).compensated().nth(steps as usize));
-    // Half an ulp of 1.5 each, of the yielded point and of the long step.
+    // Half an ulp of 1.5 each, for the yielded point and the long step.
     assert!(compensated <= f64::EPSILON * 1.5, "{compensated:e}");
     assert!(plain > 20.0 * compensated, "{plain:e}");
 }
@@ -109,7 +109,7 @@ fn a_short_eps_is_the_nearest_and_its_cube_is_exact() {
     let (short, long) = (nearest_short_eps(0.05_f32), nearest_short_eps(0.05_f64));
     assert_eq!(f64::from(short).powi(3), f64::from(short.powi(3)));
     assert_eq!((short * 4096.0).fract(), 0.0);
-    // 34 and 51 bits: the fused multiply-add finds no rounding error in the products.
+    // 34 and 51 bits: a fused multiply-add finds no rounding error in the products.
     assert_eq!(
         (long.mul_add(long, -(long * long)), long.mul_add(long * long, -(long * long * long))),
         (0.0, 0.0)
@@ -134,14 +134,14 @@ fn a_short_double_double_is_the_nearest() {
         (-1.0 - unit, -1.0, -1.0 - unit)
     );
     let third = nearest_short_eps(Dd::from(1.0) / Dd::from(3.0));
-    // 35 bits from 2⁻² on.
+    // 35 bits, starting at 2⁻².
     assert_eq!((third.low(), (third.high() * 2_f64.powi(36)).fract(), Dd::SHORT_BITS), (0.0, 0.0, 35));
     assert!((third.high() - 1.0 / 3.0).abs() <= unit / 8.0);
     assert!(nearest_short_eps(Dd::from(f64::MAX)).high().is_finite());
 }
 
-/// The baseline rounds like a single orbit, so bits agree; larger levels fuse multiply-adds, which
-/// moves each of the 17 stages by a few units of 2⁻⁵³.
+/// The baseline rounds like a single orbit, so bits agree. Higher levels fuse multiply-adds, which
+/// changes each of the 17 stages by a few units of 2⁻⁵³.
 #[cfg(feature = "std")]
 #[test]
 fn an_ensemble_takes_the_steps_of_a_composed_orbit() {

@@ -4,7 +4,7 @@
 //! so its composition is a product of such exponentials with γᵢh. The composition has order p for
 //! every method if the product equals exp(hY₁) up to hᵖ, as series in non-commuting letters; the
 //! grade of a word is the sum of its indices. (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical
-//! Integration, III.3.) The test needs no list of conditions.
+//! Integration, III.3.)
 
 use std::collections::BTreeMap;
 use std::vec::Vec;
@@ -18,7 +18,7 @@ use crate::{Composition, Constant};
 type Q = BigRational;
 
 /// A series in the words over 1, 3, 5, 7, truncated by grade, with coefficients in units of 2⁻²⁰⁰.
-/// A product rounds by at most one unit; 10⁶ products round by less than 10⁻⁵⁴.
+/// A product rounds by at most one unit, and 10⁶ products by less than 10⁻⁵⁴.
 type Series = BTreeMap<Vec<u32>, BigInt>;
 
 const BITS: u32 = 200;
@@ -53,7 +53,7 @@ fn exponential(letters: &Series, grade: u32) -> Series {
     sum
 }
 
-/// Returns the largest difference, up to a grade, between the composition and the flow.
+/// Returns the largest difference between composition and flow, up to a grade.
 fn residual(composition: Composition, grade: u32) -> Q {
     let mut composed: Series = [(Vec::new(), one())].into();
     for gamma in composition.coefficients() {
@@ -73,7 +73,7 @@ fn ten_to_minus(digits: u32) -> Q {
     Q::new(BigInt::one(), BigInt::from(10).pow(digits))
 }
 
-/// Decimals of 40 digits are off by 5·10⁻⁴¹, conditions of degree up to 7 by less than 10⁻³⁸.
+/// Decimals of 40 digits err by 5·10⁻⁴¹, conditions of degree up to 7 by less than 10⁻³⁸.
 #[test]
 fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     for composition in Composition::ALL {
@@ -82,7 +82,7 @@ fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     }
 }
 
-/// Checks that the previous test can fail. Even grades are automatic, so p + 1 fails first.
+/// Shows that the previous test can fail. Even grades hold automatically, so p + 1 fails first.
 #[test]
 fn the_order_is_not_higher_than_stated() {
     for composition in Composition::ALL {

@@ -1,11 +1,11 @@
-//! A denominator or pivot that overflows is not mistaken for a step of length zero.
+//! An overflowing denominator or pivot is not mistaken for an increment of zero.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::by_hand::{Coupled, E1, field_of};
 use crate::{KahanMap, NoLanes, PreparedStep, QuadraticField, Quotients, Scalar, vector};
 
-/// The map of E1 written by hand, over one common denominator.
+/// A handwritten map of E1, over one common denominator.
 #[derive(Clone)]
 struct ByHand;
 
@@ -53,7 +53,7 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // εw overflows, and elimination divides by it: x̃₁ = x₁, while exactly x̃₁ − x₁ = 2.7e-10.
+    // εw overflows, and elimination divides by it: x̃₁ = x₁, but exactly x̃₁ − x₁ = 2.7e-10.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);
@@ -69,7 +69,7 @@ fn a_component_at_rest_is_no_overflow() {
     assert_eq!(ByHand.try_step(&x, 0.5), Ok(ByHand.step(&x, 0.5)));
 }
 
-/// ẋ = −x² beside a clock ṫ = 1, each with a denominator.
+/// ẋ = −x² together with a clock ṫ = 1, each with its own denominator.
 #[derive(Clone)]
 struct Clock;
 
@@ -91,7 +91,7 @@ impl QuadraticField<f64, 2> for Clock {
     }
 }
 
-/// The step of [`Clock`] at ε, with a redundant factor εx in x̃ − x = −2εx²·εx/((1 + 2εx)·εx).
+/// The step of [`Clock`] at ε, with a redundant factor εx: x̃ − x = −2εx²·εx/((1 + 2εx)·εx).
 #[derive(Clone)]
 struct ClockStep(f64);
 
@@ -115,7 +115,7 @@ impl KahanMap<f64, 2> for Clock {
 
 #[test]
 fn one_overflowing_denominator_is_seen_beside_components_that_move() {
-    // (1 + 2εx)·εx is about 1e340, so x seems to rest; the clock moves, and elimination succeeds.
+    // (1 + 2εx)·εx is about 1e340, so x seems constant. The clock moves, and elimination succeeds.
     let (x, eps) = (vector![1e-50_f64, 0.0], 1e220);
     assert_eq!(Clock.step(&x, eps), vector![1e-50, 2e220]);
     let next = Clock.try_step(&x, eps).unwrap();

@@ -1,4 +1,4 @@
-//! What an ensemble holds.
+//! The points, columns and grids of an ensemble.
 
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Ensemble, Level};

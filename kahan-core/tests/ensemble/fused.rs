@@ -1,5 +1,4 @@
-//! Floats whose multiply-adds are rounded once in every build: what plain code would compute on a
-//! processor that fuses.
+//! Floats whose multiply-adds are rounded once in every build, like those of a fusing processor.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -58,7 +57,7 @@ macro_rules! fused {
             }
         }
 
-        /// Unlike a float, it has no reciprocal of zero.
+        /// Unlike a float, this scalar has no reciprocal of zero.
         impl Scalar for Fused<$float> {
             fn constant(c: &Constant<'_>) -> Self {
                 Self(c.$constant())

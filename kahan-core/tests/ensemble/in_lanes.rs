@@ -1,5 +1,4 @@
-//! Maps that ensembles run beside those of `systems`: one to six variables, with and without
-//! parameters, one by elimination.
+//! More maps for ensembles: one to six variables, with or without parameters, one by elimination.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};
@@ -37,7 +36,7 @@ kahan! {
     p3dot = m2*p1 - m1*p2;
 }
 
-/// Lotka and Volterra's field by hand: a map without a closed form.
+/// A handwritten Lotka–Volterra field: a map without a closed form.
 #[derive(Clone, Copy)]
 pub(crate) struct ByElimination;
 

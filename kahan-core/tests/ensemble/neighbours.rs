@@ -1,4 +1,4 @@
-//! A trajectory's bits are its own: not its neighbours', its place's, or the threads'.
+//! A trajectory's bits do not depend on its neighbours, its index or the threads.
 
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, Reciprocal};
@@ -18,7 +18,7 @@ fn what_is_not_finite_stays_alone() {
         disturbed[i][k / 3 % 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][k % 3];
     }
     for level in levels() {
-        // Miri knows no estimate.
+        // Miri does not support the estimate.
         let estimated = if cfg!(miri) { Reciprocal::Divided } else { Reciprocal::Estimated };
         for reciprocal in [Reciprocal::Divided, estimated] {
             let [alone, beside] = [&ordinary, &disturbed].map(|points| {
@@ -67,7 +67,7 @@ fn the_number_of_threads_does_not_matter() {
         let expected: Vec<_> = one.points().collect();
         assert_same(&two, &expected);
         assert_same(&five, &expected);
-        // One thread is divided into tasks, too; a few steps at a time are not.
+        // A single thread also divides the work into tasks, but not for single steps.
         let mut in_turn = start.clone();
         for _ in 0..steps {
             in_turn.advance(&map, 1);

@@ -1,4 +1,4 @@
-//! Ensembles: the bits of single orbits, wherever a trajectory stands.
+//! Observers of ensembles report the bits of single orbits, at any index.
 
 use kahan_core::observe::{Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::prelude::*;
@@ -21,7 +21,7 @@ fn all<'a>(
     (variables, Lyapunov::new(map), indicators)
 }
 
-/// Not numbers among them: some of these orbits escape.
+/// Returns the debug text, which also compares NaNs; some of these orbits escape.
 fn text(report: impl std::fmt::Debug) -> String {
     format!("{report:?}")
 }
@@ -52,7 +52,7 @@ fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone(
         let together = observed.observe(&map, STEPS, |_| indicators());
         advanced.advance(&map, STEPS);
         assert_eq!(text(&observed), text(&advanced));
-        // Tangents that are not known to be one map's are carried one by one.
+        // Tangent vectors are propagated one by one if the maps may differ.
         let mut again = ensemble();
         let alone = || (Sali::new(map), Fli::new(map));
         assert_eq!(text(together), text(again.observe(&map, STEPS, |_| alone())));
@@ -66,7 +66,7 @@ fn neither_place_nor_number_of_trajectories_matters() {
         Ensemble::new(points)
             .observe(&map, steps, |i| (Fli::new(&map), Extrema::of(move |_: &[f64]| i as f64)))
     };
-    // Enough for several threads, where there are any.
+    // Enough for several threads, if available.
     let many = observe(points(3000), 50);
     for (i, (fli, index)) in many.iter().enumerate() {
         assert_eq!(index.unwrap().least, i as f64);
@@ -85,7 +85,7 @@ fn single_precision_and_double_double_are_observed_too() {
     let wide = HenonHeiles.at(Dd::from(EPS));
     let starts = points(20).into_iter().map(|x| x.map(Dd::from)).collect();
     let wide = Ensemble::new(starts).observe(&wide, STEPS, |_| Fli::new(&wide));
-    // The middle ones stay, and their vectors grow slowly.
+    // The middle orbits stay bounded, and their vectors grow slowly.
     for (narrow, wide) in reports[5..15].iter().zip(&wide[5..15]) {
         assert!((narrow - wide).abs() < 1e-2, "{narrow} {wide}");
     }

@@ -7,13 +7,11 @@ use kahan_core::{Composition, Ensemble};
 use super::LORENZ;
 use crate::systems::E6;
 
-/// Within twice what the exponents say of their own convergence, and O(ε²): at ε = 0.01 the sum of
-/// all is off by 0.13, so here by less than 0.02.
+/// Within twice their error estimates, and O(ε²): the sum errs by 0.13 at ε = 0.01, here by < 0.02.
 #[test]
 fn lorenz_has_the_exponents_of_the_literature() {
     let map = LORENZ.at(0.0025);
     let observers = (Spectrum::new(&map, 3, 5), Lyapunov::new(&map));
-    // From near the attractor.
     let start = map.orbit(vector![1.0, 1.0, 20.0]).nth(8_000).unwrap();
     let (spectrum, largest) = map.orbit(start).observe(200_000, observers);
     for (found, known) in spectrum.iter().zip([0.9056, 0.0, -14.5723]) {
@@ -30,8 +28,8 @@ kahan! {
     ydot = b*y;
 }
 
-/// Each step multiplies by (1 + ελ)/(1 − ελ), rounded some times; the logarithm of the product of n
-/// factors is off by at most n times as much, a mean by one step's: some 10 u, over 2ε.
+/// Each step multiplies by (1 + ελ)/(1 − ελ), with a few roundings. The logarithm of a product of n
+/// factors errs by at most n times one factor's error, about 10 u, and the mean by that over 2ε.
 #[test]
 fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     let (a, b, eps) = (0.75, -1.5, 1.0 / 32.0);
@@ -46,9 +44,8 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Vectors that grow by 2⁴⁰ in a step, or shrink by as much, and are scaled every 16 steps; here
-/// they are asked for 15 steps later. One that shrinks is what is left of itself and its increment:
-/// 13 bits of its digits.
+/// Vectors that grow or shrink by 2⁴⁰ per step and are scaled every 16 steps, read after 15. A
+/// shrinking vector is the difference of itself and its increment, which leaves 13 bits.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);
@@ -79,9 +76,9 @@ fn an_integrable_map_has_no_exponent_beyond_its_error() {
     }
 }
 
-/// A step's determinant is off by some roundings, and so is the product of the lengths of vectors
-/// that are made orthogonal: n² of them in n variables each, times the Jacobian's condition, below
-/// 2 in steps this short. Each counts once in the mean, over 2ε.
+/// A step's determinant has a few rounding errors. The product of the lengths of orthogonalised
+/// vectors has n² of them in n variables, times the Jacobian's condition number, which is below 2
+/// for such short steps. Each error counts once in the mean, over 2ε.
 #[test]
 fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
     let (start, steps) = (vector![1.0, 1.0, 20.0], 5_000);
@@ -92,7 +89,7 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
         let (spectrum, mean) = map.orbit(start).observe(steps, observers);
         let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
         assert!((sum - mean).abs() < bound(eps), "{sum} {mean}");
-        // And that of the determinants in closed form.
+        // Also compares the mean of closed-form determinants.
         let points = map.orbit(start).take(steps as usize);
         let logarithms = points.map(|x| LORENZ.det_jacobian(&x, eps).abs().ln());
         let plain = logarithms.sum::<f64>() / (2.0 * eps * steps as f64);
@@ -101,9 +98,8 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
         let observers = (Spectrum::new(&composed, 3, every), MeanLogDet::new(&composed));
         let (spectrum, mean) = composed.orbit(start).observe(steps, observers);
         let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
-        // Five stages a step.
         assert!((sum - mean).abs() < 5.0 * bound(eps), "{sum} {mean}");
-        // The flow's divergence is constant, and a method of order 4 near it.
+        // The flow's divergence is constant, and a method of order 4 is close to it.
         assert!((mean + 41.0 / 3.0).abs() < 1e-3, "{mean}");
     }
 }
@@ -111,7 +107,7 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
 #[test]
 fn growth_beyond_the_range_of_floats_is_kept() {
     let map = Along { a: 30.0_f32, b: 30.0 }.at(1.0 / 32.0);
-    // Each step multiplies by 31, 1000 of them by 10¹⁴⁹¹.
+    // Each step multiplies by 31, and 1000 steps by 10¹⁴⁹¹.
     let still = || map.orbit(vector![0.0, 0.0]);
     let exact = 31_f64.ln() * 16.0;
     let found = still().observe(1000, Lyapunov::new(&map));

@@ -1,5 +1,4 @@
-//! Sign changes that are zeros, and those that are jumps: of maps with poles, and of functions with
-//! poles, holes and steps.
+//! Sign changes at zeros and at jumps: poles of maps, poles and gaps of functions.
 
 use kahan_core::observe::{AtMost, Crossing, Direction, Kept, Observer, Section, Sectioned, first_crossing};
 use kahan_core::prelude::*;
@@ -10,8 +9,7 @@ use crate::lattices::Ring;
 use crate::systems::{Burst, Turn};
 
 kahan! {
-    /// The angle of the tangent x grows by arctan 2ε a step, so x rises through 0 and falls through
-    /// infinity.
+    /// The angle of the tangent x grows by arctan 2ε a step: x rises through 0, falls through ∞.
     pub(crate) struct Tangent;
     xdot = x^2 + 1;
     ydot = 1;
@@ -40,7 +38,7 @@ fn section<S: Step<Scalar = T>, T: FloatScalar>(
     found
 }
 
-/// How often a function rises and falls through 0 from a point of an orbit to the next.
+/// Counts how often a function rises and falls through 0 between successive points of an orbit.
 fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     map: &S,
     start: S::State,
@@ -57,7 +55,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     [count(|before, after| before < 0.0 && after >= 0.0), count(|before, after| before > 0.0 && after <= 0.0)]
 }
 
-/// Every sign change in one direction is a crossing, every one in the other a jump.
+/// Checks that every sign change in one direction is a crossing, and in the other a jump.
 fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S::State, is_mirrored: bool) {
     let [rising, falling] = sign_changes(map, start.clone(), 200, |x| x[0]);
     assert!(rising > 5 && falling > 5);
@@ -72,7 +70,7 @@ fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S
     assert_eq!((found.points.all, found.jumps), (0, poles));
     let found = section(map, start.clone(), 200, Direction::Both, |x| x[0]);
     assert_eq!((found.points.all, found.jumps), (zeros, poles));
-    // 1/x is 0 where x is infinite, which is no point.
+    // 1/x is 0 only where x is infinite, which is not a crossing.
     let found = section(map, start, 200, Direction::Both, |x| T::one() / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, zeros + poles));
 }
@@ -128,7 +126,7 @@ fn poles_steps_and_holes_of_a_function_are_jumps() {
     }
 }
 
-/// A limit is a zero: the function has no value there, and is as small as one likes beside it.
+/// A limit of 0 counts as a zero, although the function has no value there.
 #[test]
 fn a_function_without_a_value_at_its_zero_crosses_there() {
     let found =
@@ -140,7 +138,7 @@ fn a_function_without_a_value_at_its_zero_crosses_there() {
     assert!(found.points.kept[0].point[0].abs() < 1e-15);
 }
 
-/// A first end where the function overflows says nothing about the zero.
+/// A search may start where the function overflows.
 #[test]
 fn a_zero_is_found_from_an_infinite_value() {
     let level = |x: &[f64]| (1000.0 * x[0]).exp() - 1.0;
@@ -167,13 +165,13 @@ fn a_start_on_the_section_is_neither_a_crossing_nor_a_jump() {
     // At a pole of the function.
     let found = section(&Straight.at(0.5), vector![0.0], 9, Direction::Both, |x: &[f64]| 1.0 / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, 0));
-    // The end of a step on a pole.
+    // A step that ends at a pole.
     let found = section(&Straight.at(0.5), vector![-2.0], 9, Direction::Both, |x: &[f64]| 1.0 / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }
 
-/// The circle touches x = 1: from inside nothing changes its sign; a line that is a little nearer
-/// is crossed there and back wherever a point lies beyond it.
+/// The circle touches x = 1 from inside without a sign change. A line slightly nearer is crossed
+/// twice whenever a point lies beyond it.
 #[test]
 fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     for eps in [0.02, -0.02, 1e-4] {
@@ -190,7 +188,7 @@ fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     }
 }
 
-/// Steps of the 10⁻⁹th part of a point leave seven digits of the function's change.
+/// Steps of a relative 10⁻⁹ leave seven digits of the function's change.
 #[test]
 fn crossings_of_slow_orbits_are_found() {
     for eps in [1e-3_f64, 1e-6, 1e-9] {
@@ -203,7 +201,7 @@ fn crossings_of_slow_orbits_are_found() {
     assert_eq!((found.points.all, found.jumps), (1, 0));
 }
 
-/// Multiplying the function, or measuring the state in another unit, changes nothing.
+/// Scaling the function or the state changes nothing.
 #[test]
 fn units_do_not_matter() {
     let map = Tangent.at(0.05);
@@ -216,7 +214,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// Chains of few sites, and of so many that they are cut into parts.
+/// Chains of few sites, and chains long enough to be stepped in parts.
 #[test]
 fn chains_cross_and_jump() {
     for sites in [3, 700] {
@@ -260,7 +258,7 @@ fn projective_orbits_jump_at_infinity() {
         let found = Tangent.orbit(vector![0.1, 0.0], 0.05).projective().observe(299, section(direction));
         assert_eq!((found.points.all, found.jumps), expected);
     }
-    // A point at infinity is not shown: its neighbours are no neighbours of each other.
+    // A point at infinity is skipped, so its neighbours are not consecutive.
     let map = Burst.at(0.25);
     let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(9));
     let found = Burst.orbit(vector![1.0], 0.25).projective().observe(4, both);

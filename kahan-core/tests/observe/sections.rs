@@ -1,4 +1,4 @@
-//! Sections of Hénon and Heiles' system against a plain loop.
+//! Sections of the Hénon–Heiles system against a plain loop.
 
 use kahan_core::observe::{AtMost, Crossing, Direction, Section};
 use kahan_core::prelude::*;
@@ -33,7 +33,6 @@ fn crossings_are_those_of_a_plain_loop() {
     assert_eq!(both.len(), rising.len() + falling.len());
     assert!(rising.len() > 100);
     for Crossing { step, part, time, point } in both {
-        // By halving the part of the step.
         let before = &points[step as usize];
         let sign = before[0].signum();
         let (mut left, mut right) = (0.0, 1.0);
@@ -42,7 +41,7 @@ fn crossings_are_those_of_a_plain_loop() {
             let beyond = HenonHeiles.step(before, middle * eps)[0].signum() != sign;
             if beyond { right = middle } else { left = middle }
         }
-        // x grows by at least 10⁻³ from part 0 to 1 where it crosses, and is rounded to some 10⁻¹⁷.
+        // Across the step x changes by at least 10⁻³, with rounding errors of about 10⁻¹⁷.
         assert!((part - right).abs() < 1e-12, "{part} {right}");
         assert_eq!(point, HenonHeiles.step(before, part * eps));
         assert_eq!(time, 2.0 * eps * (step as f64 + part));
@@ -50,8 +49,8 @@ fn crossings_are_those_of_a_plain_loop() {
     }
 }
 
-/// The flow's energy is off by O(ε²) on the orbit, and by no more between its points: the slope of
-/// its spread over the crossings, between ε and ε/4, is that order.
+/// The flow's energy has an O(ε²) error on the orbit, and no larger one between its points. The
+/// order is measured by the spread over the crossings at ε and ε/4.
 #[test]
 fn energy_on_the_section_has_the_order_of_the_map() {
     let energy = |x: [f64; 4]| {

@@ -1,4 +1,4 @@
-//! The choice against a reference, and against everything cheaper.
+//! The chosen setting against a reference, and against all cheaper settings.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars, PreparedStep};
@@ -7,10 +7,10 @@ use kahan_dynamics::{Scene, Scheme};
 use crate::scene::trajectory::Trajectory;
 use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 
-/// Of the library's choice to the cheapest setting there is.
+/// The largest ratio of the chosen cost to the cheapest possible one.
 const RATIO: f64 = 3.0;
 
-/// The choice for each tolerance meets it, and nothing that costs a third does.
+/// Checks that the choice for each tolerance meets it, and no setting of a third of its cost.
 fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
 where
     M: ExtendScalars<f64, N>,
@@ -20,8 +20,7 @@ where
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
     let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
     for &tolerance in tolerances {
-        // The difference from half the steps is 255 times the reference's own error, as it is of
-        // order 8.
+        // A reference with half the steps differs by 255 times the reference's own error (order 8).
         assert!(doubt < 0.1 * tolerance, "{name}: the reference is known to {doubt:e} only");
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));
@@ -31,7 +30,7 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // The dearest of what costs a third errs least; below, in case it is bad luck.
+            // The dearest setting of a third of the cost errs least; fewer steps rule out luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {
@@ -73,7 +72,7 @@ fn a_little_of_lorenz_is_served_at_no_more_than_three_times_the_least_cost() {
     check("Lorenz", Lorenz, [1.0, 1.0, 20.0], 4.0, 4096, &TOLERANCES[..7]);
 }
 
-/// Points where an earlier form of the choice, that trusted its laws more, missed tolerances.
+/// Initial points where an earlier version missed tolerances by extrapolating too far.
 #[test]
 fn points_whose_laws_bend_are_served_too() {
     let top = || EulerTop { a1: 1.0, a2: -3.0, a3: 1.5 };
@@ -83,7 +82,7 @@ fn points_whose_laws_bend_are_served_too() {
     check("Henon", Henon, [-0.058, -0.245, -0.266, 0.229], 30.0, 1024, &[1e-4, 1e-9]);
 }
 
-/// The relative change of E6's own integrals over a setting's orbit, evaluated in double-double.
+/// Checks the relative change of E6's integrals along a setting's orbit, in double-double.
 #[test]
 fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     let x0 = vector![0.25, -0.5, 1.0];
@@ -103,7 +102,7 @@ fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     }
 }
 
-/// Horizons beyond what the pilots cover: the errors of the beginning are continued.
+/// Horizons beyond the pilot runs, over which early errors are extrapolated.
 #[test]
 fn a_long_orbit_meets_its_tolerance_too() {
     check("LV", LotkaVolterra, [1.5, 1.0], 500.0, 8192, &[1e-3, 1e-6, 1e-9]);

@@ -1,14 +1,12 @@
-//! The library's choice of a stepper.
+//! The library's choice of a setting.
 //!
-//! 1. `choices`: on scenes of five systems the chosen setting meets its tolerance, against a
-//!    trajectory in double-double, and no setting whose model cost is a third of its own does; the
-//!    map's own integrals are kept as well as was asked for.
-//! 2. `answers`: what it says where there is no choice, what it prints, and that it runs what it
-//!    prints.
+//! 1. `choices`: on scenes of five systems the chosen setting meets its tolerance against a double-double
+//!    trajectory, and no setting of a third of its model cost does. The map's integrals are conserved to
+//!    the tolerance.
+//! 2. `answers`: refusals, printed settings, and running what was printed.
+//! 3. `counted`: the cost of choosing.
 //!
-//! 3. `counted`: what it costs.
-//!
-//! No clock: costs are the model's, and every run gives the same numbers.
+//! Costs are those of the model, not of a clock, so every run gives equal numbers.
 
 mod answers;
 mod choices;

@@ -1,7 +1,7 @@
-//! A trajectory of the flow in double-double, to measure settings by.
+//! A reference trajectory of the flow in double-double.
 //!
-//! Points on a grid of times, from the composition of order 8; between them, one step more from the
-//! point before. The same with half the steps differs by what [`Trajectory::doubt`] says.
+//! Points lie on a grid of times, by the composition of order 8; points between them take one more
+//! step. A trajectory with half the steps differs by [`Trajectory::doubt`].
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -18,8 +18,7 @@ pub(crate) struct Trajectory<M: ExtendScalars<f64, N>, const N: usize> {
 const HIGHEST: Composition = Composition::KAHAN_LI_8;
 
 impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
-    /// A little beyond the horizon: so many steps of an ε that was rounded do not end there
-    /// exactly.
+    /// Runs slightly beyond the horizon, because steps of a rounded ε do not end there exactly.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
         let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;
@@ -51,9 +50,8 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
         if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
-    /// The largest relative distance of a setting's orbit, at some `samples` points along it and
-    /// its end, or the first above `enough`. Points in `Dd` are rounded to `f64` first, which adds
-    /// half an ulp.
+    /// Returns the largest relative distance of a setting's orbit at its end and about `samples`
+    /// points, or the first above `enough`. `Dd` is rounded to `f64` first, which adds half an ulp.
     pub(crate) fn error(
         &self,
         setting: &Setting,

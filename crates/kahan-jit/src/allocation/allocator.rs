@@ -1,4 +1,4 @@
-//! Allocation in one pass: each value gets its operands, a register, and a machine instruction.
+//! Register allocation in one pass: each operation gets a register and a machine instruction.
 
 use kahan_program::Node;
 
@@ -15,17 +15,16 @@ pub(super) struct Allocator<'a> {
     pub(super) ends: Ends,
     pub(super) time: usize,
     pub(super) uses: Uses,
-    /// The value in each register, without the registers of kept constants.
+    /// The value in each register, except the registers reserved for constants.
     pub(super) registers: Vec<Option<usize>>,
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
-    /// The place of each value in memory.
     pub(super) home: Vec<Option<Place>>,
     pub(super) is_kept: Vec<bool>,
     pub(super) free_slots: Vec<usize>,
-    /// The indices of the results that each value is.
+    /// For each value, the indices of the results that it is.
     pub(super) results_of: Vec<Vec<usize>>,
-    /// For each result whether it must wait for the end of the round.
+    /// For each result, whether it must be stored after the last read of the states.
     pub(super) waits: Vec<bool>,
     pub(super) code: Allocation,
 }
@@ -60,7 +59,7 @@ impl<'a> Allocator<'a> {
         allocator
     }
 
-    /// Finds the destinations of results, and which results wait until no state is read any more.
+    /// Finds each result's destination; it is stored last if later operations read that state.
     fn expect_results(&mut self) {
         let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];
@@ -138,7 +137,7 @@ impl<'a> Allocator<'a> {
         }
     }
 
-    /// Stores the current value if it is a result that need not wait.
+    /// Stores the current value, except results that must be stored last.
     fn store_results(&mut self) {
         let value = self.time;
         let Some(register) = self.register_of[value].filter(|_| !self.is_kept[value]) else { return };
@@ -171,7 +170,7 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add, whose order says which operand is overwritten.
+    /// Writes a fused multiply-add; its `Order` says which operand is overwritten.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
@@ -199,7 +198,7 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // A fresh register takes the operand in memory, or else the addend.
+            // A fresh register takes the operand in memory, otherwise the addend.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {
@@ -227,7 +226,7 @@ impl<'a> Allocator<'a> {
         self.free_slots_of(&operands);
     }
 
-    /// Writes an instruction whose operands are ready, with a register for its result.
+    /// Writes an instruction whose operands are ready, and allocates its result register.
     fn finish(&mut self, operands: &[usize], instruction: impl FnOnce(Vector) -> MachineInstruction) {
         self.release(operands);
         let to = self.target();

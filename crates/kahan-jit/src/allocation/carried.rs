@@ -4,8 +4,7 @@ use crate::assembler::{Source, Vector};
 
 use super::{Allocation, MachineInstruction, Place};
 
-/// Moves `sources[i]` into register i for all i. Cycles go through one of `registers` registers
-/// that is spare, or else through a slot.
+/// Moves `sources[i]` into register i for all i; a free register or a stack slot breaks cycles.
 pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Allocation) {
     let states = sources.len();
     let mut moves: Vec<(Vector, Source<Place>)> =
@@ -14,7 +13,7 @@ pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Al
         let (to, source) = moves[place];
         let still_read = moves.iter().any(|(_, source)| *source == Source::Register(to));
         if still_read {
-            // A cycle: move the value in the way elsewhere first.
+            // A cycle: first move the value in the target register elsewhere.
             let elsewhere = match spare(&moves, states, registers) {
                 Some(register) => {
                     code.round.push(MachineInstruction::Copy(register, to));
@@ -37,7 +36,7 @@ pub(super) fn carry(sources: Vec<Source<Place>>, registers: usize, code: &mut Al
     }
 }
 
-/// Returns the index of a move whose target is read by no other, or else of any move.
+/// Returns the index of a move whose target no other move reads, otherwise of any move.
 fn next(moves: &[(Vector, Source<Place>)]) -> Option<usize> {
     let is_free =
         |(to, _): &(Vector, Source<Place>)| !moves.iter().any(|(_, source)| *source == Source::Register(*to));

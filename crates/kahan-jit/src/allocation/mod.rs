@@ -1,10 +1,10 @@
 //! Register allocation for straight-line code.
 //!
 //! In: a lowered program, and the number of registers. Out: machine instructions on registers and
-//! memory. A value stays in a register until its last use. If no register is free, the one with the
-//! farthest next use is spilled, which gives a straight line the fewest loads (L. A. Belady, IBM
-//! Systems J. 5 (1966) 78). Spilled values without a place in memory are stored in a slot.
-//! Constants are read from memory, except the most used ones of a loop, kept in spare registers.
+//! memory. A value stays in a register until its last use. If no register is free, the value with
+//! the farthest next use is spilled, which minimises loads (L. A. Belady, IBM Systems J. 5 (1966)
+//! 78). Spilled values without a memory location get a stack slot. Constants are read from memory,
+//! but a loop keeps its most used ones in spare registers.
 
 mod allocator;
 mod carried;
@@ -23,9 +23,7 @@ use uses::Uses;
 pub(crate) enum Place {
     State(usize),
     Constant(usize),
-    /// A number that the program contains.
     Literal(Float),
-    /// A spilled value on the stack.
     Slot(usize),
     Result(usize),
 }
@@ -37,7 +35,7 @@ pub(crate) enum MachineInstruction {
     Copy(Vector, Vector),
     /// to, a, b: to = a ∘ b
     Binary(Binary, Vector, Vector, Source<Place>),
-    /// to, b, c, in the order of the instruction
+    /// to, b, c, as the instruction orders them
     Fused(Fused, Order, Vector, Vector, Source<Place>),
     RoundToSingle(Vector, Vector),
 }
@@ -48,7 +46,7 @@ pub(crate) struct Allocation {
     pub(crate) round: Vec<MachineInstruction>,
     pub(crate) after: Vec<MachineInstruction>,
     pub(crate) slots: usize,
-    /// The most registers in use at once, without those of kept constants.
+    /// The most registers in use at once, without those reserved for constants.
     most_taken: u8,
 }
 
@@ -56,15 +54,15 @@ pub(crate) struct Allocation {
 pub(crate) struct RoundPlan {
     /// The destination of the results.
     pub(crate) ends: Ends,
-    /// Whether there are many rounds with equal constants.
+    /// Whether many rounds use equal constants.
     pub(crate) keeps_constants: bool,
 }
 
-/// The fewest registers: three operands of an instruction, and one to bring them into place.
+/// The fewest registers: three operands, and one to move them into position.
 pub(crate) const FEWEST_REGISTERS: u8 = 4;
 
 impl Place {
-    /// Returns the place of an input or literal before the first round.
+    /// Returns the location of an input or constant before the first round.
     fn given(instruction: Instruction) -> Option<Self> {
         match instruction {
             Instruction::Input(Input::State(i)) => Some(Self::State(i)),
@@ -99,7 +97,7 @@ impl Allocation {
     /// Allocates `registers` registers, at least [`FEWEST_REGISTERS`].
     pub(crate) fn of(program: &Program, registers: u8, plan: RoundPlan) -> Self {
         let first = Allocator::new(program, registers, plan.ends, &[]).run();
-        // Spare registers keep constants that would be read again in each round.
+        // Spare registers hold constants that each round would load again.
         let kept = kept(program, plan, usize::from(registers - first.most_taken));
         if kept.is_empty() { first } else { Allocator::new(program, registers, plan.ends, &kept).run() }
     }
@@ -112,14 +110,14 @@ impl Allocation {
         self.all().count()
     }
 
-    /// Returns the number of registers up to the last one that is written.
+    /// Returns one more than the number of the highest register written.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)
     }
 }
 
-/// Returns the constants and literals to keep in registers, the most used first.
+/// Returns the constants to keep in registers, the most used first.
 fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {

@@ -1,4 +1,4 @@
-//! The contents of registers, and moves between registers and memory.
+//! Register contents, and moves between registers and memory.
 
 use crate::assembler::{Source, Vector};
 use crate::lowering::Ends;
@@ -19,7 +19,7 @@ impl Allocator<'_> {
         self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
-    /// Returns the register of an operand, after a load if necessary.
+    /// Returns the register of an operand, loading it if necessary.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
         if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
@@ -31,7 +31,7 @@ impl Allocator<'_> {
         self.source_register(value)
     }
 
-    /// Returns an operand, in memory if a load is not worth while.
+    /// Returns an operand, which stays in memory if a load does not pay.
     pub(super) fn operand(&mut self, value: usize) -> Source<Place> {
         if self.is_worth_loading(value) {
             return Source::Register(self.in_register(value));
@@ -40,7 +40,7 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether a variable in memory is read again, and a register is free.
+    /// Returns whether a value in memory is a variable, is read again, and a register is free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable = !matches!(self.home[value], Some(Place::Constant(_) | Place::Literal(_)) | None);
         self.register_of[value].is_none()
@@ -55,7 +55,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value, if possible the one where it is carried.
+    /// Returns a register for the current value, preferably that of the state it becomes.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == Ends::Carried);
         match carried {
@@ -64,7 +64,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register to write to, after a spill if necessary.
+    /// Returns a register to write to, spilling a value if necessary.
     pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,
@@ -99,7 +99,7 @@ impl Allocator<'_> {
         register
     }
 
-    /// Ends the uses of these operands by the current value, and frees registers of dead values.
+    /// Ends the uses of these operands at this operation; frees the registers of dead values.
     pub(super) fn release(&mut self, values: &[usize]) {
         for &value in values {
             self.uses.end(value, self.time);
@@ -117,7 +117,6 @@ impl Allocator<'_> {
         }
     }
 
-    /// Frees the slots of values without further uses.
     pub(super) fn free_slots_of(&mut self, values: &[usize]) {
         for &value in values {
             if self.uses.next(value).is_none()
@@ -129,7 +128,6 @@ impl Allocator<'_> {
         }
     }
 
-    /// Records that a value is in a register.
     pub(super) fn define(&mut self, value: usize, register: Vector) {
         self.registers[usize::from(register.0)] = Some(value);
         self.register_of[value] = Some(register);

@@ -1,12 +1,12 @@
-//! The next use of each value, by which spills are chosen.
+//! The next use of each value, which decides what is spilled.
 
 use crate::lowering::SIGN;
 use crate::program::{Instruction, Program};
 
 pub(super) struct Uses {
-    /// The uses of one value after another, with room for one more each.
+    /// The uses of all values, value after value, each with room for one more use.
     times: Vec<u32>,
-    /// For each value the range of its remaining uses in `times`.
+    /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
     /// The index of [`SIGN`], an implicit operand of negations.
     sign: Option<usize>,
@@ -49,7 +49,7 @@ impl Uses {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
 
-    /// Adds a use after all operands, at most once.
+    /// Adds a use after those of all operands, at most once.
     pub(super) fn add(&mut self, value: usize, time: usize) {
         if self.last(value) != Some(time) {
             self.push(value, time);
@@ -72,7 +72,7 @@ impl Uses {
         self.left(value).find(|use_| *use_ > time)
     }
 
-    /// Ends the uses up to `time`.
+    /// Drops the uses up to and including `time`.
     pub(super) fn end(&mut self, value: usize, time: usize) {
         while self.next(value).is_some_and(|next| next <= time) {
             self.of[value][0] += 1;

@@ -1,11 +1,8 @@
-//! Assemblers for the instructions that straight lines of floats need, one for each processor.
+//! Assemblers for straight-line floating-point code, one per processor.
 //!
-//! In: one call an instruction, on registers and memory. Out: bytes. The module of a processor has
-//! an `Assembler` and the names of its registers; both have the same interface, and code is made by
-//! the one of the target. Tests compile the others, too, and compare their bytes with what those
-//! who know the processor say.
-//!
-//! Numbers that stand in the code itself are in a pool behind it.
+//! In: one call per instruction, on registers and memory. Out: machine code, with constants in a
+//! pool behind it. Both processors' modules have an `Assembler` and register names with one
+//! interface. Tests compile both and compare their bytes with those of established assemblers.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -20,22 +17,20 @@ pub(crate) use operands::{Element, Form, Source, Vector, Width};
 #[cfg(not(target_arch = "aarch64"))]
 pub(crate) use x86_64::{Assembler, General, Memory};
 
-/// An operation on two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Binary {
     Add,
     Subtract,
     Multiply,
     Divide,
-    /// a where a > b, else b
+    /// a if a > b, else b
     Maximum,
-    /// a where a < b, else b
+    /// a if a < b, else b
     Minimum,
-    /// The bits of a, those flipped that are set in b, which is −0.
+    /// a xor b, bitwise. b is −0, so the sign of a flips.
     ExclusiveOr,
 }
 
-/// A fused operation on a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Fused {
     /// product + addend
@@ -46,7 +41,7 @@ pub(crate) enum Fused {
     SubtractProduct,
 }
 
-/// Which of the operands d, b, c of a fused operation are multiplied; d is overwritten.
+/// Which of the operands d, b, c of a fused operation are multiplied; the result overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     /// d·c and b
@@ -57,20 +52,17 @@ pub(crate) enum Order {
     D231,
 }
 
-/// The registers and the stack that a function takes beside its arguments.
+/// The registers and stack that a function uses, apart from its arguments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Needs {
-    /// The bytes of its slots, which lie above the stack pointer.
+    /// The bytes of its stack slots, which start at the stack pointer.
     pub(crate) stack: usize,
-    /// Whether it uses all of [`General::POINTERS`], some of which its caller finds again as they
-    /// were.
+    /// Whether it uses [`General::POINTERS`], some of which must be saved for the caller.
     pub(crate) uses_pointers: bool,
-    /// The number of registers of numbers that it uses, from the first one on.
+    /// The number of vector registers in use, from the first on.
     pub(crate) vectors: u8,
-    /// The number of machine instructions between its beginning and its end.
     pub(crate) instructions: usize,
 }
 
-/// The system enlarges a stack page by page, so that each page is touched before the next one. This
-/// is the smallest that pages are.
+/// The smallest page size; the stack grows page by page, so each page is touched in order.
 const PAGE: usize = 4096;

@@ -1,25 +1,24 @@
-//! What instructions work on.
+//! Operands of instructions: formats, registers and memory.
 
 use super::pool::Entry;
 
-/// A floating-point format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Element {
     Single,
     Double,
 }
 
-/// How much of a register an instruction works on.
+/// The part of a register that an instruction works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Width {
-    /// One number.
+    /// The lowest lane only.
     Scalar,
     Bits128,
     Bits256,
     Bits512,
 }
 
-/// What an operand is.
+/// The element type and width of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Form {
     pub(crate) element: Element,
@@ -27,7 +26,7 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// The bytes of an operand.
+    /// Returns the size of an operand in bytes.
     pub(crate) fn bytes(self) -> usize {
         match (self.width, self.element) {
             (Width::Scalar, Element::Single) => 4,
@@ -38,18 +37,18 @@ impl Form {
         }
     }
 
-    /// An entry of the array of operands that begins at a base.
+    /// Returns the memory operand at `index` of the array at `base`.
     pub(crate) fn entry<G>(self, base: G, index: usize) -> Memory<G> {
         let offset = i32::try_from(index * self.bytes());
         Memory::At { base, offset: offset.expect("programs are short, and their arrays within reach") }
     }
 }
 
-/// A register of numbers, from 0 to 31.
+/// A vector register, from 0 to 31.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Vector(pub(crate) u8);
 
-/// A place in memory; G is a processor's registers of addresses.
+/// A memory operand; G is the processor's type of general-purpose registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory<G> {
     /// base + offset
@@ -60,7 +59,7 @@ pub(crate) enum Memory<G> {
     Pool(Entry),
 }
 
-/// The last operand of an instruction; M is what a place in memory is told by.
+/// The last operand of an instruction; M is the type of a memory operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Source<M> {
     Register(Vector),
@@ -68,7 +67,7 @@ pub(crate) enum Source<M> {
 }
 
 impl<M> Source<M> {
-    /// The same operand, its place in memory told in another way.
+    /// Converts a memory operand with `of`; a register stays.
     pub(crate) fn map<N>(self, of: impl FnOnce(M) -> N) -> Source<N> {
         match self {
             Self::Register(register) => Source::Register(register),

@@ -1,22 +1,21 @@
-//! Numbers that stand behind the code.
+//! The constant pool behind the code.
 
 use super::operands::{Element, Form};
 
-/// A number of the pool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Entry(usize);
 
-/// The numbers, and where the code refers to them.
+/// The constants of a function and the instructions that refer to them.
 #[derive(Debug)]
 pub(super) struct Pool {
     form: Form,
-    /// The bits of one lane each.
+    /// The bits of one lane of each constant.
     entries: Vec<u64>,
-    /// Where an offset stands, and of which entry it is.
+    /// The position of each reference in the code, and its constant.
     uses: Vec<(usize, Entry)>,
 }
 
-/// Entries begin with cache lines, and are no shorter than what operations on bits read.
+/// Entries start on a cache line and are at least 16 bytes, which bitwise instructions read.
 const LINE: usize = 64;
 const SHORTEST: usize = 16;
 
@@ -25,7 +24,7 @@ impl Pool {
         Pool { form, entries: Vec::new(), uses: Vec::new() }
     }
 
-    /// The entry of a number, of which there is one; `bits` are those of a lane.
+    /// Returns the entry of a constant, added on first use; `bits` encodes one lane.
     pub(super) fn entry(&mut self, bits: u64) -> Entry {
         let known = self.entries.iter().position(|known| *known == bits);
         Entry(known.unwrap_or_else(|| {
@@ -34,13 +33,12 @@ impl Pool {
         }))
     }
 
-    /// The code refers to an entry at `place`.
     pub(super) fn note_use(&mut self, place: usize, entry: Entry) {
         self.uses.push((place, entry));
     }
 
-    /// Appends the numbers to the code, behind the byte `filler` as often as it takes, which stops
-    /// whoever runs it; `refer` writes into the code at a place where an entry stands.
+    /// Appends the constants to the code. `filler` bytes, which trap when executed, pad the code up
+    /// to the cache line. `refer` patches each reference with its target.
     pub(super) fn append_to(
         self,
         mut code: Vec<u8>,

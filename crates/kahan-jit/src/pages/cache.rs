@@ -3,12 +3,11 @@
 
 use core::arch::asm;
 
-/// Lets every processor fetch code that was just written.
+/// Makes newly written code visible to instruction fetch on every processor.
 ///
-/// The sequence is that of the Arm Architecture Reference Manual (B2.2.5, "Concurrent modification
-/// and execution of instructions"): clean the data caches to the point from which instructions are
-/// fetched, then invalidate the instruction caches. Each thread discards the instructions that it
-/// has already fetched by [`discard_fetched`].
+/// The sequence follows the Arm Architecture Reference Manual (B2.2.5, "Concurrent modification and
+/// execution of instructions"): clean the data cache, then invalidate the instruction cache. Each
+/// thread must also call [`discard_fetched`].
 pub(super) fn publish(code: &[u8]) {
     let [data, instructions] = line_lengths();
     for line in lines(code, data) {
@@ -25,13 +24,13 @@ pub(super) fn publish(code: &[u8]) {
     unsafe { asm!("dsb ish", "isb", options(nostack, preserves_flags)) };
 }
 
-/// Returns the shortest lines of the data caches and of the instruction caches, in bytes. A system
-/// that reserves the register emulates the read.
+/// Returns the shortest line of the data and of the instruction caches, in bytes. Systems that
+/// reserve the register emulate the read.
 fn line_lengths() -> [usize; 2] {
     let types: u64;
-    // SAFETY: the instruction reads a register that programs may read.
+    // SAFETY: user programs may read this register.
     unsafe { asm!("mrs {}, ctr_el0", out(reg) types, options(nomem, nostack, preserves_flags)) };
-    // Logarithms of lengths in words of four bytes.
+    // The fields are log₂ of the line length in 4-byte words.
     [16, 0].map(|shift| 4 << (types >> shift & 0xf))
 }
 
@@ -41,9 +40,8 @@ fn lines(code: &[u8], length: usize) -> impl Iterator<Item = usize> {
     (start / length * length..start + code.len()).step_by(length)
 }
 
-/// Discards the instructions that this thread has already fetched, so that it runs
-/// [published](publish) code.
+/// Discards prefetched instructions, so that this thread runs [published](publish) code.
 pub(super) fn discard_fetched() {
-    // SAFETY: the following instructions are only fetched again.
+    // SAFETY: only prefetched instructions are discarded.
     unsafe { asm!("isb", options(nostack, preserves_flags)) };
 }

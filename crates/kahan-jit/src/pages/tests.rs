@@ -1,8 +1,8 @@
-//! Pages against the system's report: `/proc/self/maps` lists the memory of this process.
+//! Compares pages with the memory map of this process in `/proc/self/maps`.
 
 use super::Pages;
 
-/// More than one page of bytes, of which neighbours differ.
+/// Returns more than one page of bytes, neighbours distinct.
 fn bytes() -> Vec<u8> {
     (0..10_000_u32).map(|k| (k % 251) as u8).collect()
 }
@@ -31,7 +31,6 @@ mod on_linux {
 
     use super::{Pages, bytes};
 
-    /// A range of this process's memory with its permissions, such as `r-xp`.
     struct Piece {
         addresses: Range<usize>,
         permissions: String,
@@ -64,7 +63,7 @@ mod on_linux {
         }
     }
 
-    /// Returns the number of executable bytes of this process. (Neighbouring ranges share a line.)
+    /// Counts the executable bytes of this process; neighbouring ranges may be merged.
     fn executable() -> usize {
         let pieces = pieces().into_iter().filter(|piece| piece.permissions.contains('x'));
         pieces.map(|piece| piece.addresses.len()).sum()
@@ -78,12 +77,12 @@ mod on_linux {
         for _ in 0..PAGES {
             drop(Pages::new(&bytes).expect("the system gives pages"));
         }
-        // Tests that run at the same time hold far fewer pages than a tenth of these.
+        // Concurrent tests hold far fewer than a tenth of these pages.
         let (after, most) = (executable(), before + PAGES / 10 * bytes.len());
         assert!(after < most, "{after} bytes, not {before}");
     }
 
-    /// Runs itself again in a process limited to 1 GiB of addresses.
+    /// Re-runs this test in a process limited to 1 GiB of address space.
     #[test]
     fn a_refusal_of_the_system_is_an_error() {
         const LIMITED: &str = "KAHAN_JIT_LIMITED";

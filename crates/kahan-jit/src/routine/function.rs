@@ -1,4 +1,4 @@
-//! A program run once.
+//! A program that runs once.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{Place, RoundPlan};
@@ -17,7 +17,7 @@ pub struct Function<T> {
 }
 
 impl<T: Float> Function<T> {
-    /// Compiles a program. Cost: some microseconds for a hundred operations.
+    /// Compiles a program in some microseconds per hundred operations.
     ///
     /// # Errors
     /// [`Refusal`], with the reason.
@@ -32,19 +32,19 @@ impl<T: Float> Function<T> {
             Place::Literal(_) | Place::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads as many registers of states and of constants as the program has
-        // entries of each, and writes one for each result; only `Code::function` enters it.
+        // SAFETY: the code reads one register per state and constant of the program and writes one
+        // per result. Only `Code::function` enters it.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
-    /// Returns the number of numbers in the results.
+    /// Returns the length of the results, in numbers.
     #[must_use]
     pub fn results(&self) -> usize {
         let [_, _, results] = self.code.extent().numbers();
         results
     }
 
-    /// Computes the results; each entry of the arrays is as many numbers as an instruction takes.
+    /// Computes the results. Each array entry is one register of numbers.
     ///
     /// # Panics
     /// If an array is too short.

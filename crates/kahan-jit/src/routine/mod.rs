@@ -1,4 +1,4 @@
-//! Functions around straight-line code, with loads before it, a loop, and stores after it.
+//! Routines around straight-line code: loads before, a loop, stores after.
 
 mod function;
 mod orbit;
@@ -16,13 +16,12 @@ use crate::lowering::{Ends, lowered};
 use crate::program::{Program, entries};
 use crate::{Refusal, Shape};
 
-/// The most instructions; a longer program runs no faster than a loop. All jumps and distances in
-/// the code of a shorter one are within reach.
+/// The maximum number of instructions, so that all jumps and offsets fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
-/// The most bytes of the stack for slots: half of a thread's stack.
+/// The maximum stack for slots, half of a thread's stack in bytes.
 const MOST_STACK: usize = 1 << 20;
 
-/// Returns the address of a place, after an instruction that loads it if necessary.
+/// Returns the memory operand of a location, after loading its address if necessary.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
 
 struct Frame {
@@ -36,7 +35,7 @@ impl Frame {
     /// Begins a function over numbers of type `T`, with slots above the stack pointer.
     ///
     /// # Panics
-    /// If results become states, and a state that is read has no result.
+    /// If results become states and a state that is read has no result.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

@@ -1,4 +1,4 @@
-//! A program run many times on one state, which stays in registers.
+//! A program iterated on one state, which stays in registers.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{FEWEST_REGISTERS, Place, RoundPlan};
@@ -10,22 +10,21 @@ use crate::{Program, Refusal};
 
 use super::Frame;
 
-/// Code that runs a program many times, each time on the results of the last, with one set of
-/// constants.
+/// Code that iterates a program on its own results, with one set of constants.
 #[derive(Debug)]
 pub struct Orbit<T> {
     code: Code<T>,
     ends: Ends,
 }
 
-/// Code that runs a program many times, with several sets of constants in turn in each round.
+/// Code that iterates a program; each round runs it once per set of constants, in order.
 #[derive(Debug)]
 pub struct ComposedOrbit<T> {
     code: Code<T>,
 }
 
 impl<T: Float> Orbit<T> {
-    /// Compiles a program that has a result for each state.
+    /// Compiles a program with one result per state.
     ///
     /// # Errors
     /// [`Refusal`], with the reason.
@@ -38,7 +37,7 @@ impl<T: Float> Orbit<T> {
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = General::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
-        // Carried states are read from one array and written to another, possibly equal one.
+        // Carried states are read from one array and written to another or the same.
         let last = |assembler: &mut Assembler, place| match place {
             Place::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),
@@ -51,9 +50,9 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads a register for each result and for each constant of the program,
-        // and writes only the results, to the last state if they are carried. It is entered by
-        // `Code::orbit`, or if they are carried by `Code::orbit_step`.
+        // SAFETY: the code reads one register per result and per constant of the program, and
+        // writes only the results, to the last state if they are carried. Only `Code::orbit` and,
+        // for carried states, `Code::orbit_step` enter it.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
     }
@@ -66,8 +65,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// Writes the state one step later to `next`. The code itself copies the entries: a copy before
-    /// it would have to wait for entries that were just stored one by one.
+    /// Writes the state one step later to `next`. Carried code copies the state itself, because a
+    /// copy before it would stall on recent stores.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.
@@ -82,7 +81,7 @@ impl<T: Float> Orbit<T> {
 }
 
 impl<T: Float> ComposedOrbit<T> {
-    /// Compiles a program that has a result for each state.
+    /// Compiles a program with one result per state.
     ///
     /// # Errors
     /// [`Refusal`], with the reason.
@@ -92,7 +91,7 @@ impl<T: Float> ComposedOrbit<T> {
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // The fifth argument is unused: its register holds the address of the next table entry.
+        // The fifth argument is unused; its register holds the address of the next table entry.
         let [states, table, stages, steps, entry] = General::ARGUMENTS;
         let [constants, left, _] = General::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
@@ -110,22 +109,21 @@ impl<T: Float> ComposedOrbit<T> {
         frame.after(&addresses);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes a register for each result, and reads one for each
-        // constant of the program from each address of the table. Only `Code::composed_orbit`
-        // enters it.
+        // SAFETY: the code reads and writes one register per result. From each address of the table
+        // it reads one register per constant of the program. Only `Code::composed_orbit` enters it.
         Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
-    /// Advances the state by `steps` rounds of all stages; `stages` are their constants.
+    /// Advances the state by `steps` rounds; `stages` holds the constants of each stage of a round.
     ///
     /// # Panics
-    /// If an array is too short, or there is no stage, or more than 64.
+    /// If an array is too short, or there are no stages, or more than 64.
     pub fn run<'a>(&self, state: &mut [T], stages: impl Iterator<Item = &'a [T]>, steps: u64) {
         self.code.composed_orbit(state, stages, steps);
     }
 }
 
-/// Returns where states are between two rounds: in registers if enough of them remain.
+/// Returns where states live between rounds: in registers if enough are available.
 fn ends(program: &Program, shape: Shape) -> Ends {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { Ends::Carried } else { Ends::InPlace }

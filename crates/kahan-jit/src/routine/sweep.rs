@@ -1,4 +1,4 @@
-//! A program run over columns, register by register of trajectories, round by round.
+//! A program iterated over columns of trajectories, one register of trajectories after another.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{Place, RoundPlan};
@@ -13,13 +13,13 @@ use super::Frame;
 /// The constants of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Constants {
-    /// Constants shared by all trajectories.
+    /// One set for all trajectories.
     Shared,
-    /// Constants for each register of trajectories.
+    /// One set for each register of trajectories.
     Own,
 }
 
-/// Code that advances many trajectories; column i holds state i of all of them.
+/// Code that advances many trajectories; column i holds state i of each trajectory.
 #[derive(Debug)]
 pub struct Sweep<T> {
     code: Code<T>,
@@ -27,7 +27,7 @@ pub struct Sweep<T> {
 }
 
 impl<T: Float> Sweep<T> {
-    /// Compiles a program that has a result for each state.
+    /// Compiles a program with one result per state.
     ///
     /// # Errors
     /// [`Refusal`], with the reason.
@@ -67,28 +67,27 @@ impl<T: Float> Sweep<T> {
         frame.assembler.repeat_below(index, length, next_register);
         frame.assembler.count_down(steps, next_step);
         let (bytes, extent) = frame.close();
-        // SAFETY: for each register of the columns, the code reads and writes one in each of the
-        // first `states` columns, and reads a register for each constant of the program from the
-        // constants' address. Only `Code::sweep` enters it, with the width of its registers and the
-        // distance between the constants of one register and of the next.
+        // SAFETY: the code reads and writes the first `states` columns register by register, and
+        // reads one register per constant from the constants' address. Only `Code::sweep` enters
+        // it. That method passes the register width and the stride between sets of constants.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 
-    /// Returns the number of trajectories in a register; the length of columns is a multiple of it.
+    /// Returns the number of trajectories per register; column lengths must be multiples of it.
     #[must_use]
     pub fn width(&self) -> usize {
         self.code.extent().width
     }
 
-    /// Returns the number of numbers in the constants of a register of trajectories.
+    /// Returns the length of one set of constants, in numbers.
     #[must_use]
     pub fn constants(&self) -> usize {
         let [_, constants, _] = self.code.extent().numbers();
         constants
     }
 
-    /// Advances all trajectories by `steps` rounds. Each constant is a register of numbers; own
-    /// constants of one register of trajectories precede those of the next.
+    /// Advances all trajectories by `steps` rounds. Each constant fills a register of numbers. Sets
+    /// for separate registers of trajectories follow each other.
     ///
     /// # Panics
     /// If the columns differ in length, the length is not a multiple of [`width`](Self::width),

@@ -1,4 +1,4 @@
-//! Allocated code computes the results of the program, with any number of registers.
+//! Checks that allocated code computes the program's results, with any number of registers.
 
 use std::collections::HashMap;
 
@@ -89,7 +89,7 @@ impl Machine {
     }
 }
 
-/// Runs the allocated code of a program, and returns the results after `rounds` rounds.
+/// Interprets the allocated code of a program; returns the results after `rounds` rounds.
 fn allocated(
     program: &Program,
     (registers, plan): (u8, RoundPlan),
@@ -143,7 +143,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
     }
 }
 
-/// An operand read once stays in memory or gives its register to the result.
+/// An operand with a single use stays in memory or passes its register to the result.
 #[test]
 fn a_last_use_takes_no_instruction_of_its_own() {
     let mut program = Program::default();

@@ -19,8 +19,7 @@ impl Draw {
         (self.next() % bound as u64) as usize
     }
 
-    /// Draws a number of ordinary size, sometimes a special one. Special numbers spread from result
-    /// to result; `ordinary` is the weight of ordinary numbers.
+    /// Draws a number: ordinary with weight `ordinary`, otherwise special, such as NaN.
     pub(crate) fn number(&mut self, ordinary: usize) -> f64 {
         match self.below(5 + ordinary) {
             0 => 0.0,
@@ -33,7 +32,7 @@ impl Draw {
     }
 }
 
-/// Appends an operation, even if it is there already, and returns its place.
+/// Appends an operation, even a duplicate, and returns its node.
 pub(crate) fn push(program: &mut Program, operation: Instruction) -> Node {
     program.operations.push(operation);
     Node(program.operations.len() - 1)
@@ -51,7 +50,7 @@ pub(crate) fn literal(value: f64) -> Instruction {
     Instruction::Constant(Float::of(value))
 }
 
-/// Draws a program with a result for each state. Most values are used soon, some much later.
+/// Draws a program with one result per state. Most values are used soon, some much later.
 pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {

@@ -1,4 +1,4 @@
-//! Random programs and an interpreter, with which allocation and code are compared.
+//! Random programs, and an interpreter as the reference for allocation and code.
 
 mod allocation;
 mod code;
@@ -8,7 +8,7 @@ mod hostile;
 mod refused;
 mod run;
 
-/// Returns whether this program can start itself; on an emulated processor it cannot.
+/// Returns whether this test binary can run itself; under an emulator it cannot.
 #[cfg(target_os = "linux")]
 pub(crate) fn starts_itself() -> bool {
     let program = std::env::current_exe().expect("this program has a name");

@@ -1,4 +1,4 @@
-//! Programs that are refused, and availability of instructions.
+//! Refused programs, and availability of instruction sets.
 
 use kahan_program::Node;
 
@@ -14,7 +14,7 @@ use super::starts_itself;
 const SHAPE: Shape =
     Shape { instructions: InstructionSet::least(false), lanes: LaneCount::One, fuses: false };
 
-/// Returns whether no instruction set is available for the test.
+/// Returns whether the processor lacks the instruction set of these tests.
 fn is_unavailable() -> bool {
     let is_unavailable = !SHAPE.instructions.is_available();
     if is_unavailable {
@@ -27,7 +27,7 @@ fn program(operations: &[Instruction], outputs: Vec<Node>) -> Program {
     Program { operations: operations.to_vec(), outputs }
 }
 
-/// An instruction holds the distance from the beginning of an array in 32 bits with a sign.
+/// Instructions hold signed 32-bit offsets from the start of an array.
 #[test]
 fn entries_beyond_the_reach_of_an_instruction_are_refused() {
     if is_unavailable() {
@@ -61,7 +61,7 @@ fn more_results_than_a_straight_line_has_are_refused() {
     assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 50_001 }), "{refusal:?}");
 }
 
-/// Operations may read only earlier operations, since later ones have no register yet.
+/// Operations may read only earlier ones, because later ones have no register yet.
 #[test]
 fn programs_that_read_what_was_not_computed_are_refused() {
     let x = Node(0);
@@ -71,7 +71,7 @@ fn programs_that_read_what_was_not_computed_are_refused() {
         (Instruction::MultiplyAdd(x, x, Node(usize::MAX)), x),
         (Instruction::Call(Called::Maximum, x, Node(1)), x),
         (Instruction::Call(Called::RoundToSingle, Node(1), Node(1)), x),
-        // A function of one argument has the operand twice.
+        // A function of one argument takes its operand twice.
         (Instruction::Call(Called::Copy, x, Node(1)), Node(1)),
         (Instruction::Call(Called::RoundToSingle, x, Node(usize::MAX)), Node(1)),
         (Instruction::Negate(x), Node(2)),
@@ -96,7 +96,7 @@ fn a_round_has_a_result_for_each_state() {
     let _ = Orbit::<f64>::compile(&program(&[state(14)], vec![Node(0)]), SHAPE);
 }
 
-/// Returns a program that keeps `values` values until the end, where an instruction takes two.
+/// Returns a program with `values` live values, which are combined at the end.
 fn wide(values: usize) -> Program {
     let mut program = Program::default();
     let mut last = push(&mut program, state(0));
@@ -147,8 +147,8 @@ fn more_numbers_at_once_than_the_stack_holds_are_refused() {
     }
 }
 
-/// Runs itself again in a process that must stop. Code touches each page of the stack in turn, so
-/// that it stops at the first inaccessible one and writes nothing below the stack.
+/// Re-runs this test in a process that must die. Code touches each stack page in order, so it stops
+/// at the first inaccessible page and writes nothing below the stack.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_stack_that_is_too_small_stops_the_process() {

@@ -1,4 +1,4 @@
-//! An interpreter of programs, one operation at a time, with which code is compared.
+//! The reference interpreter of programs.
 
 use std::sync::LazyLock;
 
@@ -9,12 +9,11 @@ use kahan_program::Operation::*;
 
 use crate::{Called, Program};
 
-/// Returns the results of a program in the arithmetic of a processor.
 pub(crate) fn run<T: Float>(program: &Program, states: &[T], constants: &[T], fuses: bool) -> Vec<T> {
     run_by(program, |i| states[i], |k| constants[k], fuses)
 }
 
-/// Returns the results of a program whose states and constants are functions of the index.
+/// Runs a program whose states and constants are functions of the index.
 pub(crate) fn run_by<T: Float>(
     program: &Program,
     state: impl Fn(usize) -> T,
@@ -60,7 +59,7 @@ pub(crate) fn read(program: &Program) -> [usize; 2] {
     [states, constants]
 }
 
-/// Returns a − b·c, rounded once. Valgrind computes −(b·c − a), whose zeros have the other sign.
+/// Returns a − b·c, rounded once. Under Valgrind −(b·c − a) is used, whose zeros differ in sign.
 pub(crate) fn subtract_product<T: Float>(a: T, b: T, c: T) -> T {
     static IS_VALGRIND: LazyLock<bool> =
         LazyLock::new(|| std::env::var("LD_PRELOAD").is_ok_and(|loaded| loaded.contains("/valgrind/")));

@@ -1,6 +1,5 @@
-//! Splits a text into items: equations, values, claims and other statements.
-//!
-//! A line end or a comma separates items only where the next item begins behind it.
+//! Splits a text into items: equations, values, claims and other statements. A line end or a comma
+//! separates items only if a new item begins after it.
 
 use std::ops::Range;
 
@@ -11,7 +10,6 @@ use super::Reader;
 use super::left::Left;
 
 pub(super) struct Item {
-    /// The tokens, without the separator behind them.
     pub(super) tokens: Range<usize>,
     pub(super) left: Option<Left>,
     pub(super) is_ended: bool,
@@ -44,7 +42,7 @@ impl Reader<'_> {
         let word = self.at(start);
         let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");
         let is_next = |at: usize| {
-            // Behind `when`, `a = 1, b = 2` are relations.
+            // In the conditions after `when`, `a = 1, b = 2` are relations.
             let is_left = |left: Left| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
             at == self.given.len()
                 || self.left(at).is_some_and(is_left)
@@ -81,7 +79,7 @@ impl Reader<'_> {
         self.given.len()
     }
 
-    /// Returns whether a token is the first of its line. The end of the text counts as a line.
+    /// Returns whether a token is the first of its line; the end of the text also counts.
     pub(super) fn begins_line(&self, place: usize) -> bool {
         if place == 0 || place == self.given.len() {
             return true;

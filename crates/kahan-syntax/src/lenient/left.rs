@@ -1,4 +1,4 @@
-//! Left-hand sides of equations and values, in the notations of books and other programs.
+//! Left-hand sides of equations and values, in the notation of books and other programs.
 
 use crate::lexer::{primes, starts_identifier};
 use crate::spelling::without_dots;
@@ -6,10 +6,10 @@ use crate::token::TokenKind;
 
 use super::Reader;
 
-/// Notations of a derivative, with their order before primes and dots are counted.
+/// Notations of a derivative, each with its order before primes and dots are added.
 ///
-/// `X` stands for the name of a state, with or without the time `(t)` behind it. `′` stands for any
-/// number of primes, `Ẋ` for a name with dots above it.
+/// `X` stands for a state's name, with or without `(t)`. `′` stands for any number of primes, and
+/// `Ẋ` for a name with dots above it.
 const DERIVATIVES: [(usize, &str); 4] = [
     (1, "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )"),
     (1, "\\ dot { X }|\\ frac { dX } { dt }"),
@@ -20,7 +20,7 @@ const DERIVATIVES: [(usize, &str); 4] = [
 const HIGHEST_ORDER: usize = 8;
 
 const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
-/// Words that declare values at the beginning of a line only, and are names elsewhere.
+/// Words that declare values at the start of a line, and are ordinary names elsewhere.
 const AT_BEGINNINGS: [&str; 5] = ["p", "i", "number", "aux", "!"];
 
 pub(super) struct Derivative {
@@ -32,9 +32,9 @@ pub(super) struct Derivative {
 
 pub(super) struct Left {
     pub(super) of: Derivative,
-    /// The names of the arguments if a function is defined, otherwise empty.
+    /// The argument names of a function definition; otherwise empty.
     pub(super) arguments: Vec<String>,
-    /// Whether the left side is the value at time 0: `x(0) =`.
+    /// Whether the left side is an initial value, `x(0) =`.
     pub(super) is_first: bool,
     /// Whether the equation is written `Eq(…, …)`.
     pub(super) is_in_call: bool,
@@ -43,7 +43,7 @@ pub(super) struct Left {
 }
 
 impl Left {
-    /// Returns whether the left side is that of a value, not of a differential equation.
+    /// Returns whether the left side is that of a value rather than of a differential equation.
     pub(super) fn is_value(&self) -> bool {
         self.of.order == 0 || self.is_first
     }

@@ -14,7 +14,7 @@ use super::{Placed, Reader, mistake};
 const DEEPEST: usize = 256;
 
 impl Reader<'_> {
-    /// Notes the states, and names the derivatives below the order of each equation.
+    /// Records the states, and names the lower derivatives of higher-order equations.
     pub(super) fn name_derivatives(&mut self, items: &[Item]) {
         let equations = || items.iter().filter_map(|item| item.left.as_ref()).filter(|left| !left.is_value());
         for left in equations() {
@@ -41,8 +41,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes values and quantities out of the text. Returns, for each item, the tokens that replace
-    /// it, or `None` if it stays.
+    /// Removes values and auxiliary quantities; returns the replacements, `None` if an item stays.
     pub(super) fn read_quantities(&mut self, items: &[Item]) -> Vec<Option<Vec<Placed>>> {
         let mut instead = vec![None; items.len()];
         let is_value = |item: &Item| item.left.as_ref().is_some_and(Left::is_value);
@@ -109,7 +108,7 @@ impl Reader<'_> {
             values.extend(value.filter(|_| is_start || used.contains(name)));
         }
         let mut put_in = Vec::new();
-        // Quantities are expanded once those they use are known; the parser reports a cycle.
+        // Expands quantities after those that they use; the parser reports cycles.
         for _ in 0..DEEPEST {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
             let waits = |right: &Range<usize>| self.needs(right).iter().any(|name| names.contains(name));

@@ -13,7 +13,7 @@ use super::{Placed, Reader, mistake, placed};
 pub(super) const MOST_TOKENS: usize = 200_000;
 
 impl Reader<'_> {
-    /// Writes an equation. One of order n becomes a chain of n equations of order 1.
+    /// Writes an equation; one of order n becomes a chain of n first-order equations.
     pub(super) fn equation(&mut self, tokens: &Range<usize>, left: &Left) -> Vec<Placed> {
         let mut right = self.written(left.right..tokens.end, true);
         self.explain_products(&mut right);
@@ -63,7 +63,7 @@ impl Reader<'_> {
     }
 
     /// Writes a name or its replacement: `x` for `x(t)`, the formula of a quantity, the value of a
-    /// root. Returns the token behind it.
+    /// root. Returns the index of the next token.
     fn write_name(&mut self, at: usize, in_equation: bool, out: &mut Vec<Placed>) -> usize {
         if let Some(end) = self.write_call(at, in_equation, out) {
             return end;
@@ -96,8 +96,7 @@ impl Reader<'_> {
         end
     }
 
-    /// Returns the root of a number, such as `sqrt(2)`. An irrational root becomes a parameter
-    /// whose value is the nearest `f64`.
+    /// Returns a root, such as `sqrt(2)`; an irrational one becomes a parameter, rounded to `f64`.
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);
@@ -117,7 +116,7 @@ impl Reader<'_> {
         Some(name)
     }
 
-    /// Finds products without `*` and proposes the whole right-hand side with them.
+    /// Finds products without `*`, and proposes the whole right-hand side with `*`.
     fn explain_products(&self, right: &mut [Placed]) {
         let texts =
             |four: &[Placed]| four.iter().map(|(token, _)| token.text.to_string()).collect::<Vec<_>>();
@@ -157,7 +156,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Returns the letters of a short undefined word as a product, if one of them is a state.
+    /// Splits a short undefined word into a product of letters, if a letter is a state.
     fn letters(&self, word: &str) -> Option<String> {
         let letters = || word.chars().map(String::from);
         let is_word = (2..=3).contains(&letters().count()) && word.chars().all(char::is_alphabetic);

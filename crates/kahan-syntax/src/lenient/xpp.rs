@@ -1,4 +1,4 @@
-//! Functions and directives in files of XPP.
+//! Functions and directives in XPP files.
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -38,8 +38,7 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// Returns the end of a line that begins at `at` with a directive: options behind `@` or `%`,
-    /// or a refused directive.
+    /// Returns the end of a line that starts with `@`, `%`, or a directive to be refused.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;
@@ -76,7 +75,7 @@ impl Reader<'_> {
         Some(mistake(&self.bytes(tokens.clone()), message, format!("leave it out, or see {ON_TEXTS}")))
     }
 
-    /// Reads argument names `(x, y)`. Returns them and the token behind them.
+    /// Reads argument names `(x, y)`. Returns them and the index of the next token.
     pub(super) fn argument_names(&self, at: usize) -> Option<(Vec<String>, usize)> {
         let mut names = Vec::new();
         let mut at = at;
@@ -87,7 +86,7 @@ impl Reader<'_> {
         (!names.is_empty() && self.at(at) == ")").then_some((names, at + 1))
     }
 
-    /// Returns the names in some tokens and in the formulas of the functions that they call.
+    /// Returns the names that some tokens use, directly or through functions they call.
     pub(super) fn needs(&self, tokens: &Range<usize>) -> HashSet<&str> {
         let (mut found, mut left) = (HashSet::new(), vec![tokens.clone()]);
         while let Some(tokens) = left.pop() {
@@ -100,8 +99,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Replaces a call by the formula of its function, or by a mistake if the function is refused.
-    /// Returns the token behind the call, or `None` if no call begins at `at`.
+    /// Replaces a call by the function's formula, or by a mistake if the function is refused.
+    /// Returns the index of the next token; `None` if no call begins at `at`.
     pub(super) fn write_call(
         &mut self,
         at: usize,
@@ -156,7 +155,7 @@ impl Reader<'_> {
         Some(end)
     }
 
-    /// Returns the arguments of the call whose bracket is at `open`, and the token behind it.
+    /// Returns the arguments of the call with bracket at `open`, and the index of the next token.
     fn call(&self, open: usize) -> Option<(Vec<Range<usize>>, usize)> {
         let (mut depth, mut start, mut given) = (0, open + 1, Vec::new());
         for at in open..self.given.len() {

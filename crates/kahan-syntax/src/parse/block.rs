@@ -1,4 +1,4 @@
-//! Items of a block: reads constants and equations, and dispatches claims.
+//! Items of a block: constants, equations and claims.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{derivative, without_dots};
@@ -15,8 +15,7 @@ use super::{Parsed, error};
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
-/// Reads one item. After a mistake the cursor is inside the item, and the block holds the parts
-/// that were read.
+/// Reads an item into the block; after a mistake, what precedes it, with the cursor inside.
 pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
@@ -126,15 +125,15 @@ fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<
     error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)
 }
 
-/// Records an equation without a value, so that the field keeps its dimension and its names.
+/// Records an equation without a value, so that the field keeps its dimension and names.
 fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
     let state = Name { text: meant, span: left.span };
     block.equations.push(Equation { state: state.clone(), value: None });
     block.misspelt_states.extend([left, state]);
 }
 
-/// Returns the state and the order that `x_dot`, `xddot` and `x_ddot` probably mean, unless the
-/// block uses `x_`, `xd` or `x_d` as a state.
+/// Returns the state and order that `x_dot`, `xddot` or `x_ddot` probably mean; `None` if the block
+/// uses `x_`, `xd` or `x_d` as a state.
 fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     let single = state.trim_end_matches('d');
     let order = 1 + state.len() - single.len();
@@ -144,13 +143,12 @@ fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     (!is_state && is_marked).then(|| (meant.to_owned(), order))
 }
 
-/// Returns whether a name is probably a state: the block uses it, or it is one letter.
+/// Returns whether a name is probably a state: the block uses it, or it is a single letter.
 fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }
 
-/// Returns the state and the order that a left-hand side without `dot` probably means: `x` for
-/// `xdto`, `xDot`, `dxdt`, `dx` and `ẋ`.
+/// Returns the state and order that a left-hand side probably means: `xdto`, `xDot`, `dxdt`, `ẋ`.
 fn meant(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;

@@ -25,7 +25,7 @@ pub(super) fn hamiltonian<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> P
     outcome
 }
 
-/// Reads the rest of a claim. The body is set only if all of it was read.
+/// Reads a claim after its name. The body is set only if it was read completely.
 fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     let body = match claim.kind {
         ClaimKind::Bracket => ClaimBody::Tensor(entries(cursor, &claim.name)?),
@@ -48,7 +48,7 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     Ok(())
 }
 
-/// Reads `= expr by expr`. An operand may have the name `by`.
+/// Reads `= expr by expr`; an operand may be named `by`.
 fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
     equals(cursor)?;
     let end = mem::replace(&mut cursor.end, End::By);

@@ -1,4 +1,4 @@
-//! The reading position in the token list, and the questions that parsing functions ask there.
+//! The reading position in the token list, with look-ahead.
 
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -12,12 +12,12 @@ use super::Parsed;
 pub(super) struct Cursor<'a> {
     tokens: &'a [Token],
     at: usize,
-    /// The token that ends the current expression, besides those that always do.
+    /// The token that ends the current expression, besides `;`, `,` and closing brackets.
     pub(super) end: End,
-    /// The name of the index of a site, if the block holds a family. Only `i` is correct.
+    /// The name of the site index inside a family; any name but `i` is reported.
     pub(super) index: Option<&'a str>,
     pub(super) is_lifted: bool,
-    /// All names in the tokens, each with whether it occurs elsewhere than before a `=`.
+    /// All names in the tokens, with whether each also occurs other than directly before `=`.
     names: OnceCell<HashMap<&'a str, bool>>,
 }
 
@@ -26,13 +26,13 @@ pub(super) struct Cursor<'a> {
 pub(super) enum End {
     /// No other token.
     Semicolon,
-    /// The first token of the next item: behind the `when` of a bracket.
+    /// The first token of the next item, after the `when` of a bracket.
     Item,
-    /// `=`: on the left side of a relation behind `when`.
+    /// `=`, on the left side of a relation after `when`.
     Equals,
-    /// `by`: in the function of a drift.
+    /// `by`, in the function of a drift.
     By,
-    /// Any punctuation except operators: outside of blocks, where the caller checks the rest.
+    /// All punctuation but operators, in formulas outside blocks; callers check what follows.
     Formula,
 }
 
@@ -67,7 +67,7 @@ impl<'a> Cursor<'a> {
         self.names().contains_key(name)
     }
 
-    /// Returns whether a name occurs elsewhere than before a `=`.
+    /// Returns whether a name occurs other than directly before `=`.
     pub(super) fn uses(&self, name: &str) -> bool {
         self.names().get(name).is_some_and(|is_used| *is_used)
     }
@@ -92,7 +92,7 @@ impl<'a> Cursor<'a> {
         self.tokens.get(self.at + ahead)
     }
 
-    /// Returns a token that was read; 1 is the last one.
+    /// Returns a token already read; 1 is the last one.
     pub(super) fn before(&self, behind: usize) -> Option<&'a Token> {
         self.tokens.get(self.at.checked_sub(behind)?)
     }
@@ -101,7 +101,7 @@ impl<'a> Cursor<'a> {
         self.at += 1;
     }
 
-    /// Returns the span of the next token, or of the last one at the end.
+    /// Returns the span of the next token; at the end, of the last one.
     pub(super) fn here(&self) -> Span {
         Span::token(self.at.min(self.tokens.len().saturating_sub(1)))
     }
@@ -138,7 +138,7 @@ impl<'a> Cursor<'a> {
             && self.peek(0).is_some_and(|token| token.touches_next)
     }
 
-    /// Reads the punctuation `c`, if it is next. Returns whether it was.
+    /// Reads the punctuation `c` if it is next; returns whether it was.
     pub(super) fn take(&mut self, c: char) -> bool {
         let found = self.is_punctuation(0, c);
         self.at += usize::from(found);
@@ -163,7 +163,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Returns whether an item begins `ahead` tokens from here, such as `xdot =`, `const c =` or
-    /// `bracket P {`. In formulas an item is `x =`.
+    /// `bracket P {`; in formulas only `x =`.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
         if self.end == End::Formula {
@@ -184,7 +184,7 @@ impl<'a> Cursor<'a> {
         self.index.is_some() && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
     }
 
-    /// Skips a broken item that began at `start`: past its `;`, or up to the next item.
+    /// Skips a broken item that began at `start`: past its `;` or up to the next item.
     pub(super) fn skip_item(&mut self, start: usize) {
         self.skip_until(|cursor| cursor.is_punctuation(0, ';') || cursor.at > start && cursor.begins_item(0));
         self.take(';');
@@ -200,7 +200,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Skips a bracketed group, to the end if it is not closed. Returns its span.
+    /// Skips a bracketed group, or all tokens if it is not closed. Returns its span.
     pub(super) fn skip_group(&mut self) -> Span {
         let start = self.here();
         let mut depth = 0usize;
@@ -218,8 +218,7 @@ impl<'a> Cursor<'a> {
         start.to(self.behind())
     }
 
-    /// Skips a bracketed group as [`skip_group`](Self::skip_group) does. Returns its span and the
-    /// tokens between its brackets.
+    /// Skips a bracketed group; returns its span and the tokens between its brackets.
     pub(super) fn take_group(&mut self) -> (Span, &'a [Token]) {
         let group = self.skip_group();
         let is_closed = matches!(self.tokens[group.last].kind, TokenKind::Close(_));

@@ -7,8 +7,8 @@
 //! | | `*`, `/` | from left to right |
 //! | loosest | `+`, `-` | from left to right |
 //!
-//! Operands are numbers, names and parentheses. A [`Dialect`] adds sites of a family, or calls and
-//! general exponents of a formula. Notation of other languages (paths, indices, `**`,
+//! Operands are numbers, names and parentheses. A [`Dialect`] adds the sites of a family, or the
+//! calls and general exponents of a formula. Notation of other languages (paths, indices, `**`,
 //! juxtaposition) is refused with a proposal.
 
 use crate::diagnostics::Kind;
@@ -26,7 +26,7 @@ const DEEPEST_NESTING: usize = 256;
 
 /// The syntax of a language beyond arithmetic.
 pub(super) trait Dialect: Sized {
-    /// Reads on behind a name at `span`. Returns `None` for a plain name.
+    /// Reads what follows a name at `span`; `None` for a plain name.
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>>;
 
     fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, _: usize) -> Parsed<ExprKind<Self>> {
@@ -34,7 +34,7 @@ pub(super) trait Dialect: Sized {
     }
 }
 
-/// Reads an expression. It ends before `;`, `,`, a closing bracket, `when` or the end of tokens.
+/// Reads an expression up to `;`, `,`, a closing bracket, `when` or the end of the tokens.
 pub(super) fn parse_expr<X: Dialect>(cursor: &mut Cursor<'_>) -> Parsed<Expr<X>> {
     let expr = sum(cursor, 0)?;
     match cursor.unreadable() {
@@ -54,9 +54,8 @@ fn product<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>>
     chain(cursor, depth, ['*', '/'], unary, join)
 }
 
-/// Reads operands between two operators, of which the second is the inverse of the first.
-///
-/// Each operand comes with whether the inverse precedes it. A single operand is returned unchanged.
+/// Reads operands joined by an operator and its inverse, such as `+` and `-`. Each operand records
+/// whether the inverse precedes it. A single operand is returned unchanged.
 fn chain<X>(
     cursor: &mut Cursor<'_>,
     depth: usize,

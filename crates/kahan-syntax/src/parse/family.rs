@@ -1,4 +1,4 @@
-//! Families: `for i in periodic { x[i]dot = …; }`, the equations of every site of a chain.
+//! Families: `for i in periodic { x[i]dot = …; }`, equations for every site of a chain.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Block, Boundary, Equation, FamilyHead, InFamily, Name};
@@ -20,7 +20,7 @@ pub(super) fn begins(cursor: &Cursor<'_>) -> bool {
         && (cursor.identifier(2) == Some("in") || cursor.identifier(1).is_some() && cursor.index.is_none())
 }
 
-/// Reads a family. A mistake in an equation ends only that equation.
+/// Reads a family. After a mistake in an equation it goes on with the next equation.
 pub(super) fn family(
     cursor: &mut Cursor<'_>,
     block: &mut Block,
@@ -59,7 +59,7 @@ pub(super) fn family(
     while !cursor.is_at_end() && !cursor.is_close('}') {
         if let Err(diagnostic) = equation(cursor, block) {
             diagnostics.push(diagnostic);
-            // Skips past the `;`, or up to the `}` of the family.
+            // Skips past the `;`, or up to the closing `}` of the family.
             cursor.skip_until(|cursor| cursor.is_close('}') || cursor.is_punctuation(0, ';'));
             cursor.take(';');
         }
@@ -105,7 +105,7 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     outcome
 }
 
-/// Sites and sums over sites. Without a family neither is read.
+/// Sites and sums over sites, which only families have.
 impl Dialect for InFamily {
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>> {
         if cursor.index.is_some() && cursor.is_open(0, '[') {
@@ -120,7 +120,7 @@ impl Dialect for InFamily {
     }
 }
 
-/// Reads the index of `x[i+1]` behind its array. Returns the distance from site i.
+/// Reads the index in `x[i+1]` after its array, and returns the distance from site i.
 fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     let opening = cursor.position();
     let group = cursor.skip_group();

@@ -1,7 +1,7 @@
-//! Formulas outside of blocks: expressions with function calls and general exponents.
+//! Formulas outside blocks: expressions with function calls and general exponents.
 //!
-//! In: the tokens of a text that holds only formulas. Out: their syntax, or the first mistake. The
-//! caller that evaluates a formula decides which functions exist.
+//! In: the tokens of a text that contains only formulas. Out: their syntax, or the first mistake.
+//! The caller, which evaluates a formula, decides which functions exist.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Expr, ExprKind, InFormula, Name};
@@ -15,7 +15,7 @@ use super::{Parsed, error};
 /// Reads one formula, such as `1 + cos(2*pi*i/n)/2` or `x^y`.
 ///
 /// # Errors
-/// The first mistake; tokens behind the formula are one.
+/// The first mistake, including tokens after the formula.
 ///
 /// ```
 /// use kahan_syntax::{lexer::lex, parse::parse_formula};
@@ -76,7 +76,7 @@ impl Dialect for InFormula {
         Ok(Some(InFormula::Call { function: name.to_owned(), arguments }))
     }
 
-    /// Reads an exponent, which may have a sign: `2^-x` is 2^(−x).
+    /// Reads an exponent with an optional sign: `2^-x` is 2^(−x).
     fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, depth: usize) -> Parsed<ExprKind<Self>> {
         let sign = cursor.here();
         let is_negative = cursor.take('-');

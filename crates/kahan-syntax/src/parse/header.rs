@@ -1,7 +1,6 @@
 //! The header: `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
 //!
-//! Parameters are bare names; the macro adds their type and the type parameter. Attributes are kept
-//! as tokens, for the crate that emits Rust.
+//! Parameters are bare names; the macro adds types. Attributes stay tokens for `kahan-emit`.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Header, Name, Written};
@@ -19,7 +18,7 @@ pub(super) fn is_lift(cursor: &Cursor<'_>) -> bool {
     cursor.identifier(0) == Some(LIFT) && is_keyword
 }
 
-/// Reads the header, or `lift;` without a header. Sets `lift` to the place of that keyword.
+/// Reads the header, or `lift;` without one. Sets `lift` to the keyword's position.
 pub(super) fn parse_header(
     cursor: &mut Cursor<'_>,
     lift: &mut Option<Span>,
@@ -80,7 +79,7 @@ fn header(cursor: &mut Cursor<'_>, lift: &mut Option<Span>, diagnostics: &mut Di
             "`struct`",
             "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
         );
-        // An `enum Name` is read on as a struct, so that the type exists.
+        // `enum Name` is parsed like a struct, so that the type exists.
         if cursor.identifier(0).is_none() || cursor.identifier(1).is_none() {
             return Err(wrong);
         }
@@ -178,7 +177,7 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
                     "separate parameters by `,`".to_owned(),
                 )
             };
-            // After a missing comma the next name is read as a parameter.
+            // After a missing comma, the next name is parsed as a parameter.
             if cursor.identifier(0).is_none() {
                 skip_to_comma_or_end(cursor);
             }
@@ -225,7 +224,7 @@ fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| cursor.is_punctuation(0, ',') || cursor.peek(0).is_some_and(is_close));
 }
 
-/// Skips a broken header: past its braces or its `;`, or up to the first item.
+/// Skips a broken header: past its braces or `;`, or up to the first item.
 fn skip_header(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| {
         cursor.begins_item(0) || cursor.is_open(0, '{') || cursor.is_punctuation(0, ';')

@@ -1,5 +1,5 @@
-//! Notation of other languages around an operand: calls, paths, indices, juxtaposition and
-//! statements. Each mistake proposes the notation of this language.
+//! Foreign notation around an operand: calls, paths, indices, juxtaposition and statements. Each
+//! mistake proposes the notation of this language.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{LIFTS, NOT_QUADRATIC, ON_TEXTS, fresh};
@@ -89,7 +89,7 @@ pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) 
     Ok(())
 }
 
-/// Reports `self.mu`, `physics::RATE` or `mu[0]`. The cursor is behind the first name.
+/// Reports an access such as `self.mu`, `physics::RATE` or `mu[0]`, after its first name.
 fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
     let mut access = name.to_owned();
     let mut last = name;
@@ -116,7 +116,7 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
     error(Kind::NotAPolynomial, span.to(cursor.behind()), message, help)
 }
 
-/// Analytic functions, which satisfy differential equations.
+/// Analytic functions, each a solution of a differential equation.
 const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
 /// Analytic functions that `kahan lift` turns into states.
 const LIFTED: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
@@ -126,8 +126,7 @@ pub(crate) fn is_function(name: &str) -> bool {
     [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
-/// Returns the proposal for a function call: a new state if an argument has states, otherwise a
-/// constant or a parameter.
+/// Proposes for a function call a new state if an argument contains states, else a constant.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
     if ROUGH.split(' ').any(|known| known == name) {
         return format!(
@@ -172,7 +171,7 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
     }
 }
 
-/// Returns whether the name begins a statement of Rust. A state may have that name, too.
+/// Returns whether the name is a statement keyword of Rust; a state may also have that name.
 pub(crate) fn is_statement(name: &str) -> bool {
     matches!(name, "if" | "match" | "let" | "for" | "while")
 }
@@ -191,7 +190,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
-        // Comparisons are reported by the reader of the `=`.
+        // The code that reads the `=` reports comparisons.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
         TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),

@@ -1,9 +1,9 @@
-//! Tokens to syntax: a recursive-descent parser of the language of `kahan!`.
+//! A recursive-descent parser of the language of `kahan!`.
 //!
-//! Rust's own expression parser is not used: there `^` binds looser than `+`. A mistake ends its
-//! item: the parser skips to the next `;` or item and goes on, so that it reports several mistakes
-//! at once. For any tokens it returns a block and never panics. Outside of blocks,
-//! [`parse_formula`] reads one formula with calls of functions, [`parse_formulas`] a named list.
+//! Rust's expression parser is unsuitable: there `^` binds looser than `+`. After a mistake the
+//! parser skips to the next `;` or item, so that it reports several mistakes at once. It returns a
+//! block for any tokens and never panics. [`parse_formula`] reads one formula with function calls
+//! outside a block, [`parse_formulas`] a list of named ones.
 
 mod block;
 mod claim;
@@ -25,7 +25,7 @@ pub use formula::{parse_formula, parse_formulas};
 pub(crate) use mistakes::{is_function, is_statement};
 pub(crate) use number::product;
 
-/// The result of a parsing function: syntax, or the first mistake in it.
+/// The result of a parsing function: syntax or the first mistake.
 type Parsed<T> = Result<T, Diagnostic>;
 
 fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
@@ -37,12 +37,12 @@ fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
     let mut diagnostics = Diagnostics::default();
     let (_, block) = begin::<InFormula>(tokens, &mut diagnostics);
-    // The function that parses the block reports its mistakes.
+    // The caller parses the block again, which reports these mistakes.
     drop(diagnostics.finish());
     block.lift.is_some()
 }
 
-/// Reads a block. Of one that asks for a lift it reads only the header, and reports that.
+/// Reads a block; of one that requests a lift only the header, with the lift as a mistake.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -66,7 +66,7 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     block
 }
 
-/// Reads a block to be lifted, whose equations may hold functions and general powers.
+/// Reads a block to be lifted, whose equations may contain functions and general powers.
 #[must_use]
 pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -84,7 +84,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
     block
 }
 
-/// Reports constants with functions in claims, which are about the lifted quadratic field.
+/// Reports function constants in claims, because claims are about the lifted quadratic field.
 fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {

@@ -1,4 +1,4 @@
-//! Literals as exact rationals: `0.1` is 1/10, without a detour through `f64`.
+//! Literals as exact rationals: `0.1` is 1/10 and never passes through `f64`.
 
 use num_bigint::BigInt;
 use num_traits::Num;

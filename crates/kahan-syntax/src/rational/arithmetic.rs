@@ -1,8 +1,8 @@
 //! Sums, products, quotients and powers of rationals.
 //!
-//! Small operands stay in machine words. Factors are reduced crosswise before they are multiplied,
+//! Small operands stay in machine integers. Common factors cancel crosswise before multiplication,
 //! and sums follow Knuth (The Art of Computer Programming, 4.5.1), so results are in lowest terms.
-//! Results that exceed 63 bits become big integers.
+//! Results beyond 63 bits become big integers.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -12,7 +12,7 @@ use num_traits::Pow;
 use super::{Rational, Repr, gcd};
 
 impl Rational {
-    /// Returns the quotient, or `None` if `divisor` is 0.
+    /// Returns the quotient; `None` if `divisor` is 0.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         if divisor.is_one() {
             return Some(self.clone());
@@ -20,7 +20,7 @@ impl Rational {
         Some(self * &divisor.recip()?)
     }
 
-    /// Returns the reciprocal, or `None` for 0.
+    /// Returns the reciprocal; `None` for 0.
     pub fn recip(&self) -> Option<Self> {
         match &self.0 {
             Repr::Small { num: 0, .. } => None,
@@ -30,9 +30,7 @@ impl Rational {
         }
     }
 
-    /// Returns the power, or `None` for 0 to a negative exponent; 0⁰ = 1.
-    ///
-    /// The result has about |exponent| times the bits.
+    /// Returns the power, of |exponent| times the bits; 0⁰ = 1, and `None` for 1/0.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
@@ -62,7 +60,7 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // Coprime: a prime of the lcm divides b or d, so it does not divide both numerators.
+            // Reduced: a prime of the lcm divides b or d, so not both numerators.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());
@@ -76,7 +74,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // Sums of floats need shifts instead of a greatest common divisor.
+        // Sums of dyadic fractions need shifts instead of a greatest common divisor.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());
@@ -88,7 +86,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(num, i128::from(b) * i128::from(d));
     }
     let num = i128::from(a) * i128::from(d / common) + i128::from(c) * i128::from(b / common);
-    // Only divisors of `common` can still cancel.
+    // Only factors of `common` can still cancel.
     let cancels = gcd((num % i128::from(common)).unsigned_abs() as u64, common as u64) as i64;
     Rational::from_reduced(num / i128::from(cancels), i128::from(b / common) * i128::from(d / cancels))
 }

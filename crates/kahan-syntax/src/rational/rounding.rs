@@ -1,8 +1,7 @@
-//! From an exact rational to the nearest float.
+//! Rounding of an exact rational to the nearest float.
 //!
-//! In: p/q. Out: the nearest float, ties to even, rounded once from the exact value. Subnormals are
-//! correctly rounded, too. Values that exceed the largest float by half an ulp or more become
-//! infinite, as in IEEE 754.
+//! In: p/q. Out: the nearest float, ties to even, rounded once, also for subnormals. Values at
+//! least half an ulp beyond the largest float become infinite, as in IEEE 754.
 
 use num_bigint::BigUint;
 use num_integer::Integer;
@@ -10,7 +9,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Rational, Repr};
 
-/// A binary format of IEEE 754. `precision` counts the hidden bit; normal numbers have exponents
+/// A binary format of IEEE 754. `precision` includes the hidden bit; normal numbers have exponents
 /// from `min_exponent` to `1 - min_exponent`.
 #[derive(Clone, Copy)]
 pub(super) struct Format {
@@ -26,13 +25,13 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         const EXACT: u64 = 1 << 53;
         match &self.0 {
-            // Both are exact floats and the quotient is normal, so one division rounds correctly.
+            // Both are exact floats and the quotient is normal: one division rounds correctly.
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f64 / *den as f64
             }
             _ => {
                 let magnitude = match self.dyadic() {
-                    // The result is normal, and only the conversion of the numerator rounds.
+                    // The result is normal, and only converting the numerator rounds.
                     Some((num, shift @ 0..=1022)) => num as f64 * f64::from_bits((1023 - shift) << 52),
                     _ => f64::from_bits(round_bits(&self.magnitude(), BINARY64)),
                 };
@@ -48,7 +47,7 @@ impl Rational {
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f32 / *den as f32
             }
-            // An exact `f64`, so only the last conversion rounds.
+            // The value is exact in `f64`, so only the final conversion rounds.
             _ if matches!(self.dyadic(), Some((num, 0..=1022)) if num < 1 << 53) => self.to_f64() as f32,
             _ => {
                 let magnitude = f32::from_bits(round_bits(&self.magnitude(), BINARY32) as u32);
@@ -57,17 +56,15 @@ impl Rational {
         }
     }
 
-    /// Returns the nearest double-double `(hi, lo)`.
-    ///
-    /// `hi` is [`to_f64`](Self::to_f64), `lo` the `f64` nearest to the rest; `lo` is 0 if `hi` is
-    /// infinite.
+    /// Returns the nearest double-double `(hi, lo)`: `hi` is [`to_f64`](Self::to_f64), and `lo` the
+    /// `f64` nearest to the remainder, or 0 if `hi` is infinite.
     pub fn to_double_double(&self) -> (f64, f64) {
         let hi = self.to_f64();
         if hi.abs() >= f64::MIN_POSITIVE && self.dyadic().is_some_and(|(num, _)| num < 1 << 53) {
             return (hi, 0.0);
         }
         let Some(exact) = Self::from_f64(hi) else { return (hi, 0.0) };
-        // The fraction is not reduced: that changes no rounding and costs more than all the rest.
+        // Reducing the fraction would cost more than rounding it, and does not change the result.
         let left = self.numerator() * exact.denominator() - exact.numerator() * self.denominator();
         let over = self.denominator() * exact.denominator();
         let is_negative = left.is_negative();
@@ -100,7 +97,7 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
         return infinity;
     }
 
-    // num/den = significand · 2^last_place; below the normal numbers underflow is gradual.
+    // num/den = significand · 2^last_place; below the normal range underflow is gradual.
     let binade = exponent.max(format.min_exponent);
     let last_place = binade - (format.precision - 1);
     let (scaled_num, scaled_den) = scale(num, den, last_place);
@@ -110,7 +107,7 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
     if twice > scaled_den || (twice == scaled_den && significand % 2 == 1) {
         significand += 1;
     }
-    // The hidden bit and a carry of the rounding each add 1 to the exponent field.
+    // The hidden bit, and a carry from rounding, each add 1 to the exponent field.
     (((binade - format.min_exponent) as u64) << (format.precision - 1)) + significand
 }
 

@@ -1,5 +1,4 @@
-//! Rationals as text: reads `p`, `p/q` and decimals, writes `p` or `p/q`. Decimals are exact: 0.1
-//! is one tenth.
+//! Rationals as text: reads `p`, `p/q` and exact decimals, writes `p` or `p/q`.
 
 use std::fmt;
 
@@ -8,12 +7,11 @@ use num_bigint::BigInt;
 use super::numeral::Numeral;
 use super::{Rational, Repr};
 
-/// The largest size of a decimal exponent, so that short texts make no huge numbers.
+/// The largest decimal exponent, which keeps short texts from creating huge numbers.
 pub(crate) const LARGEST_EXPONENT: i64 = 4096;
 
 impl Rational {
-    /// Reads a decimal or a quotient of two, with an optional sign: `3/7`, `-2`, `0.25`, `1e-3`,
-    /// `1_000`, `.5`, `5.`.
+    /// Reads a signed decimal or a quotient of two: `3/7`, `-2`, `1e-3`, `1_000`, `.5`, `5.`.
     ///
     /// Returns `None` for other texts, for a zero divisor, and for exponents beyond ±4096.
     #[must_use]

@@ -1,7 +1,6 @@
-//! NEON registers as scalars: every operation is the machine's, lane by lane.
+//! Scalars over NEON registers: each operation is one instruction on all lanes.
 //!
-//! In: two doubles or four floats of a column. Out: the arithmetic of one float in all lanes at
-//! once.
+//! In: two `f64` or four `f32` of a column. Out: per lane, the arithmetic of one float.
 #![expect(unused_unsafe, reason = "the multiply-adds are functions of this module, which are safe to call")]
 
 use core::arch::aarch64::*;
@@ -14,7 +13,6 @@ use crate::ensemble::registers::{Choosing, choosing, lanes};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-/// Runs an intrinsic of NEON.
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: every 64-bit Arm that has the standard library has NEON.
@@ -22,7 +20,7 @@ macro_rules! machine {
     };
 }
 
-/// A lane type over a register, with multiply-adds of a module.
+/// Defines a lane type over a NEON register, with the multiply-adds of the named module.
 macro_rules! lanes_of_neon {
     ($name:ident(float64x2_t), $multiply_adds:ident) => {
         lanes! {
@@ -42,7 +40,6 @@ macro_rules! lanes_of_neon {
     };
 }
 
-/// a/b by the division instruction.
 #[inline(always)]
 fn divided<L: Scalar>(a: L, b: L) -> L {
     a / b
@@ -66,7 +63,7 @@ macro_rules! multiply_adds {
     };
 }
 
-/// a·b + c, a·b − c and c − a·b as two operations.
+/// a·b + c, a·b − c and c − a·b with two roundings.
 mod rounded_twice {
     multiply_adds! {
         add_f64(a, b, c: float64x2_t) vaddq_f64(vmulq_f64(a, b), c);
@@ -78,7 +75,7 @@ mod rounded_twice {
     }
 }
 
-/// a·b + c, a·b − c and c − a·b as one; the instruction's first operand is what is added to.
+/// a·b + c, a·b − c and c − a·b with one rounding. The first operand of `vfma` is the addend.
 mod rounded_once {
     multiply_adds! {
         add_f64(a, b, c: float64x2_t) vfmaq_f64(c, a, b);
@@ -106,7 +103,7 @@ choosing! {
     transposed singles
 }
 
-/// Sixteen doubles, rows for columns, by squares of four.
+/// Transposes a 4 × 4 matrix of doubles by blocks of 2 × 2.
 #[inline(always)]
 fn doubles(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
@@ -121,7 +118,7 @@ fn doubles(rows: Square<f64>) -> Square<f64> {
     square
 }
 
-/// Sixteen floats, rows for columns: the instruction loads every fourth number into one register.
+/// Transposes a 4 × 4 matrix of floats: `vld4q` loads every fourth number into one register.
 #[inline(always)]
 fn singles(rows: Square<f32>) -> Square<f32> {
     let mut square = [[0.0; 4]; 4];

@@ -1,9 +1,7 @@
-//! Work in the vector registers of 64-bit Arm: ensembles, and what implements `OverLanes` (parts of
-//! chains, dense and sparse elimination).
+//! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of 64-bit Arm.
 //!
-//! Every such processor has the instructions (Advanced SIMD, or NEON), so that nothing is asked. A
-//! register comes in two ways, which differ in multiply-adds: rounded twice for the baseline, once
-//! for the level of that name.
+//! Every 64-bit Arm processor with the standard library has NEON, so nothing is detected. A float
+//! has two lane types: `Level::Baseline` rounds multiply-adds twice, `Level::Neon` once.
 #![expect(unsafe_code, reason = "registers of vectors, which every 64-bit Arm has")]
 
 mod lanes;

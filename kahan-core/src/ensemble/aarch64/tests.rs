@@ -1,4 +1,4 @@
-//! Each lane of each type against one float, operation by operation.
+//! Compares each lane of each lane type with one float, operation by operation.
 
 use crate::ensemble::Level;
 use crate::ensemble::registers::tests::{

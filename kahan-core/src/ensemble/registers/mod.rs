@@ -1,14 +1,15 @@
-//! Vector registers as scalars, on any processor: the code that their types share.
+//! Macros that define lane types over vector registers of any processor.
 //!
-//! In: the names of a processor's operations. Out: a type that computes in all lanes at once what
-//! one float computes. Each processor defines `machine!`, which runs an operation.
+//! In: the names of a processor's intrinsics. Out: a type that computes in all lanes what one float
+//! computes. Each processor's module defines `machine!`, which runs an intrinsic.
 
 #[cfg(test)]
 pub(super) mod tests;
 
 use super::lanes::Square;
 
-/// A machine's register, as [`Lanes`](crate::ensemble::lanes::Lanes) compares and chooses.
+/// A vector register with the comparisons and selections that
+/// [`Lanes`](crate::ensemble::lanes::Lanes) needs.
 pub(in crate::ensemble) trait Choosing: Copy {
     type Float;
     type Mask: Copy;
@@ -18,7 +19,6 @@ pub(in crate::ensemble) trait Choosing: Copy {
     fn transposed(rows: Square<Self::Float>) -> Square<Self::Float>;
 }
 
-/// A register's comparison of magnitudes, and its choice between two.
 macro_rules! choosing {
     ($register:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
         impl Choosing for $register {
@@ -48,8 +48,8 @@ macro_rules! choosing {
     };
 }
 
-/// A lane type over a register: its name, register, number of lanes, float, and how each operation
-/// is done. The fused ones are a·b + c, a·b − c and c − a·b.
+/// Defines a lane type: its name, register, number of lanes, float, and the intrinsic of each
+/// operation. The fused operations are a·b + c, a·b − c and c − a·b.
 macro_rules! lanes {
     (
         $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
@@ -153,7 +153,7 @@ macro_rules! lanes {
         impl Neg for $name {
             type Output = Self;
 
-            /// −0 − x, which is −x for every x.
+            /// −0 − x equals −x for every x.
             #[inline(always)]
             fn neg(self) -> Self {
                 Self::splat(-0.0) - self

@@ -1,4 +1,4 @@
-//! Each lane of a type against one float, operation by operation.
+//! Compares each lane of a lane type with one float, operation by operation.
 
 use std::eprintln;
 use std::fmt::Debug;
@@ -8,7 +8,7 @@ use crate::ensemble::columns::{GROUP, Group};
 use crate::ensemble::lanes::Lanes;
 use crate::{Constant, Scalar};
 
-/// The operations of a scalar, the last three of them fused where multiply-adds are.
+/// The number of operations compared; the last three are multiply-adds.
 const OPERATIONS: usize = 14;
 
 fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
@@ -36,7 +36,7 @@ fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
     ]
 }
 
-/// Computes the operations on one float, with one rounding or two in the multiply-adds.
+/// Computes all operations on one float; the multiply-adds have one rounding or two.
 macro_rules! operations_on {
     ($name:ident, $float:ty) => {
         pub(in crate::ensemble) fn $name(
@@ -59,8 +59,7 @@ macro_rules! operations_on {
 operations_on!(operations_f32, f32);
 operations_on!(operations_f64, f64);
 
-/// Floats as bits, so that every exponent comes up and no two runs differ; every fourth one is a
-/// special case.
+/// Yields floats from random bits, so that all exponents occur; every fourth is a special value.
 macro_rules! operands_of {
     ($name:ident, $float:ty, $bits:ty) => {
         pub(in crate::ensemble) fn $name(seed: u64) -> impl Iterator<Item = $float> {
@@ -75,7 +74,6 @@ macro_rules! operands_of {
 operands_of!(operands_f32, f32, u32);
 operands_of!(operands_f64, f64, u64);
 
-/// The sequence SplitMix64.
 fn random_bits(seed: u64) -> impl Iterator<Item = u64> {
     (1_u64..).map(move |k| {
         let z = seed.wrapping_add(k.wrapping_mul(0x9e37_79b9_7f4a_7c15));
@@ -92,7 +90,7 @@ pub(in crate::ensemble) fn left_out(level: Level) -> bool {
     !level.is_available()
 }
 
-/// Three groups of operands through lanes and through floats.
+/// Compares all operations on three groups of operands, in lanes and on single floats.
 pub(in crate::ensemble) fn compare<L, T>(
     operands: &[Group<T>; 3],
     expected: impl Fn(T, T, T) -> [T; OPERATIONS],
@@ -109,8 +107,7 @@ pub(in crate::ensemble) fn compare<L, T>(
                 let [a, b, c] = operands.map(|group| group[k]);
                 let one = expected(a, b, c)[operation];
                 let (text, text_of_one) = (std::format!("{:?}", results[k]), std::format!("{one:?}"));
-                // The text tells −0 from 0, and one not-a-number from a number but not from
-                // another.
+                // Debug text distinguishes −0 from 0 and treats all NaNs as equal.
                 assert_eq!(text, text_of_one, "operation {operation} on {a:?}, {b:?}, {c:?}");
             }
         }

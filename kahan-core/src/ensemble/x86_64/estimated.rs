@@ -1,9 +1,7 @@
-//! Lanes of AVX-512 that divide by estimating: the processor's 14 bits of 1/x, and Newton's
-//! iteration.
+//! AVX-512 lanes that divide by a 14-bit estimate of 1/x, refined by Newton's iteration.
 //!
-//! In: the denominator of a step. Out: a reciprocal without the divider, which all other operations
-//! would wait for. Each iteration r + r·(1 − x·r), two multiply-adds, doubles the right bits: two
-//! for `f64`, one for `f32`.
+//! The divider would delay all other operations of a step. Each iteration r + r·(1 − x·r) costs two
+//! multiply-adds and doubles the correct bits: two iterations for `f64`, one for `f32`.
 
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -32,7 +30,7 @@ fn estimated_f32(a: F32x16Estimated, b: F32x16Estimated) -> F32x16Estimated {
     a * improved(b, F32x16Estimated(machine!(_mm512_rcp14_ps(b.0))))
 }
 
-/// r + r·(1 − x·r): from a reciprocal r of x with relative error δ, one with δ².
+/// One Newton iteration r + r·(1 − x·r): a relative error δ of the reciprocal r becomes δ².
 #[inline(always)]
 fn improved<L: Scalar + Copy>(x: L, reciprocal: L) -> L {
     let error = L::one().subtract_product(x, reciprocal);

@@ -1,9 +1,8 @@
-//! Vector registers as scalars: every operation is the machine's, lane by lane.
+//! Scalars over x86-64 vector registers: each operation is one instruction on all lanes.
 //!
-//! In: two to sixteen floats of a column. Out: the same arithmetic as one float's, in all lanes at
-//! once. AVX2 and AVX-512 fuse multiply-adds; SSE2 does what plain code of the same build does, so
-//! that the two agree bit for bit. Comparisons, which steps without branches never ask for, take
-//! all lanes together.
+//! In: two to sixteen floats of a column. Out: per lane, the arithmetic of one float. AVX2 and
+//! AVX-512 fuse multiply-adds. SSE2 fuses only if scalar code of the build does, so the two agree
+//! bit for bit. `==` compares all lanes together; steps do not use it.
 #![allow(
     unused_unsafe,
     reason = "where the whole program is compiled for the instructions, calling them is safe"
@@ -22,20 +21,17 @@ use crate::{Constant, Scalar};
 mod choosing;
 mod transposing;
 
-/// Runs intrinsics of the instructions that a lane type stands for.
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: the instructions exist here. Values and functions of a lane type are reached only
-        // from `avx2`, `avx512`, `work_on_avx2` and `work_on_avx512`, which are called after the
-        // processor was asked (see the module above), or are of SSE2, part of x86-64; the fused
-        // operations on SSE2 registers are compiled only where the whole program is compiled for
-        // FMA.
+        // SAFETY: the instructions exist here. AVX lane types are used only inside `avx2`,
+        // `avx512`, `work_on_avx2` and `work_on_avx512`, which run after a check of the processor
+        // (see the module above). SSE2 is part of x86-64, and fused operations on SSE2 registers
+        // are compiled only if the whole program is compiled for FMA.
         unsafe { $expression }
     };
 }
 
-/// A lane type over a register of AVX-512, each of which comes in two ways that differ in their
-/// quotients.
+/// Defines a lane type over an AVX-512 register, with the given quotient (divided or estimated).
 macro_rules! lanes_of_avx512 {
     ($name:ident(__m512d), quotient $quotient:path) => {
         lanes! {
@@ -56,7 +52,6 @@ macro_rules! lanes_of_avx512 {
 }
 pub(super) use {lanes_of_avx512, machine};
 
-/// a/b by the division instruction.
 #[inline(always)]
 fn divided<L: Scalar>(a: L, b: L) -> L {
     a / b
@@ -90,7 +85,7 @@ lanes_of_avx512!(F64x8(__m512d), quotient divided);
 
 lanes_of_avx512!(F32x16(__m512), quotient divided);
 
-/// The multiply-adds of SSE2 registers, rounded as those of plain floats in the same build.
+/// Multiply-adds of SSE2 registers, fused if scalar floats of this build are.
 mod of_the_build {
     use core::arch::x86_64::*;
 

@@ -1,7 +1,6 @@
-//! Each lane of each type against one float, operation by operation, and the estimated reciprocal
-//! against division.
+//! Compares each lane of every lane type with a float, and the estimated reciprocal with division.
 //!
-//! What the processor lacks is left out, and the test says so.
+//! Levels that the processor lacks are skipped with a message.
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};
@@ -34,7 +33,7 @@ fn numbers_fill_all_lanes() {
 
 macro_rules! estimates_are_near_quotients {
     ($name:ident, $lanes:ty, $float:ty, $operands:ident, $share:literal) => {
-        /// Over numbers of every exponent whose reciprocal is finite, subnormal ones included.
+        /// Covers numbers of every exponent whose reciprocal is finite, including subnormal ones.
         #[test]
         #[cfg_attr(miri, ignore = "Miri knows no estimate")]
         fn $name() {
@@ -54,7 +53,7 @@ macro_rules! estimates_are_near_quotients {
             }
             let share = f64::from(off) / (groups * GROUP) as f64;
             assert!(share < $share, "{off} of {} are not rounded correctly", groups * GROUP);
-            // None at all would be a division.
+            // An estimate that never differs would be a division.
             assert!(off > 0);
         }
     };

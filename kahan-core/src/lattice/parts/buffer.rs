@@ -15,9 +15,9 @@ pub(super) struct Buffer<T> {
 impl<T: Scalar> Buffer<T> {
     pub(super) fn new(len: usize) -> Self {
         let most = LINE / size_of::<T>().max(1);
-        // The vector never grows, so its allocation stays in place.
+        // The vector never grows, so its address, and the alignment, stay fixed.
         let entries = vec![T::zero(); len + most];
-        // Without an aligned place within reach only speed suffers.
+        // Without an aligned index within reach only speed suffers.
         let start = Some(entries.as_ptr().align_offset(LINE)).filter(|&start| start <= most).unwrap_or(0);
         Self { entries, start }
     }

@@ -1,8 +1,7 @@
-//! The first pass: eliminates the interiors and leaves the Schur complements of the separators.
+//! The first pass: eliminates the interiors of parts, leaving Schur complements of the separators.
 //!
-//! In: the states of some groups, gathered with one part per lane. Out: for each part 2S rows, S =
-//! R·B, of 2S + 1 numbers, and their largest multiplier. Rows and columns of the right separator
-//! come first.
+//! In: the states of some groups, with one part per lane. Out: per part its largest multiplier and
+//! 2S rows of 2S + 1 numbers (S = R·B). Those of the right separator come first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -48,8 +47,7 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let First { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The final system: last interior columns, right separator, left separator, right-hand
-        // side.
+        // The final system: last interior, right separator, left separator, right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(joints::size(s));
@@ -96,7 +94,7 @@ impl<
                 }
             }
             for r in 0..R {
-                // Only the couplings to the interior; the rest belongs to the next part.
+                // Only couplings to this interior; the other entries belong to the next part.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -123,19 +121,17 @@ impl<
     }
 }
 
-/// A running elimination of the interiors.
 struct Sweep<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     /// The rows of the left separator.
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest multiplier of these rows.
+    /// The largest multiplier of the border rows.
     worst: L,
 }
 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Sweep<L, B, R, LOWER, WIDTH>
 {
-    /// Appends the next row and eliminates a column.
     #[inline(always)]
     fn take<T>(&mut self, row: WindowRow<L, B, R, WIDTH>)
     where
@@ -152,8 +148,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The final dense system of the first pass, followed by the largest multipliers: eliminates its
-/// first columns, with pivots only from the first rows.
+/// The final dense system of the first pass, followed by the largest multipliers. Its first columns
+/// are eliminated, with pivots only from the first rows.
 struct Rest<'a, T> {
     dense: &'a mut [T],
     first: usize,

@@ -1,6 +1,6 @@
-//! Parts of a group, side by side in lanes: gathered from the state, and scattered back.
+//! The parts of a group in SIMD lanes, gathered from the state and scattered back.
 //!
-//! In: the positions of the parts. Out: their sites in turn, one register per array, with the
+//! In: the positions of the parts. Out: their sites in order, one register per array, with the
 //! separator and R more sites on either side.
 
 use crate::ensemble::Level;
@@ -11,7 +11,7 @@ use crate::lattice::{LatticeMap, LatticeScalar};
 /// Consecutive parts of one length, one per lane.
 #[derive(Clone, Copy)]
 pub(super) struct Parts {
-    /// The first site of the first part, the start of its separator.
+    /// The first site of the first part, where its separator starts.
     pub(super) start: usize,
     /// The number of sites of each part, including its separator.
     pub(super) length: usize,
@@ -19,8 +19,8 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Gathers the states and parameters of all sites used by the rows of both separators, from R
-    /// before the left one to R after the right one.
+    /// Gathers the states and parameters of all sites that the rows of both separators use, from R
+    /// before the left separator to R after the right one.
     pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
         self,
         map: &M,
@@ -38,7 +38,6 @@ impl Parts {
         self.gather_parameters(map, sites, c, level);
     }
 
-    /// Gathers the parameters of these sites.
     pub(super) fn gather_parameters<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
         self,
         map: &M,
@@ -55,8 +54,8 @@ impl Parts {
         }
     }
 
-    /// Gathers the numbers of the R sites before each part and of the 2R after it: `block` numbers
-    /// per site, sites `stride` registers apart.
+    /// Gathers the numbers of the R sites before each part and of the 2R sites after it: `block`
+    /// numbers per site, with a distance of `stride` registers between sites.
     fn gather_edges<M, T>(
         self,
         map: &M,
@@ -83,8 +82,8 @@ impl Parts {
         }
     }
 
-    /// Gathers the first `sites` sites of each part, without wrap-around, from numbers in which the
-    /// first part begins at `start`; each number goes to every `stride`-th register.
+    /// Gathers the first `sites` sites of each part, which do not wrap around. `chain` starts with
+    /// the first part; each number goes to every `stride`-th register.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],
@@ -99,7 +98,6 @@ impl Parts {
         T::run(Transposed { rows: self.width, columns: sites * block, from, to }, level);
     }
 
-    /// Scatters the sites of each part from site `from` on.
     pub(super) fn scatter_inner<T: InLanes>(
         self,
         chain: &mut [T],

@@ -1,6 +1,6 @@
-//! The kernels of the passes, selected by the sizes of a family, and their division among threads.
+//! The kernels of both passes, selected by the sizes of a family, and their division among threads.
 //!
-//! In: a pass. Out: its result on a level's lanes. Groups are independent: threads change no bit.
+//! Groups are independent, so the number of threads changes no bits.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -53,7 +53,7 @@ pub(in crate::lattice) enum Pass<'a, M, T> {
     Second(Second<'a, M, T>),
 }
 
-/// The kernels of chains of some sizes: one kernel, or a menu.
+/// The kernels for chains of certain sizes: a single one, or a menu.
 pub(in crate::lattice) trait Kernels {
     fn have(sizes: Sizes) -> bool;
 
@@ -88,7 +88,7 @@ impl<
     }
 }
 
-/// Splits the parts of some groups into batches of `width`, with the index of the first part.
+/// Splits the parts of groups into batches of `width`, each with the index of its first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,
@@ -102,7 +102,7 @@ pub(super) fn batches(
     })
 }
 
-/// Returns whether two sets of `rows` rows of `numbers` numbers fit the sixteen registers of AVX2.
+/// Returns whether two sets of `rows` rows of `numbers` numbers fit into 16 AVX2 registers.
 pub(super) const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

@@ -1,4 +1,4 @@
-//! The equations of sites side by side in lanes, and the rows that kernels make of them.
+//! The equations of sites in SIMD lanes, and the rows that kernels make of them.
 
 use core::array::from_fn;
 use core::ops::Range;
@@ -15,28 +15,27 @@ use super::window::WindowRow;
 pub struct SiteLine<L, const B: usize, const SITES: usize> {
     /// The field.
     pub f: [L; B],
-    /// The rows of A: for each array its entries, site by site.
+    /// The rows of A: for each array, its entries site by site.
     pub a: [[[L; B]; SITES]; B],
 }
 
-/// Sites gathered side by side, one register per entry; their equations are requested in order.
+/// Sites gathered in SIMD lanes, one register per entry. Their equations are requested in order.
 #[derive(Debug)]
 pub struct Gathered<'a, T, L, const C: usize> {
-    /// The constants of the lines.
+    /// The constants of the equations.
     pub constants: &'a [T],
     pub(in crate::lattice) spread: [L; C],
     /// States, site by site.
     pub x: &'a [T],
     /// Parameters, site by site.
     pub c: &'a [T],
-    /// Scratch for [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast)
-    /// registers.
+    /// [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast) scratch registers.
     pub registers: &'a mut [T],
     /// The instruction set level of the registers.
     pub level: Level,
-    /// The next site, counted in the registers.
+    /// The index of the next site in the registers.
     pub site: usize,
-    /// The sites already computed in the registers, for a family read at run time.
+    /// The sites whose equations are already computed, for a family read at run time.
     pub computed: Range<usize>,
 }
 
@@ -66,14 +65,14 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// Returns a row of a site without couplings to the left separator.
+    /// Returns a row of a site that is not coupled to the left separator.
     #[inline(always)]
     pub(super) fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {
         let mut row = WindowRow::zero();
         row.right = line.f[b];
         let entries = line.a[b].as_flattened();
         for k in 0..WIDTH {
-            // The first and last rows of a block have fewer entries to one side.
+            // The first and last rows of a block have fewer entries on one side.
             if R * B + b + k >= LOWER && R * B + b + k - LOWER < SITES * B {
                 row.band[k] = entries[R * B + b + k - LOWER];
             }
@@ -81,7 +80,6 @@ impl<
         row
     }
 
-    /// Returns a row of site i among the first R interior sites.
     #[inline(always)]
     pub(super) fn row_at_edge<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,
@@ -92,7 +90,7 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Entries of the separator, which must not be eliminated with the identity's rows.
+                // Entries of the separator must not be eliminated with the identity rows.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();

@@ -1,7 +1,7 @@
 //! The kernels of families read at run time.
 //!
-//! In: sizes. Out: the passes of the first stencil that is large enough. Missing entries are zeros,
-//! which change no bit of a finite number.
+//! In: sizes. Out: the passes of the first stencil that is large enough. Missing entries become
+//! zeros, which change no bits while numbers are finite.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
@@ -15,11 +15,11 @@ use super::second::Second;
 #[derive(Clone, Copy, Debug)]
 pub enum Menu {}
 
-/// Stencils by arrays, reach, lower and upper bandwidth, sites, entries per row.
+/// Declares stencils by arrays, reach, lower and upper bandwidth, sites, and entries per row.
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl Menu {
-            /// Returns the sizes with the bandwidths of the first sufficient kernel, or unchanged.
+            /// Returns the sizes with the bandwidths of the first sufficient stencil, or unchanged.
             pub fn widened(sizes: Sizes) -> Sizes {
                 let Sizes { block, reach, lower, upper, .. } = sizes;
                 $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {

@@ -1,9 +1,8 @@
-//! Steps of a long chain in parts, which are eliminated side by side in vector lanes.
+//! Steps of a long chain in parts, which are eliminated in SIMD lanes.
 //!
-//! In: a state. Out: the next state in place, or a refusal. The first pass eliminates every
-//! interior and reduces the separators' rows to a small banded system. From its solution the second
-//! pass computes the interiors. If a separator's entry exceeds a pivot by far, digits would be
-//! lost, and the step is refused.
+//! In: a state. Out: the next state in place, or a refusal. The first pass eliminates the interiors
+//! and reduces the separators' rows to a small banded system; the second computes the interiors
+//! from its solution. A step is refused if an entry far exceeds a pivot, which would lose digits.
 
 mod buffer;
 mod first;
@@ -42,27 +41,26 @@ pub(super) struct InParts<T> {
     scratch: Vec<Scratch<T>>,
     /// The results of the first pass, part by part.
     joints: Vec<T>,
-    /// A copy of the states of the separators and the sites left over.
+    /// The old states of the separators and of the remaining sites.
     kept: Vec<T>,
     reduced: Folded<T>,
 }
 
-/// A workspace that steps long chains of T in parts.
 pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
-    /// The number of parts side by side; `None` for scalars without lanes.
+    /// The number of parts per group; `None` for scalars without lanes.
     const LANES: Option<usize>;
 
     /// Allocates a workspace; `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// Takes one step; refuses, with an unchanged state, on a small pivot or a non-finite number.
+    /// Takes one step; refuses small pivots and non-finite numbers, with the state unchanged.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,
         T: LatticeScalar;
 }
 
-/// The parts of a scalar without lanes; uninhabited.
+/// The parts of a scalar without lanes; has no values.
 pub(in crate::lattice) enum NoParts {}
 
 impl<T> Parted<T> for NoParts {

@@ -1,10 +1,10 @@
-//! The division of a chain into parts, which determines the bits of a step.
+//! The division of a chain into parts, which affects the bits of a step.
 //!
-//! In: the number of sites, the reach, the lanes. Out: separators of R sites, each followed by an
-//! interior, in groups of as many parts as the widest register has lanes. All parts of a group have
-//! one length. At least R sites are left over and close the chain.
+//! In: the number of sites, the reach, the number of lanes. Out: separators of R sites, each
+//! followed by an interior, in groups of one part per lane. All parts of a group have equal
+//! lengths. At least R sites remain at the end and close the chain.
 
-/// The intended length of a part: long beside its separator, small enough for a fast cache.
+/// The intended length of a part: long compared with its separator, short enough for a cache.
 const LENGTH: usize = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,19 +13,17 @@ pub(in crate::lattice) struct Partition {
     reach: usize,
     lanes: usize,
     groups: usize,
-    /// The length of the shorter parts.
     length: usize,
-    /// The number of groups, from the first on, whose parts have one more site.
+    /// The number of leading groups whose parts have one more site.
     longer: usize,
 }
 
 impl Partition {
-    /// Divides a chain; `None` if too short.
     pub(in crate::lattice) fn new(sites: usize, reach: usize, lanes: usize) -> Option<Self> {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites; `None` if fewer than `least` each.
+    /// Divides a chain into parts of about `about` sites; `None` if that is less than `least`.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,
@@ -33,7 +31,7 @@ impl Partition {
         about: usize,
         least: usize,
     ) -> Option<Self> {
-        // In shorter parts the neighbourhood of a separator would reach past a part.
+        // In shorter parts, the neighbours of a separator would reach beyond the part.
         let least = least.max(3 * reach);
         let covered = sites.checked_sub(reach)?;
         let groups = (covered / (lanes * about)).max(1);
@@ -42,7 +40,6 @@ impl Partition {
         (length >= least).then_some(Self { sites, reach, lanes, groups, length, longer })
     }
 
-    /// Returns the number of parts per group.
     pub(super) fn lanes(&self) -> usize {
         self.lanes
     }
@@ -55,7 +52,7 @@ impl Partition {
         self.groups * self.lanes
     }
 
-    /// Returns the first site of a group, or after the last group the first site left over.
+    /// Returns the first site of a group; after the last group, the first remaining site.
     pub(super) fn start(&self, group: usize) -> usize {
         self.lanes * (group * self.length + group.min(self.longer))
     }
@@ -73,12 +70,12 @@ impl Partition {
         self.sites - self.start(self.groups)
     }
 
-    /// Returns the number of sites of the reduced system: all separators, and the sites left over.
+    /// Returns the number of sites of the reduced system: all separators and the remaining sites.
     pub(super) fn kept(&self) -> usize {
         self.parts() * self.reach + self.left_over()
     }
 
-    /// Iterates over the runs of the reduced system: first place, first site, number of sites.
+    /// Iterates over the runs of the reduced system: index there, first site, number of sites.
     pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {

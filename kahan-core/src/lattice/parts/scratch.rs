@@ -1,4 +1,4 @@
-//! The workspace of a group, one per thread.
+//! The workspace of a thread for one group.
 
 use crate::Scalar;
 use crate::ensemble::Level;
@@ -7,7 +7,6 @@ use crate::lattice::Sizes;
 use super::buffer::Buffer;
 use super::partition::Partition;
 
-/// Registers of the sites of a group of parts.
 pub(in crate::lattice) struct Scratch<T> {
     pub(super) level: Level,
     /// States, from R sites before the left separator to R after the right one.
@@ -16,9 +15,9 @@ pub(in crate::lattice) struct Scratch<T> {
     pub(super) registers: Buffer<T>,
     /// The final dense system of the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The finished rows, first those of the identity, each with its right-hand side.
+    /// The finished rows with their right-hand sides; the identity rows come first.
     pub(super) done: Buffer<T>,
-    /// The solution at the separators on either side.
+    /// The solution at the two adjacent separators.
     pub(super) known: Buffer<T>,
 }
 

@@ -1,7 +1,7 @@
 //! The second pass: steps the interiors, given the solution at the separators.
 //!
 //! In: the states of some groups, and the solution w at their separators. Out: x + 2ε w in place of
-//! x. The pass repeats the elimination, which moves less memory than storing it would.
+//! x. The elimination is repeated, because storing it would move more memory.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::array::from_fn;
@@ -27,7 +27,7 @@ pub(in crate::lattice) struct Second<'a, M, T> {
     pub(super) sites: usize,
     pub(super) groups: Range<usize>,
     pub(super) scratch: &'a mut Scratch<T>,
-    /// The states from the first site of the first group on.
+    /// The states, starting with the first site of the first group.
     pub(super) state: &'a mut [T],
 }
 
@@ -98,7 +98,7 @@ impl<
                 sweep.take(WindowRow::zero());
             }
 
-            // The solution at the unknowns after the current one, initially at the right separator.
+            // The solution after the current unknown; initially that of the right separator.
             let mut after = [L::zero(); WIDTH];
             for k in 0..WIDTH {
                 if k < s {
@@ -123,7 +123,6 @@ impl<
     }
 }
 
-/// A running elimination of the interiors, without columns of the separator.
 struct Sweep<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, 0, LOWER, WIDTH>,
     done: &'a mut [T],
@@ -133,7 +132,7 @@ struct Sweep<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
 impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
     Sweep<'_, L, T, B, LOWER, WIDTH>
 {
-    /// Appends the next row, eliminates a column, and stores the pivot row.
+    /// Appends a row, eliminates a column, and stores the pivot row.
     #[inline(always)]
     fn take(&mut self, row: WindowRow<L, B, 0, WIDTH>) {
         let pivot = self.window.push(row);

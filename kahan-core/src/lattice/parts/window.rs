@@ -1,17 +1,15 @@
 //! Elimination with partial pivoting in a window of rows that moves along a band, in registers.
 //!
-//! In: the rows of a band, one at a time. Out: for each the finished row, which begins with its
-//! pivot's reciprocal. All loops have constant lengths, so they are unrolled and every number has a
-//! register.
+//! In: the rows of a band, one at a time. Out: each finished row, starting with its reciprocal
+//! pivot. Loops have constant lengths, so they are unrolled and numbers stay in registers.
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
 
-/// A row from the current column on.
 #[derive(Clone, Copy)]
 pub(super) struct WindowRow<L, const B: usize, const R: usize, const WIDTH: usize> {
     pub(super) band: [L; WIDTH],
-    /// The entries in the columns of the separator to the left.
+    /// The entries in the columns of the left separator.
     pub(super) left: [[L; B]; R],
     pub(super) right: L,
 }
@@ -22,8 +20,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// Exchanges with another row in the lanes where its first entry is larger. In most steps no
-    /// lane exchanges, so a test of all lanes costs less than a selection.
+    /// Exchanges with another row in the lanes where the other's first entry is larger. Usually no
+    /// lane exchanges, so testing all lanes at once is cheaper than a selection.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where
@@ -44,13 +42,13 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         exchange(&mut self.right, &mut other.right, mask);
     }
 
-    /// Returns the row with another right-hand side, without the columns of the separator.
+    /// Returns the row with another right-hand side and without the separator's columns.
     #[inline(always)]
     pub(super) fn without_left(self, right: L) -> WindowRow<L, B, 0, WIDTH> {
         WindowRow { band: self.band, left: [], right }
     }
 
-    /// Writes the row from `place` on, the band up to its first `columns`.
+    /// Writes the row from `place` on, with the first `columns` entries of the band.
     #[inline(always)]
     pub(super) fn write<T>(&self, numbers: &mut [T], place: usize, columns: usize)
     where
@@ -69,7 +67,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         self.right.store(numbers, place + (columns + R * B) * L::WIDTH);
     }
 
-    /// Returns the row minus a multiple of the pivot row, from the next column on.
+    /// Returns the row minus a multiple of the pivot row, shifted to the next column.
     #[inline(always)]
     pub(super) fn reduced(&self, multiplier: L, pivot: &Self) -> Self {
         let mut next = Self::zero();
@@ -91,7 +89,6 @@ fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
     (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
 }
 
-/// The candidate pivot rows.
 pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     pub(super) rows: [WindowRow<L, B, R, WIDTH>; LOWER],
 }
@@ -99,7 +96,7 @@ pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Window<L, B, R, LOWER, WIDTH>
 {
-    /// Returns the initial window: rows of the identity, for columns before the first.
+    /// Returns the initial window: identity rows for columns before the first.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let mut rows = [WindowRow::zero(); LOWER];
@@ -109,8 +106,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
         Self { rows }
     }
 
-    /// Appends the row that begins at the current column, eliminates that column, and returns the
-    /// pivot row with the reciprocal of its pivot.
+    /// Appends a row, eliminates the current column, and returns its row with reciprocal pivot.
     #[inline(always)]
     pub(super) fn push<T>(&mut self, row: WindowRow<L, B, R, WIDTH>) -> WindowRow<L, B, R, WIDTH>
     where

@@ -1,5 +1,5 @@
-//! Tests against one elimination of the dense matrix with partial pivoting: random couplings,
-//! numbers of sites, ε and states, including vanishing pivots in the order of the chain.
+//! Compares with elimination of the dense matrix with partial pivoting, for random couplings,
+//! numbers of sites, ε and states, including pivots that vanish without row exchanges.
 
 use std::ops::Range;
 use std::vec::Vec;
@@ -14,7 +14,7 @@ use super::families::{Kdv, Tangled, Toda, Volterra};
 use super::parts::in_short_parts;
 use super::random;
 
-/// Returns A(x,ε) column by column, with f′(x) e = ½(f(x + e) − f(x − e)) for a quadratic f.
+/// Returns A(x,ε), column by column, from f′(x) e = ½(f(x + e) − f(x − e)), exact for quadratic f.
 fn matrix<M: LatticeMap<f64>>(at: &LatticeAt<M, f64>, x: &[f64], eps: f64) -> DMatrix<f64> {
     let mut a = DMatrix::identity(x.len(), x.len());
     for j in 0..x.len() {
@@ -38,10 +38,10 @@ struct Tally {
     whole: u64,
 }
 
-/// Compares the step of a random state, in short parts and in one elimination, with the dense one.
+/// Compares a random step, in short parts and in one elimination, with the dense solution.
 fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally: &mut Tally) {
     let len = sites * M::BLOCK;
-    // Some entries are 0 or ±1/ε, at which entries of A vanish.
+    // Some entries are 0 or ±1/ε, which makes entries of A vanish.
     let x: Vec<f64> = random(seed)
         .take(len)
         .map(|bits| {
@@ -73,7 +73,7 @@ fn agrees<M: LatticeMap<f64>>(map: &M, sites: usize, eps: f64, seed: u64, tally:
         let mut next = x.clone();
         at.step(&mut next);
         for ((next, x), gained) in next.iter().zip(&x).zip(&gained) {
-            // The backward errors of the eliminations: multipliers of parts are at most 2¹⁰.
+            // The backward errors of the eliminations; multipliers in parts are at most 2¹⁰.
             let bound = 4096.0 * f64::EPSILON * condition * largest;
             let error = (next - (x + gained)).abs();
             assert!(error <= bound, "{sites} sites, eps = {eps}, seed {seed}: {error:e} beyond {bound:e}");

@@ -1,4 +1,4 @@
-//! Tests of Kahan's defining equation over rationals, with ==.
+//! Tests Kahan's defining equation exactly over rationals.
 
 use std::vec::Vec;
 
@@ -19,7 +19,7 @@ fn state(len: usize) -> Vec<Q> {
     (0..len as i64).map(|i| q(3 + (7 * i * i + 5 * i) % 11, 2 + (3 * i) % 5)).collect()
 }
 
-/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step of a chain, and the step back.
+/// Tests (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃) for a step, and the inverse step.
 fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, most: usize, map: impl Fn(usize) -> M) {
     for sites in fewest..=most {
         let eps = q(2, 17);
@@ -55,7 +55,7 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<Q, OPEN> {
 fn steps_satisfy_kahans_equation_at_every_length() {
     satisfies_kahans_equation(1, 12, |_| Toda::<true>);
     satisfies_kahans_equation(2, 12, |_| Toda::<false>);
-    // One or two sites of these rings stand still, and so does a single open site.
+    // Rings of one or two sites, and a single open site, have f = 0.
     satisfies_kahans_equation(2, 12, |_| Volterra::<true>);
     satisfies_kahans_equation(3, 12, |_| Volterra::<false>);
     satisfies_kahans_equation(2, 12, kdv::<true>);
@@ -68,7 +68,7 @@ fn rational(x: f64) -> Q {
     Q::from_float(x).expect("finite")
 }
 
-/// Tests the bound of `try_step` at random states over rationals; `exact` is `map` over rationals.
+/// Tests the bound of `try_step` at random states against `exact`, which is `map` over rationals.
 fn keeps_its_promise<M, E>(map: &M, exact: &E, sites: usize, most_entries: usize)
 where
     M: LatticeMap<f64>,
@@ -113,7 +113,7 @@ fn promised_steps_keep_their_promise() {
     }
 }
 
-/// Numbers too small for their products to be floats: the tail of a soliton.
+/// Numbers whose products underflow: the tail of a soliton.
 #[test]
 fn promises_hold_for_the_smallest_numbers() {
     let x: Vec<f64> = (0..40).map(|i| 0.5_f64.powi(26 * i)).collect();
@@ -124,7 +124,7 @@ fn promises_hold_for_the_smallest_numbers() {
     assert!(residual <= rational(11.0 * f64::EPSILON / 2.0), "{:e}", residual.approximate());
 }
 
-/// Numbers whose squares overflow, so that no elimination over floats has a value.
+/// Numbers whose squares overflow, so that elimination over floats has no value.
 #[test]
 fn promises_hold_for_the_largest_numbers() {
     let size = 1010_f64.exp2();
@@ -139,7 +139,7 @@ fn promises_hold_for_the_largest_numbers() {
     }
 }
 
-/// A NaN bound of one row persists if the next row is good.
+/// A NaN bound in one row persists even if the next row is good.
 #[test]
 fn one_site_that_is_no_number_refuses_the_step() {
     for site in 0..5 {

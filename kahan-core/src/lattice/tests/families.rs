@@ -1,4 +1,4 @@
-//! Families written by hand, in the form that the macro generates.
+//! Handwritten families, in the form that the macro generates.
 
 use std::vec;
 use std::vec::Vec;
@@ -87,7 +87,6 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
 pub(super) struct Kdv<T, const OPEN: bool> {
     /// 1/h.
     pub(super) inverse: T,
-    /// The coefficients of the third derivative.
     pub(super) dispersion: Vec<T>,
 }
 

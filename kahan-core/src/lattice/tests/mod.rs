@@ -1,4 +1,4 @@
-//! Tests of chains, on families written by hand.
+//! Tests of chains, on handwritten families.
 
 mod dense;
 #[cfg(feature = "exact")]

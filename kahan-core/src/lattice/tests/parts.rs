@@ -1,5 +1,4 @@
-//! In parts and in one elimination: the same step, whatever the number of sites, of lanes and of
-//! threads.
+//! Steps in parts and by one elimination agree, for any number of sites, lanes and threads.
 
 use std::vec::Vec;
 
@@ -10,7 +9,7 @@ use crate::{LatticeMap, LatticeScalar};
 
 use super::families::{Kdv, Tangled, Toda, Volterra};
 
-/// A wave, with values between ½ and 3/2.
+/// A wave with values between ½ and 3/2.
 fn state(len: usize) -> Vec<f64> {
     (0..len).map(|i| 1.0 + 0.5 * (0.37 * i as f64).sin()).collect()
 }
@@ -23,7 +22,7 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<f64, OPEN> {
     Tangled(core::array::from_fn(|term| 0.5 - 0.125 * term as f64))
 }
 
-/// Short parts, so that few sites make several groups.
+/// Takes steps in short parts, so that few sites form several groups.
 pub(super) fn in_short_parts<M: LatticeMap<f64>>(
     map: M,
     eps: f64,
@@ -41,8 +40,8 @@ fn levels() -> impl Iterator<Item = Level> {
         .filter(|level| level.is_available())
 }
 
-/// The step in parts against the one elimination, in the ∞-norm and in units of u: A is dominated
-/// by its diagonal, so that either is off by no more than some roundings of x̃.
+/// Compares steps in parts with one elimination, in the ∞-norm and in units of u. A is diagonally
+/// dominant, so both are within a few roundings of x̃.
 fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item = usize>, eps: f64) {
     for sites in sites {
         let x = state(sites * M::BLOCK);
@@ -60,7 +59,6 @@ fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item
             for (a, b) in next.iter().zip(&expected) {
                 assert!((a - b).abs() <= 16.0 * f64::EPSILON, "{sites} sites on {level:?}: {a} and {b}");
             }
-            // The levels that fuse multiply-adds have the same bits.
             if level != Level::Baseline {
                 assert_eq!(*fused.get_or_insert(next.clone()), next, "{sites} sites on {level:?}");
             }
@@ -96,8 +94,8 @@ fn long_chains_are_cut_into_parts() {
     }
 }
 
-/// Wherever site i is the first of an interior, column i of A has its only entry in the separator's
-/// row: the interior is exactly singular, and A is not.
+/// If site i is the first of an interior, column i of A has its only entry in the separator's row.
+/// The interior is then exactly singular, although A is not.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (200, 0.125);
@@ -110,12 +108,11 @@ fn a_singular_part_sends_the_step_to_the_whole() {
         let mut at = in_short_parts(Volterra::<false>, eps, sites, Level::best());
         at.step(&mut x);
         sent += at.whole_eliminations();
-        // An entry of A is at most 2; that of a pivot's column may be 2¹⁰ times the pivot.
+        // Entries of A are at most 2, and at most 2¹⁰ times the pivot of their column.
         assert!(at.residual(&start, &x) < 2048.0 * f64::EPSILON, "site {i}");
         let mut tried = start.clone();
         assert_eq!(at.try_step(&mut tried), Ok(()));
     }
-    // The parts of three groups.
     assert_eq!(sent, 24);
 }
 

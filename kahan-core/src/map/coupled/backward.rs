@@ -1,9 +1,9 @@
 //! The step with a small backward error, for more than eight variables.
 //!
 //! In: a point and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every row
-//! i, or the reason for failure; k is the largest number of entries in a row of A. Residuals with
-//! bounds on their own errors refine x̃ at most twice and prove the result. With d = x̃ − x the
-//! residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
+//! i, or the reason for failure; k is the largest number of entries in a row of A. At most two
+//! steps of iterative refinement use residuals with error bounds, and these bounds prove the
+//! result. With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
 
 use core::array::from_fn;
 
@@ -27,7 +27,6 @@ const REFINEMENTS: usize = 2;
 
 /// The residual of a solution and its backward error.
 struct Rest<T, const N: usize> {
-    /// b − A·x̃, rounded.
     residual: [T; N],
     /// An upper bound of the backward error; infinite if unknown.
     bound: f64,
@@ -64,8 +63,7 @@ where
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Tries elimination along the couplings, then partial pivoting, each with residuals by `rest`
-    /// and, if necessary, in wide numbers without overflow.
+    /// Tries sparse elimination, then partial pivoting, with residuals by `rest` or wide numbers.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -124,7 +122,7 @@ where
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
     }
 
-    /// Computes x̃ by elimination over long numbers.
+    /// Computes x̃ by elimination over long numbers of this capacity.
     #[cfg(feature = "std")]
     #[inline(never)]
     fn eliminated(&self, capacity: Capacity) -> Option<[Long; N]> {
@@ -149,8 +147,8 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// Writes A(x,ε) with each row divided by its largest entry and returns the factors. If a row
-    /// has only one entry, a component 0 of x̃ stays 0.
+    /// Writes A(x,ε) with each row divided by its largest entry, and returns the factors. If a row
+    /// has only one entry, a zero component of x̃ stays 0.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
@@ -172,7 +170,6 @@ where
         solve_in_place(&mut matrix, b)
     }
 
-    /// Returns det A and the determinant of the scaled matrix.
     #[inline(never)]
     fn determinants(&self) -> [T; 2] {
         let mut matrix = zeros();
@@ -183,8 +180,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// Returns x̃ after refinement, if its backward error is small enough; lowers `least` to the
-    /// smallest error bound reached.
+    /// Returns x̃ after iterative refinement if its backward error is small enough. Lowers `least`
+    /// to the smallest error bound reached.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
@@ -226,7 +223,6 @@ where
         self.rest(next, T::widen, T::narrow)
     }
 
-    /// Computes residual and backward error of x̃ = `next` in V.
     fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {

@@ -1,8 +1,8 @@
-//! Formulas as tables in postfix notation, run by one loop.
+//! Formulas as tables in postfix notation, evaluated by one loop.
 //!
 //! In: a table, parameters, a state. Out: the values of the formulas in order. Over bounded
-//! numbers, straight-line code of a large field would exceed the rest of a crate and run rarely.
-//! The macro evaluates deep operands first, which limits the stack depth.
+//! numbers, straight-line code of a large field would dominate the size of a crate although it
+//! rarely runs. The macro orders operands so that the stack stays shallow.
 
 use core::array::from_fn;
 

@@ -1,4 +1,4 @@
-//! Compensated orbits of floats: the rounding error of each point is carried into the next step.
+//! Compensated orbits of floats: each step adds the rounding error of the previous point.
 
 use nalgebra::{ArrayStorage, SMatrix};
 
@@ -8,14 +8,14 @@ use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, StateVector, Step, Sto
 
 use super::Orbit;
 
-/// Maps that expose the increments of their steps, so that rounding errors can be carried along.
+/// Maps whose step exposes its increment, as compensated summation requires.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot carry rounding errors beside its points",
     label = "it does not tell the increments of its steps",
     note = "prepared maps of `kahan!` do, compositions of them, and maps that are read at run time; chains do not"
 )]
 pub trait Increments: Step {
-    /// A state with its carry: a point followed by its rounding error, twice the map's dimension.
+    /// A state with its carry: a point followed by its rounding error, 2N numbers.
     type Carried: StateVector<Self::Scalar>;
 
     /// Returns the compensated map; see [`Orbit::compensated`](crate::Orbit::compensated).
@@ -33,7 +33,7 @@ pub trait Increments: Step {
     ///
     /// # Errors
     /// # Panics
-    /// As [`Step::advance`].
+    /// See [`Step::advance`].
     #[inline]
     fn advance_with_carry(
         &self,
@@ -45,11 +45,11 @@ pub trait Increments: Step {
     }
 }
 
-/// A map that carries the rounding errors of its points; see [`Orbit::compensated`].
+/// A map on points with their rounding errors; see [`Orbit::compensated`].
 ///
-/// A state has twice the map's dimension: a point, then its carry, initially zero. The orbit is at
-/// point + carry; the carry is at most about an ulp of the point or of the last increment. A
-/// [part](Step::part) of a step changes only the point.
+/// A state is a point followed by its carry, initially zero, so it has twice the map's dimension.
+/// The orbit is at point + carry; the carry is at most about an ulp of the point or of the last
+/// increment. A [part](Step::part) of a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -132,21 +132,18 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Increments for KahanAt<M
 }
 
 impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
-    /// Continues this orbit with compensated summation of the state (Kahan): the rounding error of
-    /// each addition x + (x̃ − x) is carried into the next one. Points are yielded rounded to about
-    /// an ulp.
+    /// Continues this orbit with compensated (Kahan) summation: the rounding error of each addition
+    /// x + (x̃ − x) is added in the next step. Yielded points are rounded to about an ulp.
     ///
     /// Benefit: a plain step rounds each component to half an ulp. A compensated step only has the
     /// error of its increment, O(ε)·u, so the integrals of the map drift less.
     ///
-    /// Limits: increments are still rounded, always in the same way. Errors with a nonzero mean
-    /// grow linearly: in `f32` this shows beyond about 10⁶ steps, in `f64` for an ε whose powers
-    /// round badly; [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field gains
-    /// little: its increments are a constant matrix times the state. Near a pole the increment
-    /// itself is inaccurate.
+    /// Limits: increments are still rounded. If these errors have a nonzero mean, drift grows
+    /// linearly, visible beyond about 10⁶ steps in `f32`, and in `f64` if powers of ε round badly;
+    /// [`nearest_short_eps`](crate::nearest_short_eps) helps. Linear fields gain little, because
+    /// their increments are a constant matrix times the state. Near poles increments are off.
     ///
-    /// Cost: seven operations per component, off the critical path; `benches/results` has the
-    /// times.
+    /// Cost: seven operations per component, off the critical path; times: `benches/results`.
     ///
     /// ```
     /// use kahan_core::prelude::*;

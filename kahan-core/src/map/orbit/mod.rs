@@ -1,9 +1,8 @@
 //! Orbits as iterators.
 //!
-//! In: a map at its ε, and a first state. Out: x₀, x₁, …, each computed on demand (exact points
-//! grow, so one point too many can cost more than all before it). A mode costs only its own
-//! computations. At a pole an orbit over exact scalars ends and keeps the reason; over floats it
-//! continues with non-finite numbers.
+//! In: a map at its ε, and an initial state. Out: x₀, x₁, …, each computed on demand, because exact
+//! points grow and an unneeded one can cost more than all before it. At a pole an orbit over exact
+//! scalars ends and stores the reason; over floats it continues with infinities or NaNs.
 
 mod compensated;
 #[cfg(feature = "std")]
@@ -22,41 +21,41 @@ pub use compensated::{Compensated, Increments};
 pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
 
-/// The orbit x₀, x₁, … of a map S at its ε; made by [`KahanMap::orbit`] or [`Orbit::new`].
+/// The orbit x₀, x₁, … of a map S at its ε; see [`KahanMap::orbit`] and [`Orbit::new`].
 ///
 /// Everything that depends only on ε and the parameters is computed once. Each point is bit for bit
-/// the [step](Step::next) of the previous one. The modes are other types of this iterator:
+/// the [step](Step::next) of the previous one. The following modes are types of this iterator:
 ///
 /// | mode | made by | map |
 /// |---|---|---|
 /// | plain | [`KahanMap::orbit`] | [`KahanAt`](crate::KahanAt) |
 /// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
 /// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
-/// | both | the two, in either order | `Compensated<Composed<KahanAt<…>>>` |
+/// | compensated and of higher order | these two, in either order | `Compensated<Composed<KahanAt<…>>>` |
 /// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
-/// Carries are not yielded. [`projective`](Self::projective) continues a plain orbit through poles.
-/// [`nth`](Iterator::nth) is as fast as a hand-written loop over
+/// Compensations are not yielded. [`projective`](Self::projective) continues a plain orbit through
+/// poles. [`nth`](Iterator::nth) is as fast as a handwritten loop over
 /// [`KahanAt::step`](crate::KahanAt::step).
 ///
 /// [`KahanMap::orbit`]: crate::KahanMap::orbit
 ///
-/// # There and back
-/// The map with −ε is the inverse map. Hence n steps forth and back return to x₀, exactly over
+/// # Forward and back
+/// The map with −ε is the inverse map. Hence n steps forward and back return to x₀, exactly over
 /// exact scalars. Over floats each of the 2n steps rounds, and later steps propagate the errors.
 /// With φ the map, ‖∂φ⁻ᵏ(xₖ)‖ is the amplification of an error at xₖ by k steps back. Let δₖ bound
-/// the rounding of a step to xₖ (16 u ‖xₖ‖ at ordinary points); it counts once forth and once back.
+/// the rounding of a step to xₖ (16 u ‖xₖ‖ at ordinary points); it counts once in each direction.
 /// The final distance from x₀ in the maximum norm is at most
 ///
 ///   δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///
-/// up to terms of order u². On an orbit on a curve or torus errors grow at most in proportion to k,
-/// so the distance grows at most like n²; in chaotic regions both grow exponentially.
+/// up to terms of order u². On a periodic or quasi-periodic orbit errors grow at most in proportion
+/// to k, so the distance grows at most like n²; in chaotic regions both grow exponentially.
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<S: Step> {
     pub(crate) map: S,
-    /// The last yielded state, or the first state before any was yielded.
+    /// The last yielded state; before the first, the initial state.
     pub(crate) state: S::State,
     begun: bool,
     stopped: Option<SingularStep>,
@@ -64,7 +63,7 @@ pub struct Orbit<S: Step> {
 }
 
 impl<S: Step> Orbit<S> {
-    /// Returns the orbit of a map from this state.
+    /// Creates the orbit of a map from this state.
     ///
     /// # Panics
     /// If the length of the state is not the map's dimension.
@@ -74,7 +73,7 @@ impl<S: Step> Orbit<S> {
         Self { map, state: start, begun: false, stopped: None, workspace: Workspace::new() }
     }
 
-    /// Replaces the map and converts the state; keeps whether the orbit has begun or ended.
+    /// Replaces the map and converts the state. The orbit stays begun or ended as before.
     #[inline]
     pub(crate) fn with_map<R: Step>(
         self,
@@ -85,7 +84,7 @@ impl<S: Step> Orbit<S> {
         Orbit { map: map_of(map), state: state_of(state), begun, stopped, workspace }
     }
 
-    /// Returns why the orbit has ended: `Some` after a step met a pole of an exact scalar.
+    /// Returns the reason why the orbit has ended: `Some` after a pole of an exact scalar.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }

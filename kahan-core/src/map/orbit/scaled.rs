@@ -1,6 +1,4 @@
-//! Orbits of homogeneous fields with ε scaled out.
-//!
-//! In: an orbit of a field f with f(λx) = λ²f(x). Out: its points, computed at ε = 1.
+//! Orbits of homogeneous quadratic fields, f(λx) = λ²f(x), with ε scaled out.
 
 use core::array::from_fn;
 
@@ -9,10 +7,10 @@ use crate::{FloatScalar, KahanAt, KahanMap, PointOf, StateVector, Step};
 
 use super::{Compensated, Increments, Orbit};
 
-/// The orbit of a homogeneous field in scaled variables; made by [`Orbit::scaled`].
+/// The orbit of a homogeneous field in scaled variables; see [`Orbit::scaled`].
 ///
-/// For homogeneous f the map has the symmetry (x, ε) ↦ (λx, ε/λ). So X = εx is stepped at ε = 1,
-/// and x = X/ε is yielded. A step then rounds neither ε nor its powers, only the parameters.
+/// The map of a homogeneous f has the symmetry (x, ε) ↦ (λx, ε/λ). Hence X = εx is stepped at ε =
+/// 1, and x = X/ε is yielded. Steps then round neither ε nor its powers, only the parameters.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Scaled<S: Step> {
@@ -21,12 +19,11 @@ pub struct Scaled<S: Step> {
 }
 
 impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Continues this orbit with ε scaled out; `None` if the field has a linear or constant part.
+    /// Continues this orbit with ε scaled out; `None` if the field has linear or constant terms.
     ///
-    /// For long runs at an ε whose powers round badly and cannot be replaced by a [short
-    /// one](crate::nearest_short_eps). Unless ε is a power of two, each point has two more
-    /// roundings, which do not accumulate: X = εx and x = X/ε. Cost: one division per component of
-    /// each yielded point.
+    /// For long runs at an ε whose powers round badly and that cannot be replaced by a [short
+    /// one](crate::nearest_short_eps). Unless ε is a power of two, each yielded point has two more
+    /// roundings, X = εx and x = X/ε, which do not accumulate. Cost: a division per component.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -60,17 +57,17 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> 
 }
 
 impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
-    /// Returns ε, half the time step of the yielded points.
+    /// Returns ε, half the time step between yielded points.
     pub fn eps(&self) -> S::Scalar {
         self.eps
     }
 
-    /// Returns the orbit of X = εx at ε = 1, which is best for evaluating an integral.
+    /// Returns the orbit of X = εx at ε = 1, which suits the evaluation of integrals.
     pub fn into_inner(self) -> Orbit<S> {
         self.orbit
     }
 
-    /// Adds compensation as [`Orbit::compensated`] does.
+    /// Adds compensated summation, like [`Orbit::compensated`].
     pub fn compensated(self) -> Scaled<Compensated<S>>
     where
         S: Increments,

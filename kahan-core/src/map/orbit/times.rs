@@ -1,7 +1,7 @@
 //! Orbits at given times.
 //!
 //! In: an orbit, and times between its points. Out: the states at these times, each by the map with
-//! a fraction of ε from the last whole step. This state lies as far from the flow as a step does.
+//! a fraction of ε from the previous point. Such a state is as close to the flow as a step is.
 
 use core::iter::from_fn;
 
@@ -12,13 +12,12 @@ use crate::{Constant, FloatScalar, PointOf, Scalar, StateVector, Step};
 use super::Orbit;
 
 impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
-    /// Yields the states at these times from the next point on; a step takes 2ε.
+    /// Yields the states at these times, counted from the next point; a step takes the time 2ε.
     ///
-    /// The state between two points results from the first by the map with a fraction of ε: it is
-    /// not on the orbit, and its distance from the flow is that of a step, O(ε³). Times should
-    /// increase, or decrease if ε is negative; an earlier time yields a state by a step backwards
-    /// from the last point. Cost: for each time one step and its preparation, besides the steps of
-    /// the orbit.
+    /// A state between two points results from the earlier point by the map with a fraction of ε.
+    /// It is not on the orbit, and its distance from the flow is that of a step, O(ε³). Times
+    /// should increase, or decrease for negative ε; an earlier time steps back from the last point.
+    /// Cost: one step and its preparation per time, besides the steps of the orbit.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -51,8 +50,8 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         })
     }
 
-    /// Yields the points of this orbit with their times 0, 2ε, 4ε, … before `end`, counted from the
-    /// next point, then the state at `end` by [a part](Self::at_times) of a step.
+    /// Yields the points of this orbit before time `end` with their times 0, 2ε, 4ε, …, counted
+    /// from the next point, then the state at `end` by [a part](Self::at_times) of a step.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -79,7 +78,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
                 made += 1;
                 return Some((time, x));
             }
-            // An end at or before the first point still needs the first point.
+            // If `end` is not after the first point, the first point must still be computed.
             if is_at_end || (last == 0 && self.next().is_none()) {
                 return None;
             }
@@ -92,7 +91,6 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     fn part(&mut self, part: S::Scalar) -> PointOf<S> {
         let mut state = self.state.clone();
         if !part.is_zero() {
-            // Floats continue at poles.
             let _ = self.map.part(&(part * *self.map.eps()), state.as_mut_slice(), &mut self.workspace);
         }
         state.to_point()

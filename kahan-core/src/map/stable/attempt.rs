@@ -1,4 +1,4 @@
-//! One run of a step over bounded values.
+//! One attempt at a step over numbers with error bounds.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -11,19 +11,18 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, Limit, Magnitude, Number, Pair, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state with an upper bound of the error of all components, excluding the last roundings.
+/// A next state and a bound on the error of every component, without the last roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt<V: Number, const N: usize> {
     pub(super) next: [V; N],
     /// The error bound in units u of V.
     error: V::Magnitude,
-    /// The limit on inputs, see [`Bounded::largest_input`].
     largest_input: Limit,
 }
 
 impl<V: Number, const N: usize> Attempt<V, N> {
-    /// Runs the increment form over numbers embedded in V, with the bits of the fast step; `None`
-    /// if a denominator may be zero or an input exceeds the limit for underflow.
+    /// Computes the increment form over numbers of V, with the bits of the fast step; `None` if a
+    /// denominator may be zero or an input exceeds the limit for underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: Pair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -31,7 +30,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         eps: &T,
         embed: impl Fn(&T) -> V,
     ) -> Option<Self> {
-        // The sum of all sizes bounds each input, and is NaN if an input is NaN.
+        // The sum of all magnitudes bounds each input, and is NaN if an input is NaN.
         let sum = Cell::new(embed(eps).size());
         let given = |number: &T| {
             let value = embed(number);
@@ -39,7 +38,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
             Bounded::<V, P>::given(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        // Without `finish`, whose closure would be too large for compilers to inline.
+        // Avoids `finish`, whose closure would be too large for compilers to inline.
         let prepared = map.extend_scalars(given).prepare(&Bounded::<V, P>::given(embed(eps)));
         let attempt = Self::by_increments(&state, prepared.quotients(&state)?);
         attempt.largest_input.allows(sum.get()).then_some(attempt)
@@ -60,7 +59,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal is a product with 1. Without `map` and `chain`, whose
+        // An increment without a reciprocal is a product with 1. Avoids `map` and `chain`, whose
         // closures would be too large for compilers to inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
@@ -89,7 +88,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         }
     }
 
-    /// Runs the form N/D, expanded and reduced, in which no increment can cancel against the state.
+    /// Computes the expanded, reduced form N/D, whose increments cannot cancel against the state.
     pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,
@@ -109,8 +108,8 @@ impl<V: Number, const N: usize> Attempt<V, N> {
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
-        // A zero state without error qualifies, too. A comparison with NaN is false, and if a
-        // component overflows, so does the error.
+        // An exact zero state qualifies, too. Comparisons with NaN are false, and if a component
+        // overflows, the error does so as well.
         V::Magnitude::of((limit - V::UNIT) / V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }
@@ -128,7 +127,7 @@ impl<V: Number, const N: usize> Attempt<V, N> {
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
-    /// Returns the error bound as a multiple of the largest component; infinite if unknown.
+    /// Returns the error bound relative to the largest component; infinite if unknown.
     pub(super) fn bound(&self) -> f64 {
         let units: f64 = (self.error / self.largest()).into();
         if units.is_nan() { f64::INFINITY } else { units * V::UNIT }

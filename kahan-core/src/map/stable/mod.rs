@@ -1,18 +1,18 @@
-//! The stable step, with an error of at most 64 u of the largest component, or an error value.
+//! The stable step, with an error of at most 64 u of the largest component.
 //!
 //! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. The step is computed with error bounds on each value, in these rungs:
+//! the reason for failure. Error bounds are computed at increasing levels of precision:
 //!
-//! | rung | values | what it settles |
+//! | level | numbers | suffices for |
 //! |---|---|---|
 //! | 1 | the scalar; not for `f32` in more than four variables | ordinary points |
 //! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
-//! | 3 | 17 digits of 64 bits at arbitrary positions | over- and underflow, extreme cancellation |
-//! | 4 | as 3, in the form N/D | increments that cancel against the state |
-//! | 5 | up to 256 digits, with `std`, by elimination | terms too far apart for the other forms |
+//! | 3 | floating point with 17 × 64 bits | overflow, underflow, extreme cancellation |
+//! | 4 | like 3, in the form N/D | increments that cancel against the state |
+//! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms too far apart for the other forms |
 //!
-//! Calls: [`stable_step`] selects the scalar, [`climb`] takes the rungs in order (`rungs.rs`), and
-//! each rung makes an [`Attempt`](attempt::Attempt), which runs the prepared step.
+//! [`stable_step`] selects the scalar, [`climb`] tries the levels in order (`rungs.rs`), and each
+//! level makes an [`Attempt`](attempt::Attempt), which runs the prepared step.
 
 mod attempt;
 mod rungs;
@@ -36,11 +36,11 @@ pub(crate) use scalars::Promised;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
 
-/// Steps with the bound that T permits: 64 u for floats of this crate; for other scalars, a finite
+/// Steps with the bound that T permits: 64 u for floats of this crate. Other scalars get a finite
 /// result of the fast step or of elimination.
 ///
-/// Floats ignore `prepared`, whose numbers are rounded without a bound: each rung prepares the step
-/// over bounded values. In a loop compilers hoist the preparation.
+/// Floats ignore `prepared`, whose numbers are rounded without a bound: each level prepares the
+/// step over bounded numbers. In a loop compilers hoist this preparation.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -59,10 +59,10 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     }
 }
 
-/// Takes the rungs of F, a type identical to T: the first is inlined, the others are called.
+/// Tries the levels of F, a type identical to T. The first level is inlined, the others are called.
 ///
-/// A called function works in memory. The state is copied for it and x̃ copied out, so a loop's
-/// state and the x̃ of the first rung can stay in registers.
+/// A called function works in memory. It gets copies of the state and x̃, so that a loop's state
+/// and the x̃ of the first level can stay in registers.
 #[inline(always)]
 fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -74,8 +74,8 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::given(*eps)) {
-        // The limits are those of bounded values, which are narrower than those of floats. With two
-        // limits compilers would keep the code of both forms in every step.
+        // The limits are those of bounded numbers, which are narrower than those of floats. With
+        // two limits compilers would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)
@@ -90,7 +90,7 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
 }
 
-/// Takes the rungs after the first; writes x̃ to `next`.
+/// Tries the levels after the first; writes x̃ to `next`.
 #[cold]
 #[inline(never)]
 fn higher<M: ExtendScalars<T, N>, T: Promised, const N: usize>(

@@ -1,7 +1,6 @@
-//! The rungs: the values that each computes with, and the report if all fail.
+//! The levels of precision, and the report if all of them fail.
 //!
-//! Each rung leaves the stack before the next is called: over wide numbers a step of many
-//! operations needs hundreds of kilobytes.
+//! Each level returns before the next is called, because wide numbers may need much stack.
 
 #[cfg(feature = "std")]
 use core::array::from_fn;
@@ -24,11 +23,11 @@ use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 use super::attempt::Attempt;
 use super::scalars::Promised;
 
-/// The bound in units u: 64 are promised, one is left for the difference of ‖x̃‖∞ and ‖exact‖∞.
+/// The bound in units u: one of the 64 is reserved for the difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The number of operations up to which values and magnitudes are computed separately: a short step
-/// leaves processor units idle, so magnitudes cost no time, and packing would delay the values.
+/// Up to this number of operations, values and magnitudes are computed separately: short steps
+/// leave execution units idle, and packing would delay the values.
 const SHORT: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -43,14 +42,14 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: Promised, const N: usi
     } else {
         Attempt::of::<T, T::Packed, M>(map, x, eps, T::clone)
     };
-    // Without `filter`, which would move the attempt through memory and delay each step.
+    // Avoids `filter`, which would move the attempt through memory and delay each step.
     match attempt {
         Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
     }
 }
 
-/// Runs the first rung in the general form, for an ε not permitted for division. Separate code
+/// Runs level 1 in the general form, for an ε by which the step must not be divided. Separate code
 /// keeps the number of roundings known at compile time.
 #[cold]
 #[inline(never)]
@@ -73,7 +72,6 @@ pub(super) fn in_next_wider<M: ExtendScalars<T, N>, T: Promised, const N: usize>
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
-/// Runs the second rung in a stack frame of its own.
 #[inline(never)]
 pub(super) fn second<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     map: &M,
@@ -83,7 +81,7 @@ pub(super) fn second<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
     in_next_wider(map, x, eps)
 }
 
-/// Runs rungs 3 to 5 and reports a failure of all; writes x̃ to `next`.
+/// Runs levels 3 to 5, and reports if all fail; writes x̃ to `next`.
 #[cold]
 #[inline(never)]
 pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
@@ -132,8 +130,8 @@ pub(super) fn in_wide<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     report(reason, rounded(&determinant), bound)
 }
 
-/// Runs rung 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to `next`.
-/// Expanded formulas, whose terms may exceed all digits, are avoided.
+/// Runs level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to `next`. It
+/// avoids expanded formulas, whose terms may exceed all digits.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
@@ -146,7 +144,7 @@ fn by_elimination<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     tried.find_map(|settled| settled).unwrap_or(Err(Reason::Digits(Long::MOST_DIGITS)))
 }
 
-/// Eliminates with one capacity; `None` if the step remains undecided.
+/// Eliminates with one capacity; `None` if it does not decide the step.
 #[cfg(feature = "std")]
 fn eliminated<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
@@ -174,12 +172,12 @@ fn eliminated<T: Promised, M: ExtendScalars<T, N>, const N: usize>(
         *next = vector(rounded);
         return Some(Ok(()));
     }
-    // A known result that does not round to a step is beyond the scalar's range.
+    // A known result that does not round to a finite number is beyond the scalar's range.
     let is_settled = Long::are_settled(exact.iter().zip(rounded.iter().map(T::is_finite_number)));
     is_settled.then_some(Err(Reason::BeyondRange))
 }
 
-/// Fails: without a heap the wide numbers are the longest.
+/// Fails, because long numbers need a heap.
 #[cfg(not(feature = "std"))]
 fn by_elimination<T, M, const N: usize>(
     _map: &M,
@@ -190,7 +188,7 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// The inputs of rungs 3 and 4, whose functions are not inlined, to free the stack between them.
+/// The inputs of levels 3 and 4, two functions not inlined, so that the stack is freed between.
 struct InWide<M, const N: usize> {
     map: M,
     state: SVector<Bounded<Wide>, N>,
@@ -209,7 +207,6 @@ impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
         Attempt::by_reduced_map(&self.map, &self.state, self.eps)
     }
 
-    /// Returns D of the reduced map, and det A(x,ε).
     #[inline(never)]
     fn denominators(&self) -> [Wide; 2] {
         let Self { map, state, eps } = self;
@@ -221,7 +218,7 @@ fn is_exactly_zero(number: &Wide) -> bool {
     number.is_zero() && number.radius().is_zero()
 }
 
-/// Rounds a determinant to a float that is 0 only for an exact zero, and never infinite.
+/// Rounds a determinant to a float: 0 only if it is exactly zero, NaN instead of infinity.
 fn rounded(determinant: &Wide) -> f64 {
     match determinant.to_f64() {
         near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,

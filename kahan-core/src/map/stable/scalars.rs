@@ -1,6 +1,4 @@
-//! The scalars with a stable step, each with the wider scalar of its second rung.
-//!
-//! In: a number of a scalar. Out: that number in wider scalars, and the nearest number back.
+//! The scalars with a stable step, each with a wider scalar for level 2, and their conversions.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -12,20 +10,19 @@ use crate::scalar::{Capacity, Long};
 use crate::{Dd, Pivot};
 
 pub(crate) trait Promised: Number + Pivot {
-    /// A value with its magnitude, packed in one register if possible.
+    /// A value with its magnitude, in one register if possible.
     type Packed: Pair<Self>;
 
-    /// The scalar of the second rung; the widest scalar refers to itself.
+    /// The scalar of level 2; the widest scalar names itself.
     type Wider: Promised;
     const IS_WIDEST: bool;
 
-    /// The largest number of variables for which the first rung uses this scalar itself.
+    /// The maximum number of variables for which level 1 uses this scalar.
     const MOST_VARIABLES: usize = usize::MAX;
 
     fn embed(&self) -> Self::Wider;
     fn round(value: Self::Wider) -> Self;
 
-    /// Converts to a wide number.
     fn widen(&self) -> Wide;
     fn narrow(value: Wide) -> Self;
 }
@@ -35,8 +32,7 @@ impl Promised for f32 {
     type Wider = f64;
     const IS_WIDEST: bool = false;
 
-    /// In more variables products of ordinary numbers leave the range of `f32`, and nearly every
-    /// step would need `f64`.
+    /// In more variables products exceed the range of `f32`, and most steps would need `f64`.
     const MOST_VARIABLES: usize = 4;
 
     #[inline(always)]
@@ -109,7 +105,7 @@ impl Promised for Dd {
 #[cfg(feature = "std")]
 pub(crate) struct Eliminated<T> {
     next: Vec<T>,
-    /// Whether each component has an error of at most 8u, which implies the promised bound.
+    /// Whether each component has an error of at most 8u, which implies the guaranteed bound.
     is_promised: bool,
     /// Whether a larger capacity would give no more information.
     is_settled: bool,
@@ -126,7 +122,7 @@ impl<T: Promised> Eliminated<T> {
     }
 }
 
-/// Eliminates with growing capacity until x̃ is proved by its digits or `is_kept`; else `None`.
+/// Eliminates with growing capacity until x̃ is proved or `is_kept` accepts it; else `None`.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<Eliminated<T>>,

@@ -1,4 +1,4 @@
-//! The number formats of bounded values, and the range that each leaves to products and quotients.
+//! The number formats of bounded values, and the range that each allows for products and quotients.
 
 use crate::Dd;
 use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
@@ -6,16 +6,15 @@ use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range};
 
-/// Binary exponents of the largest error η of an operation that underflows.
+/// The binary exponent of η, the largest error of an operation that underflows, for each format.
 const LOST_OF_SINGLES: i32 = -149;
 const LOST_OF_DOUBLES: i32 = -1074;
-// Each float operation in an operation on pairs may underflow.
+// Every float operation within an operation on pairs may underflow.
 const LOST_OF_PAIRS: i32 = -1070;
 
-/// A narrow range; `f64` serves the inputs outside.
+/// A narrow range; inputs outside are handled in `f64`.
 const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
 
-/// The allowance for `f64` and pairs of `f64`.
 const ALLOWANCE_OF_DOUBLES: i32 = -150;
 const BITS_OF_DOUBLE_DIVISORS: u32 = 120;
 
@@ -45,7 +44,7 @@ impl Number for f64 {
 impl Number for Dd {
     type Magnitude = f64;
     const IS_CALLED: bool = true;
-    /// 16u² for the u of `f64`, at least the error bound of each operation.
+    /// 16u² for the u of `f64`, at least the error bound of every operation.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
     const RANGE: Range =
         Range::of(LOST_OF_PAIRS, ALLOWANCE_OF_DOUBLES, BITS_OF_DOUBLE_DIVISORS, BITS_OF_DOUBLE_STEPS);

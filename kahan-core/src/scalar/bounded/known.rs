@@ -1,18 +1,17 @@
 //! Magnitudes and errors of computed values, and the backward error of a row.
 //!
-//! In: the residual of a row of A·x̃ = b, its right-hand side and the magnitudes of its products,
-//! each with an error bound. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
+//! In: the residual of a row of A·x̃ = b, its right-hand side, and the magnitudes of its products,
+//! with error bounds. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
 
 use super::{Bounded, Limit, Magnitude, Number};
 
-/// A computed value v̂ of an exact value v: its magnitude and error bound.
+/// The magnitude and error bound of a computed value v̂ of an exact value v.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known<G> {
     /// |v̂|
     pub(crate) size: G,
     /// An upper bound of |v̂ − v|.
     pub(crate) error: G,
-    /// The limit of the inputs, see [`Bounded::largest_input`].
     pub(crate) largest_input: Limit,
 }
 
@@ -23,14 +22,14 @@ impl<V: Number> Bounded<V> {
 }
 
 impl<G: Magnitude> Known<G> {
-    /// Returns a lower bound of |v|, rounding of sums included; 0 unless the error is small.
+    /// Returns a lower bound of |v| that allows for rounded sums; 0 unless the error is small.
     pub(crate) fn at_least(&self) -> G {
         if G::of(64.0) * self.error <= self.size { G::of(62.0 / 64.0) * self.size } else { G::zero() }
     }
 }
 
 /// Returns an upper bound of the backward error of a row; `products` is a lower bound of |A|·|x̃|.
-/// Infinite if nothing is known, as for inputs as large as `largest` that may underflow.
+/// Infinite if nothing is known, for example if inputs up to `largest` may cause underflow.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: Known<G>,
     products: G,
@@ -61,7 +60,6 @@ mod tests {
         // (3 + 1)/(2 + 6·62/64)
         let expected = 4.0 / (2.0 + 6.0 * 62.0 / 64.0);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.0), 1.0), expected);
-        // A right-hand side that may be zero counts as zero.
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.1), 1.0), 2.0);
         assert_eq!(backward_error(known(0.0, 0.0), 0.0, known(0.0, 0.0), 1.0), 0.0);
     }

@@ -1,14 +1,13 @@
-//! The limit of a formula's inputs below which underflow is accounted for.
+//! The limit on a formula's inputs up to which underflow is accounted for.
 
 use super::number::{Magnitude, power_of_two};
 
-/// A limit of inputs: n for magnitudes below 2ⁿ⁻¹, 0 if no input is allowed. Compilers fold the
-/// integer, so that only one comparison remains in a step.
+/// A limit on inputs: n allows magnitudes below 2ⁿ⁻¹, and 0 allows none. Compilers fold the
+/// integer, so that a step contains only one comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Limit(u32);
 
 impl Limit {
-    /// Allows no input.
     pub(crate) const NONE: Self = Self(0);
     /// Allows all inputs, as nothing underflows.
     pub(crate) const ANY: Self = Self(u32::MAX);
@@ -23,7 +22,7 @@ impl Limit {
         Self(self.0.min(other.0))
     }
 
-    /// Returns the least magnitude that is not allowed: 0 for none, infinite for any.
+    /// Returns the smallest forbidden magnitude: 0 if no input is allowed, infinity if all are.
     #[inline(always)]
     pub(crate) fn size(self) -> f64 {
         match self {
@@ -33,7 +32,7 @@ impl Limit {
         }
     }
 
-    /// Returns whether inputs of at most this magnitude are allowed; NaN never is.
+    /// Returns whether inputs up to this magnitude are allowed; false for NaN.
     #[inline(always)]
     pub(crate) fn allows<G: Magnitude>(self, largest: G) -> bool {
         G::of(self.size()) > largest

@@ -1,63 +1,63 @@
-//! Values with rigorous error bounds, for the precision levels (rungs) of a stable step.
+//! Values with rigorous error bounds, for the precision levels of a stable step.
 //!
 //! In: exact numbers. Out: for every value v̂ of a formula of + − × ÷ in rounded arithmetic, a
 //! magnitude m and a count k such that the exact value v satisfies
 //!
 //! > |v| ≤ m and |v̂ − v| ≤ γₖ·m, γₖ = (1+u)ᵏ − 1.
 //!
-//! The magnitude is the formula with every term made positive; its operations share registers with
-//! those of the values. The count depends only on the formula, so compilers compute it. Each rule
-//! keeps both inequalities:
+//! The magnitude is the formula with every term made positive; values and magnitudes share
+//! registers. The count depends only on the formula, so it is known at compile time. The rules are:
 //!
 //! - v = a ± b: m = mₐ + m_b, k = max(kₐ, k_b) + 1, since |a ± b| ≤ mₐ + m_b and one rounding is
 //!   added.
 //! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
 //! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ −
-//!   b)]/b̂ plus a rounding. If γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no
-//!   quotient. If 1/|â| is known, as for a reciprocal 2/d or 2/d/d′, m is computed as
-//!   |v̂|·(mₐ/|â| + m_b/|b̂|), and the sum in parentheses is kept.
+//!   b)]/b̂ plus a rounding. If γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is
+//!   no quotient. If 1/|â| is known, as in 2/d or 2/d/d′, m is computed as
+//!   |v̂|·(mₐ/|â| + m_b/|b̂|), and the sum in parentheses is stored for the next quotient.
 //!
-//! Numbers of the last rungs carry an error radius, from which m and k follow.
+//! Numbers of the last levels carry an error radius, from which m and k follow.
 //!
 //! # Slack
-//! Magnitudes are rounded k times at most, and errors are computed as k·u·m instead of γₖ·m. The
+//! Magnitudes are rounded at most k times, and errors are computed as k·u·m instead of γₖ·m. The
 //! factor [`SLACK`] covers both. A computed m satisfies
 //!
 //! > |v| ≤ M and |v̂ − v| ≤ γₖ·M, where M = m/(1−u)ᵏ,
 //!
-//! and γₖ·M ≤ 17/16·k·u·m as long as t = k·u is at most 1/25, since
+//! and γₖ·M ≤ 17/16·k·u·m if t = k·u is at most 1/25, because
 //!
 //! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25;
 //!
-//! the remainder up to 1.0625 covers the last two roundings of an error. (At t = 1/24 the bound is
-//! 1.0646, more than the slack.) Sums and products keep the inequalities of M by the rules above,
-//! as m is rounded wherever k grows. Magnitudes of numbers wider than `f64` are rounded to 53 bits;
-//! all roundings that a `u32` can count amount to less than 2⁻²⁰.
+//! the gap up to 1.0625 covers the last two roundings of an error. (At t = 1/24 the bound would be
+//! 1.0646, more than the slack.) Sums and products preserve the inequalities of M by the rules
+//! above, because m is rounded whenever k grows. Magnitudes of numbers wider than `f64` are rounded
+//! to 53 bits; all roundings that a `u32` can count amount to less than 2⁻²⁰.
 //!
-//! In quotients v̂ replaces v. Let q = â/b̂. The error of b̂ is at most |b̂|/64, so |v| ≤
+//! In quotients v̂ replaces v. With q = â/b̂ and an error of b̂ of at most |b̂|/64, |v| ≤
 //! 64/63·(|q| + γ_kₐ·Mₐ/|b̂|), and
 //!
 //! > |q − v| ≤ (γ_kₐ·Mₐ + |v|·γ_k_b·M_b)/|b̂| ≤ 64/63·γ_max(kₐ, k_b)·(Mₐ + |q|·M_b)/|b̂|.
 //!
-//! So m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m, and
-//! |v̂|/m ≤ (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25, which covers the rounding of the quotient. In a
-//! chain c/d/d′/… of n divisors with relative errors ρᵢ ≤ 1/64, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤
-//! 1.0625·Σ ρᵢ for n ≤ 6. Steps divide by one determinant per block, by eight at most. With the
-//! premises below a rounding adds 1 to w or to the bits of B, so t < 10⁻⁴; then the slack of errors
-//! is unused, and n ≤ 14 suffices.
+//! So m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m. Moreover
+//! (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25 bounds |v̂|/m, which covers the rounding of the quotient.
+//! In a chain c/d/d′/… of n divisors with relative errors ρᵢ ≤ 1/64, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤
+//! 1.0625·Σ ρᵢ for n ≤ 6. Steps divide by one determinant per block, at most eight in all. Under
+//! the premises below every rounding adds 1 to w or to the bits of B, so t < 10⁻⁴; then the slack
+//! of errors is unused, and n ≤ 14 suffices.
 //!
 //! # Underflow
-//! A product, a quotient or a literal that underflows is off by η at most, and so is its m. If all
-//! inputs are at most 2ᴸ in size and all products of them at most 2ᴮ, these errors grow to at most
+//! A product, quotient or literal that underflows has an error of at most η, and so has its m. If
+//! all inputs are at most 2ᴸ and all products of them at most 2ᴮ, these errors grow to at most
 //! w·2ᴮ·η. A sum takes the larger w of its terms, and its bit of B covers the other. A product or
 //! quotient adds 1 to the w of both operands. If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the
-//! [allowance](number::Range), which every error contains, all underflow is covered. Quotients
-//! count as if every divisor were the least one, which is checked, and errors are divided by it
-//! twice. A constant divided by ε grows by at most 2 to the power [`bits_of_steps`](number::Range).
+//! [allowance](number::Range), which every error includes, all underflow is covered. Quotients
+//! count as if every divisor were the smallest allowed one, which is checked, and errors are
+//! divided by it twice. Dividing a constant by ε multiplies it by at most 2 to the power
+//! [`bits_of_steps`](number::Range).
 //!
-//! Everything except the inputs is known at compile time. [`Bounded::largest_input`] is their
-//! limit, to which the caller compares them. No input is allowed if operations and constants break
-//! a premise (k·u ≤ 1/25 among them); every input is allowed if nothing underflows.
+//! Everything except the inputs is known at compile time. [`Bounded::largest_input`] is the limit
+//! that the caller compares them with. It allows no input if operations and constants violate a
+//! premise (such as k·u ≤ 1/25), and every input if nothing can underflow.
 
 mod formats;
 mod known;
@@ -86,8 +86,8 @@ pub(crate) type PackedDouble = Both<f64>;
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedSingle = Both<f32>;
 
-/// The factor on magnitudes in error bounds: magnitudes are rounded, and (1+u)ᵏ − 1 exceeds k·u.
-/// Quotients are multiplied by it once more, since they are made of rounded values.
+/// The factor on magnitudes in error bounds, for rounded magnitudes and for (1+u)ᵏ − 1 > k·u.
+/// Quotients are multiplied by it once more, because they are made of rounded values.
 pub(crate) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m.
@@ -99,12 +99,12 @@ pub(crate) struct Bounded<V: Number, P: Pair<V> = Both<V>> {
     roundings: u32,
     /// w
     underflows: u32,
-    /// The largest number of inputs multiplied in a term, and the bits that other factors add.
+    /// The maximum number of inputs multiplied in a term; `bits` counts what other factors add.
     inputs: u32,
     bits: u32,
     /// About 1/|v̂| of a quotient that starts from a whole constant.
     inverse: Option<V::Magnitude>,
-    /// About m/|v̂| without the slack; a field of its own, so that no vector load joins both.
+    /// About m/|v̂| without the slack. A separate field, so that no vector load covers both.
     ratio: Option<V::Magnitude>,
 }
 
@@ -114,13 +114,12 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Self { pair, roundings: 0, underflows: 0, inputs: 0, bits: 0, inverse: None, ratio: None }
     }
 
-    /// Makes an exact input.
     #[inline(always)]
     pub(crate) fn given(value: V) -> Self {
         Self { inputs: 1, ..Self::of(Pair::new(value, value.size())) }
     }
 
-    /// Makes a literal, known at compile time; a rounded one may underflow.
+    /// Creates a literal, known at compile time; a rounded literal may underflow.
     #[inline(always)]
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
@@ -129,7 +128,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
     }
 
-    /// Returns the limit L of the inputs.
     #[inline(always)]
     pub(crate) fn largest_input(&self) -> Limit {
         let Range { allowance, bits_of_products, .. } = V::RANGE;
@@ -146,7 +144,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Limit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Makes a value without a bound, which allows no input; an infinite m times zero would be NaN.
+    /// Creates a value that has no bound and allows no input; with infinite m, 0·m would be NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
@@ -158,7 +156,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         Self { pair: self.pair.negated(), ..self }
     }
 
-    /// Replaces m by an equal number.
+    /// Replaces m by `change(m)`, which must be numerically equal.
     #[inline(always)]
     pub(crate) fn with_magnitude(self, change: impl FnOnce(V::Magnitude) -> V::Magnitude) -> Self {
         Self { pair: Pair::new(self.value(), change(self.magnitude())), ..self }
@@ -169,7 +167,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.inputs == 0
     }
 
-    /// Returns whether this is an unchanged input of a size that steps may be divided by.
+    /// Returns whether this is an unchanged input by whose magnitude steps may be divided.
     #[inline(always)]
     pub(crate) fn is_ordinary_input(&self) -> bool {
         let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;
@@ -187,13 +185,11 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.pair.magnitude()
     }
 
-    /// γₖ
     #[inline(always)]
     fn gamma(&self) -> V::Magnitude {
         V::Magnitude::of(SLACK * V::UNIT * f64::from(self.roundings))
     }
 
-    /// γₖ in units u.
     #[inline(always)]
     fn gamma_in_units(&self) -> V::Magnitude {
         V::Magnitude::of(SLACK * f64::from(self.roundings))
@@ -205,8 +201,8 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
-    /// Returns the weight of this reciprocal r̂: the error of a product n̂·r̂, in units u, is at
-    /// most the weight times the magnitude of n̂, which took `roundings`.
+    /// Returns the weight of this reciprocal r̂. The error of a product n̂·r̂, in units u, is at
+    /// most the weight times the magnitude of n̂, whose count is `roundings`.
     ///
     /// n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r), plus one rounding. The weight exceeds |r̂|, so a bound
     /// made from it overflows if the product does.
@@ -229,9 +225,9 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
     }
 }
 
-/// Returns the underflow of a numerator that took `roundings`, as a magnitude. Its product with a
-/// [weight](Bounded::weight), at least SLACK·k·|r̂| in units u, is at least the allowance times
-/// |r̂|.
+/// Returns the underflow of a numerator with this count of roundings, as a magnitude. Its product
+/// with a [weight](Bounded::weight), which is at least SLACK·k·|r̂| in units u, is at least the
+/// allowance times |r̂|.
 #[inline(always)]
 pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

@@ -34,19 +34,18 @@ impl Magnitude for Size {
     }
 }
 
-/// The range that a format leaves to products and quotients, see [`bounded`](super).
+/// The range that a format allows for products and quotients; see [`bounded`](super).
 pub(crate) struct Range {
     /// An upper bound of all errors of underflow; 0 if nothing underflows.
     pub(crate) allowance: f64,
     /// B: the upper limit 2ᴮ of products of inputs.
     pub(crate) bits_of_products: u32,
-    /// The lower limit of divisors is 2 to minus this power.
+    /// The lower limit of divisors is 2 to the power −`bits_of_divisors`.
     pub(crate) bits_of_divisors: u32,
-    /// The lower limit of an ε that steps divide by is 2 to minus this power; 0 for no division.
+    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`; 0 forbids division.
     pub(crate) bits_of_steps: u32,
 }
 
-/// The binary logarithm of the largest w.
 const POWER_OF_UNDERFLOWS: i32 = 10;
 
 /// The largest w that allowances cover.
@@ -57,13 +56,12 @@ impl Range {
     pub(crate) const UNLIMITED: Self =
         Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
 
-    /// Makes a range with underflow errors of at most 2^eta each and 2^allowance in all, and its B.
+    /// Creates a range from the exponents of η and of the allowance; these determine B.
     pub(crate) const fn of(eta: i32, allowance: i32, bits_of_divisors: u32, bits_of_steps: u32) -> Self {
         let bits_of_products = (allowance - eta - POWER_OF_UNDERFLOWS) as u32;
         Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }
     }
 
-    /// Returns the lower limit of divisors; 0 if nothing underflows.
     #[inline(always)]
     pub(crate) const fn least_divisor(&self) -> f64 {
         if self.allowance > 0.0 { power_of_two(-(self.bits_of_divisors as i32)) } else { 0.0 }
@@ -75,15 +73,15 @@ pub(crate) const fn power_of_two(power: i32) -> f64 {
     f64::from_bits(((1023 + power) as u64) << 52)
 }
 
-/// A scalar whose operations round once, relative to their result.
+/// A scalar whose operations round once, with a bounded relative error.
 pub(crate) trait Number: Scalar + Copy {
-    /// The type of magnitudes, of equal range.
+    /// The type of magnitudes, with an equal range.
     type Magnitude: Magnitude;
     /// u: the largest relative error of an operation without underflow.
     const UNIT: f64;
     /// The range in which underflow is accounted for.
     const RANGE: Range;
-    /// Whether operations with bounds are calls, to keep steps over wide numbers small.
+    /// Whether operations with bounds are calls, which keeps steps over wide numbers small.
     const IS_CALLED: bool = false;
 
     /// Returns |self|, rounded like magnitudes.

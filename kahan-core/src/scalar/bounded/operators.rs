@@ -19,7 +19,7 @@ impl<V: Number, P: Pair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
-    /// Integers that the number and an `f64` hold are exact; other literals are rounded once.
+    /// Integers that the number and `f64` represent are exact; other literals are rounded once.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);
@@ -64,7 +64,7 @@ impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
 
 operators!([V: Number, P: Pair<V>] Bounded<V, P>: Self::plus, Self::minus, Self::times, Self::divided);
 
-/// Writes operations that are inlined or called, by `V::IS_CALLED`.
+/// Defines operations that are inlined or called, depending on `V::IS_CALLED`.
 macro_rules! inlined_or_called {
     ($($name:ident, $called:ident = $operation:ident($($operand:ident),*) -> $result:ty;)*) => { $(
         #[inline(never)]

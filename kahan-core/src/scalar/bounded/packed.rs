@@ -1,4 +1,4 @@
-//! A float and its magnitude in one vector register, so that bounds cost no further operations.
+//! A float and its magnitude in one vector register, so that bounds need no further instructions.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -10,12 +10,10 @@ use core::arch::x86_64::{_mm_fmadd_pd, _mm_fmadd_ps};
 
 use super::pair::Pair;
 
-/// Runs intrinsics on registers of 128 bits.
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64
-        // processor; the fused operations are compiled only where the whole program is compiled for
-        // FMA. Nothing here touches memory.
+        // SAFETY: SSE2 registers of two doubles or four floats exist on every x86-64 processor, and
+        // fused operations are compiled only if the whole program is. No memory is accessed.
         #[allow(unsafe_code, reason = "compilers do not pair values and magnitudes by themselves")]
         unsafe {
             $expression
@@ -23,7 +21,7 @@ macro_rules! machine {
     };
 }
 
-/// A pair in a register: the value in the lowest lane, the magnitude in the next one.
+/// Defines a pair in a register: the value in the lowest lane, the magnitude in the next.
 macro_rules! packed {
     (
         $(#[$docs:meta])*
@@ -91,7 +89,6 @@ macro_rules! packed {
 }
 
 packed! {
-    /// Two doubles.
     PackedDouble(__m128d) of f64:
     new: |value, magnitude| _mm_set_pd(magnitude, value),
     value: _mm_cvtsd_f64,
@@ -101,7 +98,7 @@ packed! {
 }
 
 packed! {
-    /// Two floats. The upper lanes repeat the magnitude, as subnormal numbers there are slow.
+    /// Two floats. The upper lanes repeat the magnitude, because subnormal contents would be slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

@@ -23,7 +23,7 @@ pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
 }
 
-/// A value and a magnitude as two numbers.
+/// A pair stored as two numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Both<V: Number> {
     value: V,

@@ -1,4 +1,4 @@
-//! The rules of bounded values: value, magnitude, roundings and range of every result.
+//! The rules of bounded values: value, magnitude, count of roundings, and range of every result.
 
 use num_traits::Zero;
 
@@ -26,7 +26,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         self.multiplied(other, pair).added(addend, pair)
     }
 
-    /// Returns a sum or difference with the given pair.
     #[inline(always)]
     fn added(self, other: Self, pair: P) -> Self {
         Self {
@@ -39,7 +38,6 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// Returns a product with the given pair.
     #[inline(always)]
     fn multiplied(self, other: Self, pair: P) -> Self {
         Self {
@@ -67,7 +65,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         }
     }
 
-    /// Returns self/divisor, if the divisor is certainly nonzero.
+    /// Returns self/divisor; `None` unless the divisor is certainly nonzero.
     #[inline(always)]
     pub(crate) fn quotient(self, divisor: Self) -> Option<Self> {
         let value = self.value().quotient(divisor.value())?;
@@ -116,7 +114,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
         }
     }
 
-    /// Returns about 1/|v̂|, if that costs no division at run time.
+    /// Returns about 1/|v̂|; `None` if that would need a division at run time.
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;

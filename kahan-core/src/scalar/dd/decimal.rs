@@ -1,7 +1,4 @@
-//! Decimal numbers of many digits.
-//!
-//! In: text, or a fixed-point number. Out: the other one, exactly; all digits of a text count.
-//! Nothing here allocates.
+//! Conversion between decimal text and fixed-point numbers, exact and without allocation.
 
 use core::num::ParseFloatError;
 use core::str::FromStr;
@@ -11,13 +8,13 @@ use super::fixed::{Fixed, HALF};
 
 const CHUNK: usize = 19;
 
-/// 10¹⁹, as chunks have 19 digits.
+/// 10¹⁹; a chunk has 19 digits.
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// An upper bound of the digits of a sum, or tie, of two `f64`: 309 before the point, 1075 behind.
+/// An upper bound on the digits of sums and ties of two `f64`: 309 before the point, 1075 after.
 const CAPACITY: usize = 1444;
 
-/// An upper bound of the zeros behind the point: the powers of ten of `f64` go down to −324.
+/// An upper bound on the zeros after the point; powers of ten in `f64` go down to −324.
 const LEADING_ZEROS: usize = 342;
 
 /// The number 0.d₁d₂…·10^exponent; d₁ and the last digit are not 0. Zero has no digits.
@@ -25,7 +22,6 @@ pub(super) struct Decimal {
     digits: [u8; CAPACITY],
     length: usize,
     pub(super) exponent: i64,
-    /// Whether nonzero digits did not fit.
     is_cut: bool,
 }
 
@@ -44,7 +40,7 @@ impl Decimal {
         for &chunk in chunks[..count].iter().rev() {
             decimal.push_chunk(chunk);
         }
-        // The digits pushed so far stand before the point.
+        // All digits pushed so far are before the point.
         decimal.exponent += (CHUNK * count) as i64;
         let mut limbs = [0; HALF];
         limbs.copy_from_slice(fraction);
@@ -55,7 +51,7 @@ impl Decimal {
         decimal
     }
 
-    /// Appends nineteen digits; leading zeros move the point instead.
+    /// Appends nineteen digits; leading zeros shift the point instead.
     fn push_chunk(&mut self, mut chunk: u64) {
         let mut power = CHUNK_BASE / 10;
         while power != 0 {
@@ -113,7 +109,7 @@ impl Decimal {
         self.trim();
     }
 
-    /// Returns the magnitude of a text that `f64` accepts.
+    /// Parses the magnitude of a text that `f64` accepts.
     fn read(text: &str) -> Self {
         let text = text.trim_start_matches(['+', '-']);
         let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -134,7 +130,7 @@ impl Decimal {
         decimal
     }
 
-    /// Returns the number truncated to fixed point, and whether it was cut; it must be nonzero.
+    /// Truncates a nonzero number to fixed point; also returns whether digits were cut off.
     fn to_fixed(&self) -> (Fixed, bool) {
         let digit =
             |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
@@ -144,7 +140,7 @@ impl Decimal {
         };
         let mut fixed = Fixed::ZERO;
         let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
-        // Whole chunks before the point; zeros fill the first one on the left.
+        // Whole chunks before the point; the first one is padded with zeros on the left.
         let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
         while first < self.exponent {
             append_chunk(integer, chunk(first));
@@ -165,7 +161,7 @@ impl Decimal {
     }
 }
 
-/// Writes the chunks of an integer, least first, and returns their number.
+/// Writes the chunks of an integer, least significant first, and returns their number.
 fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     let mut limbs = [0; HALF];
     limbs.copy_from_slice(integer);
@@ -183,7 +179,6 @@ fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
     count
 }
 
-/// Replaces `integer` by integer·10¹⁹ + chunk.
 fn append_chunk(integer: &mut [u64], chunk: u64) {
     let mut carry = chunk;
     for limb in integer {
@@ -193,7 +188,7 @@ fn append_chunk(integer: &mut [u64], chunk: u64) {
     }
 }
 
-/// Removes the first nineteen decimal digits from a binary fraction, and returns them.
+/// Removes and returns the first nineteen decimal digits of a binary fraction.
 fn next_chunk(fraction: &mut [u64; HALF]) -> u64 {
     let mut carry = 0;
     for limb in fraction {
@@ -204,7 +199,7 @@ fn next_chunk(fraction: &mut [u64; HALF]) -> u64 {
     carry
 }
 
-/// Removes the first 64 bits from a decimal fraction, and returns them.
+/// Removes and returns the first 64 bits of a decimal fraction.
 fn next_limb(fraction: &mut [u64]) -> u64 {
     let mut carry = 0;
     for chunk in fraction.iter_mut().rev() {
@@ -215,12 +210,12 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// Reads the texts that `f64` reads: high is the nearest float, low that nearest to the rest.
+/// Parses what `f64` parses: high is the nearest float, low the one nearest to the remainder.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 
     /// # Errors
-    /// For texts that `f64` does not read.
+    /// For texts that `f64` rejects.
     fn from_str(text: &str) -> Result<Self, ParseFloatError> {
         let high: f64 = text.parse()?;
         if !high.is_finite() || high == 0.0 {
@@ -230,7 +225,7 @@ impl FromStr for Dd {
         let leading = Fixed::magnitude(high);
         let low = if number.is_less(&leading) {
             let rest = leading.minus(&number);
-            // leading − (number + more) lies between two places.
+            // leading − (number + more) lies between two fixed-point numbers.
             let rest = if has_more { rest.minus(&Fixed::last_place()) } else { rest };
             -rest.rounded(has_more)
         } else {

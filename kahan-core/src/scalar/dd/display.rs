@@ -1,7 +1,5 @@
-//! Numbers as text: 32 significant digits, or as many as the format asks for, correctly rounded.
-//!
-//! In: a number and a format. Out: its decimal, positional or with an exponent. Trailing zeros are
-//! omitted unless a precision asks for them.
+//! Double-doubles as text: 32 significant digits, or as many as the format requests, correctly
+//! rounded. Trailing zeros are omitted unless a precision requests them.
 
 use core::fmt::{self, Alignment, Formatter, Write};
 
@@ -9,14 +7,13 @@ use super::Dd;
 use super::decimal::Decimal;
 use super::fixed::Fixed;
 
-/// The number of significant digits without a precision.
+/// The number of significant digits if no precision is given.
 const DIGITS: i64 = 32;
 
-/// The decimal exponents of numbers written without an exponent: from 10⁻⁵ to below 10³².
+/// The decimal exponents of numbers written without an exponent: 10⁻⁵ up to below 10³².
 const POSITIONAL: core::ops::Range<i64> = -5..32;
 
-/// Positional from 10⁻⁵ to below 10³², with an exponent elsewhere. A precision makes all numbers
-/// positional, with that many places.
+/// Positional from 10⁻⁵ to below 10³² or with a precision (decimals), otherwise with an exponent.
 impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
@@ -45,7 +42,6 @@ impl fmt::LowerExp for Dd {
     }
 }
 
-/// Like [`Display`](fmt::Display).
 impl fmt::Debug for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -57,7 +53,6 @@ fn places(f: &Formatter<'_>) -> Option<i64> {
 }
 
 impl Dd {
-    /// Writes sign, magnitude and padding; `write` writes the magnitude of a finite number.
     fn write_padded(
         self,
         f: &mut Formatter<'_>,
@@ -111,7 +106,7 @@ fn repeat(out: &mut dyn Write, character: char, count: usize) -> fmt::Result {
     (0..count).try_for_each(|_| out.write_char(character))
 }
 
-/// Writes the digits at these places, with zeros beyond the last digit.
+/// Writes the digits at these positions, with zeros beyond the last digit.
 fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn Write) -> fmt::Result {
     for place in places {
         let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().get(place));

@@ -1,8 +1,8 @@
 //! Exponential function, logarithm, sine and cosine, each with its error bound; u = 2⁻⁵³.
 //!
-//! In: a number. Out: the value of the function, by reduction to a small argument r and a series
-//! there. Bounds add the roundings of the reduction, of the last sum, and of its other terms by
-//! their share in the value. Truncating a series costs less than u²/4.
+//! The argument is reduced to a small r, at which a series is summed. Bounds add the rounding
+//! errors of the reduction, of the last sum, and of the other terms by their share in the value.
+//! Truncating a series costs less than u²/4.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 
@@ -12,11 +12,11 @@ use super::Dd;
 use super::error_free::two_product;
 use super::extremes::{exponent, scaled};
 
-/// The leading 40 bits of ln 2, whose products with exponents are floats.
+/// The leading 40 bits of ln 2; products with exponents are exact floats.
 const LN_2: f64 = 0.6931471805592082;
 const REST_OF_LN_2: Dd = Dd { high: 7.371002565167799e-13, low: 1.94704509238075e-31 };
 
-/// The two leading parts of π/2; `REST_OF_HALF_PI` is the rest.
+/// The two leading floats of π/2; `REST_OF_HALF_PI` is the remainder.
 const HALF_PI: [f64; 2] = [FRAC_PI_2, 6.123233995736766e-17];
 const REST_OF_HALF_PI: Dd = Dd { high: -1.4973849048591698e-33, low: 5.562271104316826e-50 };
 
@@ -32,10 +32,10 @@ fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
 
 /// Returns eˣ with a relative error of at most 12u².
 ///
-/// With x = k·ln 2 + r and |r| ≤ ½ ln 2, r is off by 6u²|r|, the last sum rounds by 3u², and
-/// eʳ − 1, which is off by 14u² relatively besides, is at most 0.42 of the value.
+/// With x = k·ln 2 + r and |r| ≤ ½ ln 2, r has the error 6u²|r|, and the last sum rounds by 3u².
+/// Moreover eʳ − 1 has the relative error 14u² and is at most 0.42 of the value.
 pub(super) fn exp(x: Dd) -> Dd {
-    // Beyond, the value is 0, infinite or NaN.
+    // Outside this range the value is 0, infinite or NaN.
     if x.is_nan() || x.high.abs() > 800.0 {
         return Dd::from(libm::exp(x.high));
     }
@@ -46,8 +46,8 @@ pub(super) fn exp(x: Dd) -> Dd {
 
 /// Returns ln x with a relative error of at most 32u²; −∞ at 0, NaN below.
 ///
-/// With x = 2ᵏm and √½ ≤ m ≤ √2, ln m is 2 artanh s, s = (m − 1)/(m + 1): off by 20u² from s and
-/// by 4u² from its series. |ln m| is at most |ln x|, and two more sums round by 3u² each.
+/// With x = 2ᵏm and √½ ≤ m ≤ √2, ln m is 2 artanh s for s = (m − 1)/(m + 1), with errors of 20u²
+/// from s and 4u² from the series. |ln m| is at most |ln x|, and two more sums round by 3u² each.
 pub(super) fn ln(x: Dd) -> Dd {
     if x.high <= 0.0 || !x.is_finite() {
         return Dd::from(libm::log(x.high));
@@ -66,9 +66,9 @@ pub(super) fn ln(x: Dd) -> Dd {
 /// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|; NaN for
 /// |x| > 2⁴⁰.
 ///
-/// With x = k·π/2 + r and |r| ≤ π/4, r is off by 6u²|r|, and, where x is cancelled, by 6u² of the
-/// second part of k·π/2. The last sum rounds by 3u²; the terms behind it are off by 38u² of at most
-/// 0.12 of the value of the sine, and by 18u² of at most 0.42 of that of the cosine.
+/// With x = k·π/2 + r and |r| ≤ π/4, r has the error 6u²|r|; if x cancels, also 6u² of the second
+/// float of k·π/2. The last sum rounds by 3u². The other terms have the error 38u² of at most 0.12
+/// of the value for the sine, and 18u² of at most 0.42 of the value for the cosine.
 pub(super) fn sin_cos(x: Dd) -> (Dd, Dd) {
     if x.is_nan() || x.high.abs() > power_of_two(40) {
         return (Dd::from(f64::NAN), Dd::from(f64::NAN));

@@ -1,7 +1,7 @@
 //! Error-free sums and products of two floats.
 //!
-//! In: two floats. Out: the rounded result and its error, whose sum is the exact result without
-//! overflow and, for products, above 2⁻⁹⁶⁹. Multiply-adds are fused only by the target.
+//! In: two floats. Out: the rounded result and its error, which are exact together unless the
+//! result overflows or is a product below 2⁻⁹⁶⁹. Multiply-adds are fused if the target can.
 
 /// Returns a + b and its error (Knuth).
 #[inline(always)]
@@ -19,7 +19,6 @@ pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-/// Returns √a, rounded once.
 #[inline(always)]
 pub(super) fn root(a: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -32,7 +31,6 @@ pub(super) use product::{multiply_add, remainder, two_product};
 
 #[cfg(all(feature = "std", target_feature = "fma"))]
 mod product {
-    /// Returns ab and its error.
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         let product = a * b;
@@ -45,7 +43,6 @@ mod product {
         (-a).mul_add(b, whole)
     }
 
-    /// Returns ab + c, rounded once.
     #[inline(always)]
     pub(in super::super) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
@@ -54,10 +51,10 @@ mod product {
 
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
-    /// The bound beyond which [`split`] would overflow.
+    /// 2⁹⁹⁵; above it, [`split`] could overflow.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
 
-    /// Returns ab and its error, by halves (Dekker).
+    /// Returns ab and its error, by splitting the factors (Dekker).
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         if a.abs() < LARGE && b.abs() < LARGE { halves(a, b) } else { large(a, b) }
@@ -71,7 +68,7 @@ mod product {
         (product, left + a_low * b_low)
     }
 
-    /// Returns two floats of at most 26 bits with the sum a (Veltkamp).
+    /// Splits a into two floats of at most 26 bits with sum a (Veltkamp).
     #[inline(always)]
     fn split(a: f64) -> (f64, f64) {
         const FACTOR: f64 = ((1_u32 << 27) + 1) as f64;
@@ -81,7 +78,7 @@ mod product {
     }
 
     /// Returns ab and its error for a large factor, which is scaled down. The other factor is
-    /// scaled up, so that neither of its halves underflows.
+    /// scaled up, so that neither of its parts underflows.
     #[cold]
     #[inline(never)]
     fn large(a: f64, b: f64) -> (f64, f64) {
@@ -92,7 +89,7 @@ mod product {
         if b.abs() < LARGE * DOWN {
             (product, halves(a * DOWN, b * UP).1)
         } else {
-            // The product is infinite or NaN, and has no error.
+            // The product is infinite or NaN.
             (product, f64::NAN)
         }
     }

@@ -1,7 +1,7 @@
 //! The operations on operands whose intermediate results would leave the range of `f64`.
 //!
-//! In: any operands. Out: the rounded exact result within the usual bounds; infinite beyond the
-//! range. Finite operands are scaled by powers of two, which is exact, and use the usual formulas.
+//! Finite operands are scaled by powers of two, which is exact, and use the usual formulas and
+//! bounds. Results beyond the range are infinite.
 
 use crate::scalar::bounded::power_of_two;
 
@@ -44,12 +44,11 @@ pub(super) fn square_root(x: Dd) -> Dd {
         let half = exponent(x.high).div_euclid(2);
         scaled(moderate::square_root(scaled(x, -2 * half)), half)
     } else {
-        // Zeros keep their sign.
         Dd::leading(root(x.high))
     }
 }
 
-/// Returns finite nonzero numbers scaled into [1, 2), and their binary exponents.
+/// Scales finite nonzero numbers into [1, 2); also returns their binary exponents.
 fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     let is_plain = |x: Dd| x.is_finite() && x.high != 0.0;
     if !(is_plain(x) && is_plain(y)) {
@@ -69,14 +68,14 @@ pub(super) fn exponent(x: f64) -> i32 {
     }
 }
 
-/// Returns 2ᵏx. Below the normal range each part is rounded once, an error of at most 2⁻¹⁰⁷⁴; the
-/// low part may underflow for every k.
+/// Returns 2ᵏx. Below the normal range each part is rounded once, with an error of at most 2⁻¹⁰⁷⁴;
+/// the low part may underflow for every k.
 pub(super) fn scaled(x: Dd, k: i32) -> Dd {
     // Beyond ±2200 every result is infinite or 0.
     let k = k.clamp(-2200, 2200);
     let third = k / 3;
     let [a, b, c] = [power_of_two(third), power_of_two(third), power_of_two(k - 2 * third)];
     let high = x.high * a * b * c;
-    // Rounding may have made the low part a tie.
+    // Rounding may have turned the low part into a tie.
     Dd::new(high, if high.is_finite() { x.low * a * b * c } else { 0.0 })
 }

@@ -1,15 +1,13 @@
-//! Binary fixed-point numbers that hold every sum of two `f64`, for conversion from and to text.
-//!
-//! In: floats, or limbs from decimal digits. Out: exact values, or the nearest float.
+//! Binary fixed-point numbers that hold any sum of two `f64`, for conversion from and to text.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::Dd;
 
-/// The number of 64-bit limbs before the point, and of those behind: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
+/// The number of 64-bit limbs before and after the point: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
 pub(super) const HALF: usize = 17;
 
-/// The number of bits behind the point.
+/// The number of bits after the binary point.
 const POINT: i32 = 64 * HALF as i32;
 
 /// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸.
@@ -21,7 +19,6 @@ pub(super) struct Fixed {
 impl Fixed {
     pub(super) const ZERO: Self = Self { limbs: [0; 2 * HALF] };
 
-    /// Returns |x| of a finite x.
     pub(super) fn magnitude(x: f64) -> Self {
         let bits = x.abs().to_bits();
         let biased = (bits >> 52) as i32;
@@ -50,7 +47,6 @@ impl Fixed {
         self
     }
 
-    /// Returns self − other, for other ≤ self.
     pub(super) fn minus(mut self, other: &Self) -> Self {
         let mut borrow = false;
         for (mine, theirs) in self.limbs.iter_mut().zip(&other.limbs) {
@@ -72,11 +68,11 @@ impl Fixed {
         fixed
     }
 
-    /// Returns the nearest float, ties to even, of a number below 2¹⁰²⁴, plus a rest if `has_more`.
+    /// Rounds a number below 2¹⁰²⁴ to nearest, ties to even; with `has_more` slightly above it.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;
-        // The exponent of the last bit of a float of this size.
+        // The exponent of the last bit of a float of this magnitude.
         let last = (leading - POINT - 52).max(-1074);
         let (limb, shift) = place(last);
         let next = self.limbs.get(limb + 1).copied().unwrap_or(0);
@@ -94,7 +90,7 @@ impl Fixed {
     }
 }
 
-/// Returns limb and bit of 2^exponent.
+/// Returns the limb and bit of 2^exponent.
 fn place(exponent: i32) -> (usize, u32) {
     let bit = (exponent + POINT) as u32;
     ((bit / 64) as usize, bit % 64)

@@ -1,9 +1,9 @@
 //! Double-double numbers: unevaluated sums of two `f64`, about 32 decimal digits.
 //!
-//! In: floats, constants, text. Out: the four operations, square root and elementary functions with
-//! errors of a few u², u = 2⁻⁵³, each bound stated at its operation. Overflow gives infinity; the
-//! exponent range is that of `f64`. `arithmetic` builds on `error_free` and leaves out-of-range
-//! operands to `extremes`; `decimal` and `display` are exact, through `fixed`.
+//! In: floats, constants, text. Out: the four operations, square root and elementary functions,
+//! with errors of a few u², u = 2⁻⁵³, stated at each operation. The exponent range is that of
+//! `f64`. `arithmetic` builds on `error_free` and leaves out-of-range operands to `extremes`.
+//! `decimal` and `display` are exact, through `fixed`.
 
 mod arithmetic;
 mod decimal;
@@ -18,7 +18,7 @@ mod traits;
 
 /// A double-double number: high + low, with high the `f64` nearest to the sum.
 ///
-/// |low| ≤ ½ ulp(high), so numbers have at least 106 bits, and are equal exactly if both parts
+/// Because |low| ≤ ½ ulp(high), numbers have at least 106 bits, and are equal only if both parts
 /// are. Infinities and NaN have low = 0 and behave like the `f64` in high.
 ///
 /// # Bounds
@@ -32,22 +32,20 @@ mod traits;
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
 /// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument |
 /// | [`sin`](Dd::sin), [`cos`](Dd::cos) | 16u², and 2⁻¹⁵⁵ of the argument | series of a reduced argument |
-/// | [`multiply_add`](crate::Scalar::multiply_add) and its kin | 16u² of the product and 5u² of the result | not normalised between the two |
+/// | [`multiply_add`](crate::Scalar::multiply_add) and variants | 16u² of the product and 5u² of the result | the product is not normalised |
 ///
-/// Products and quotients below 2⁻⁹⁶⁹ in size lose low bits, an additional error of at most
-/// 2⁻¹⁰⁷². Sums never underflow. Results that round to 2¹⁰²⁴ or more are infinite, and
-/// multiply-adds whose product does.
+/// Products and quotients below 2⁻⁹⁶⁹ lose low bits, an additional error of at most 2⁻¹⁰⁷². Sums
+/// never underflow. Results (and products in multiply-adds) from 2¹⁰²⁴ on become infinite.
 ///
-/// Bits depend on the multiply-add of the target; if fused, xy and yx may differ.
+/// Bits depend on whether the target fuses multiply-adds; if so, xy and yx may differ.
 ///
 /// # Cost
-/// With fused multiply-adds (a target that has them, and `std`) a sum takes 20 operations, a
-/// product 8, a multiply-add 15, a quotient 7 and two parallel divisions; without, a product takes
-/// 24. Constants without a low part are not faster.
+/// With fused multiply-adds (on a target that has them, with `std`) a sum takes 20 operations, a
+/// product 8 (without: 24), a multiply-add 15, a quotient 7 and two parallel divisions.
 ///
 /// # Text
-/// Decimals of any length are read exactly, each part correctly rounded. Numbers are written with
-/// 32 significant digits, or as the format asks for (`{:.40}`, `{:.40e}`), correctly rounded.
+/// Decimals of any length are read exactly, and each part is correctly rounded. Numbers are written
+/// with 32 significant digits, or as the format requests (`{:.40}`, `{:.40e}`), correctly rounded.
 ///
 /// ```
 /// use kahan_core::Dd;
@@ -65,7 +63,7 @@ pub struct Dd {
 }
 
 impl Dd {
-    /// Returns high + low exactly, for floats of any size and order; low = 0 if that is not finite.
+    /// Returns high + low exactly, for floats of any size and order; low = 0 if it is not finite.
     #[inline]
     pub const fn new(high: f64, low: f64) -> Self {
         // In this order only the sum itself can overflow.
@@ -74,7 +72,6 @@ impl Dd {
         if sum.is_finite() { Self { high: sum, low: error } } else { Self::leading(sum) }
     }
 
-    /// Returns a float as a double-double number.
     #[inline(always)]
     const fn leading(high: f64) -> Self {
         Self { high, low: 0.0 }
@@ -134,8 +131,7 @@ impl Dd {
         elementary::ln(self)
     }
 
-    /// Returns sine and cosine, each with a relative error of at most 16u² plus 2⁻¹⁵⁵·|self|; NaN
-    /// for |self| > 2⁴⁰.
+    /// Returns sin and cos with relative errors of at most 16u² + 2⁻¹⁵⁵·|self|; NaN beyond 2⁴⁰.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         elementary::sin_cos(self)

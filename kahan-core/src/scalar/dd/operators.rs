@@ -17,7 +17,6 @@ impl Neg for Dd {
 
 operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, arithmetic::quotient);
 
-/// Order by value; NaN is unordered.
 impl PartialOrd for Dd {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {

@@ -1,7 +1,6 @@
 //! The four operations on [`Digits`], comparison and equality.
 //!
-//! Operations are exact until digits are cut off. The radius of a result contains the cut digits
-//! and the effect of the operands' radii.
+//! The radius of a result covers the operands' radii and the digits cut off; all else is exact.
 
 use core::cmp::Ordering;
 use core::ops::Neg;
@@ -20,7 +19,7 @@ fn common(mut a: u64, mut b: u64) -> u64 {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Returns two numbers as rows over one denominator, if that fits 64 bits.
+    /// Returns two numbers as rows over a common denominator; `None` if that exceeds 64 bits.
     fn over_one_denominator(&self, other: &Self) -> Option<(DigitRow<M>, DigitRow<M>, u64)> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
@@ -42,7 +41,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         }
     }
 
-    /// Returns the number with denominator 1, divided out.
     #[inline(never)]
     pub(super) fn divided_out(&self) -> Self {
         if self.denominator == 1 {
@@ -52,7 +50,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + self.radius, ..quotient }
     }
 
-    /// Returns sign, m and e if the numerator is ±m·2^e with an odd m of 64 bits.
+    /// Returns sign, m and e if the numerator is ±m·2^e with an odd 64-bit m.
     fn short(&self) -> Option<(bool, u64, i64)> {
         let row = self.row();
         let (first, last) = (row.digits().first()?, row.digits().last()?);
@@ -126,7 +124,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + radius, ..quotient }
     }
 
-    /// Returns â/b̂ for a divisor of few bits, which becomes a factor of the denominator.
+    /// Returns â/b̂ for a divisor of few bits, which multiplies the denominator.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
         let denominator = self.denominator.checked_mul(odd)?;
@@ -135,7 +133,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Some(Self::of(&self.row().times(&factor).times(&power), denominator, Size::zero()))
     }
 
-    /// Compares |self| with |other|; `None` if either is undefined.
     pub(crate) fn compare_magnitudes(&self, other: &Self) -> Option<Ordering> {
         if !(self.is_defined() && other.is_defined()) {
             return None;
@@ -145,12 +142,12 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let sign = if a.sign() * b.sign() < 0 { 1 } else { -1 };
         let difference = a.plus(&b, sign).sign();
-        // For self = 0 only the sign of the other matters.
+        // If self is 0, only the sign of the other matters.
         Some(if a.sign() == 0 { 0.cmp(&b.sign().abs()) } else { (a.sign() * difference).cmp(&0) })
     }
 }
 
-/// Undefined numbers equal nothing, themselves included.
+/// Undefined numbers equal nothing, not even themselves.
 impl<const D: usize, const M: usize> PartialEq for Digits<D, M> {
     fn eq(&self, other: &Self) -> bool {
         let difference = *self - *other;

@@ -1,18 +1,18 @@
-//! Conversions between [`Digits`] and floats, pairs of floats, integers, ratios.
+//! Conversions between [`Digits`] and floats, double-doubles, integers and ratios.
 //!
 //! Conversions from floats and integers are exact. Conversions to floats round correctly, ties to
-//! even, also to subnormal numbers; beyond the range they give ±∞, for undefined numbers NaN.
+//! even, also to subnormals; values beyond the range give ±∞, undefined numbers NaN.
 
 use num_traits::Zero;
 
 use super::rows::{DigitRow, significand};
 use super::{Digits, Size};
 
-/// A format of IEEE 754 in at most 64 bits.
+/// An IEEE 754 format of at most 64 bits.
 struct Format {
     /// The number of significant bits, including the hidden one.
     precision: u32,
-    /// The exponent of the least normal number; the largest exponent is 1 − lowest.
+    /// The exponent of the smallest normal number; the largest exponent is 1 − lowest.
     lowest: i64,
 }
 
@@ -46,30 +46,27 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::from(high) + Self::from(low)
     }
 
-    /// Returns an integer of any length from little-endian limbs.
     pub(crate) fn from_limbs(negative: bool, limbs: &[u64]) -> Self {
         Self::of(&DigitRow::of_limbs(negative, limbs), 1, Size::zero())
     }
 
-    /// Returns ±numerator/denominator from little-endian limbs.
     pub(crate) fn from_ratio(negative: bool, numerator: &[u64], denominator: &[u64]) -> Self {
         Self::from_limbs(negative, numerator) / Self::from_limbs(false, denominator)
     }
 
-    /// Returns the nearest `f64`, ties to even; ±∞ beyond the largest, NaN for undefined.
+    /// Returns the nearest `f64`, ties to even; ±∞ beyond the largest, NaN if undefined.
     pub(crate) fn to_f64(self) -> f64 {
         let magnitude = f64::from_bits(self.encode(&DOUBLE));
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// Returns the nearest `f32`, rounded once, like [`to_f64`](Self::to_f64).
     pub(crate) fn to_f32(self) -> f32 {
-        // The low half holds the bits of the format.
+        // The low half contains the bits of the format.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// Returns the nearest `f64` and the `f64` nearest to the rest; (x, 0) if x is not finite.
+    /// Returns the nearest `f64` and the `f64` nearest to the remainder; (x, 0) if x is not finite.
     ///
     /// If the second rounds to half an ulp of the first, their sum may round away from the first.
     pub(crate) fn to_double_double(self) -> (f64, f64) {
@@ -79,7 +76,6 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         (high, low)
     }
 
-    /// Returns the bits of |self| in a format, correctly rounded.
     fn encode(&self, format: &Format) -> u64 {
         let stored = format.precision - 1;
         let infinity = ((2 - 2 * format.lowest) as u64 + 1) << stored;
@@ -92,11 +88,11 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if exponent > 1 - format.lowest {
             return infinity;
         }
-        // Subnormal numbers share their last place, so they have fewer bits.
+        // Subnormals have fewer bits, because they share their last place.
         let missing = (format.lowest - exponent).max(0);
         let kept = i64::from(format.precision) - missing;
         if kept < 0 {
-            // Below half of the least number.
+            // Below half of the smallest number.
             return 0;
         }
         let dropped = (length - kept) as u32;
@@ -106,13 +102,13 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let half = 1_u128 << (dropped - 1);
         let is_up = rest > half || (rest == half && integer & 1 == 1);
-        // The hidden bit, and a carry out of the fraction, increment the exponent, up to infinity.
+        // The hidden bit, and a carry from the fraction, increment the exponent, up to infinity.
         let binade = exponent.max(format.lowest) - format.lowest;
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// Returns n and e with |numerator| ≈ n·2^e and at least 64 bits in n. If digits were left out,
-    /// n is odd and rounds to fewer bits like the whole numerator.
+    /// Returns n and e with |numerator| ≈ n·2^e and at least 64 bits in n. If digits are omitted, n
+    /// is odd, so that it rounds to fewer bits like the whole numerator.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

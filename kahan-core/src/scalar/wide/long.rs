@@ -1,8 +1,8 @@
-//! Numbers of many digits on the heap, for the last eliminations that try a step.
+//! Numbers of many digits on the heap, for the last level of elimination.
 //!
-//! Steps whose matrix has entries a thousand powers of ten apart and nearly singular parts may need
-//! more than 17 digits of 64 bits. Every operation allocates. The time of an operation grows with
-//! the square of the digits, so an elimination begins with few. Zero allocates nothing.
+//! Steps whose matrix has entries a thousand powers of ten apart and nearly singular blocks may
+//! need more than 17 × 64 bits. Every operation except on zero allocates, in time quadratic in the
+//! number of digits, so an elimination starts with few.
 
 use std::boxed::Box;
 
@@ -15,7 +15,6 @@ use crate::{Constant, Scalar};
 /// The largest number of digits in an elimination.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
-    /// The digits of [`Wide`].
     Few,
     More,
     Most,
@@ -77,7 +76,7 @@ macro_rules! capacities {
 
 capacities! { Few: Wide; More: More; Most: Most; }
 
-/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) digits of 64 bits; exact zeros have no
+/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) 64-bit digits; exact zeros use no heap
 /// memory. Results have the smaller capacity of the operands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Long(Option<Number>);
@@ -85,7 +84,6 @@ pub(crate) struct Long(Option<Number>);
 impl Long {
     pub(crate) const MOST_DIGITS: usize = Most::MOST_DIGITS;
 
-    /// Makes a number; `capacity` bounds the digits of results computed from it.
     pub(crate) fn new(number: Wide, capacity: Capacity) -> Self {
         Self::of(match capacity {
             Capacity::Few => number.into(),
@@ -106,7 +104,7 @@ impl Long {
         self.0.as_ref().map_or_else(Size::zero, at_most)
     }
 
-    /// Returns the leading digits; the radius covers the others.
+    /// Returns the leading digits, with a radius that covers the others.
     pub(crate) fn leading(&self) -> Wide {
         self.0.as_ref().map_or_else(Wide::zero, Number::digits)
     }
@@ -124,8 +122,8 @@ impl Long {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Returns whether a larger capacity is useless: all components are known, or a known one is
-    /// out of range. Each component comes with whether it is in range.
+    /// Returns whether a larger capacity would not help: all components are known, or a known one
+    /// is out of range. Each component comes with whether it is in range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
@@ -146,7 +144,6 @@ impl Long {
     fn times(self, other: Self) -> Self {
         match (self.0, other.0) {
             (Some(a), Some(b)) => Self::of(of_common_capacity!(a, *, b)),
-            // Zero times undefined is undefined.
             (None, Some(number)) | (Some(number), None)
                 if !of_any_capacity!(&number, |digits| digits.is_defined()) =>
             {
@@ -162,8 +159,8 @@ impl Long {
     }
 }
 
-/// Scales a row of a linear system by a power of two to bring its largest entry near 1, so that
-/// the largest entry of a column is a good pivot.
+/// Scales a row of a linear system by a power of two so that its largest entry is near 1. The
+/// largest entry of a column is then a good pivot.
 pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut Long>, right: &mut Long) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());

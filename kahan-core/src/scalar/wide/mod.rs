@@ -1,11 +1,11 @@
 //! Software floats with sparse digits and an error radius, which certify a step.
 //!
-//! In: floats, constants, and a generated step over any [`Scalar`](crate::Scalar). Out: the step
-//! with a bound of each error. A number is a [row](rows) of at most D nonzero digits to the base
-//! 2⁶⁴ over a denominator of 64 bits, so (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ and short fractions are exact. The
-//! *radius* bounds the effect of digits cut off. Places reach to ±2⁴⁰; numbers beyond, floats that
-//! are not finite and divisions by zero are *undefined*, which operations propagate. Fixed-point
-//! numbers would need 3 kB each: D(x,ε) of six variables has terms between 2⁻¹²⁸⁸⁸ and 2¹²²⁸⁸.
+//! In: floats, constants, and a step over any [`Scalar`](crate::Scalar). Out: the step with error
+//! bounds. A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit
+//! denominator, so (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ and short fractions are exact. The *radius* bounds the
+//! effect of digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions by zero are
+//! *undefined*, which operations propagate. Dense digits would need 3 kB per number: D(x,ε) of six
+//! variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
 
 mod arithmetic;
 mod convert;
@@ -32,23 +32,23 @@ pub(crate) type Wide = Digits<17, 40>;
 /// The largest magnitude of the leading digit's place.
 const FARTHEST: u64 = 1 << 40;
 
-/// A number of at most D digits of 64 bits; intermediate rows have M = 2D + 6 digits. The value is
+/// A number of at most D digits of 64 bits; intermediate rows have M = 2D + 6 digits. Its value is
 ///
 /// Σ digit·2^(64·(place − below)) / denominator.
 ///
-/// An operation adds at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of its result to the radius.
+/// An operation adds at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT)·|result| to the radius.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Digits<const D: usize, const M: usize> {
     digits: [i64; D],
-    /// The place of the leading digit.
+    /// The power of 2⁶⁴ of the leading digit.
     place: i64,
-    /// The denominator, 1 for zero.
+    /// The denominator; 1 if the number is zero.
     denominator: u64,
-    /// The error radius, NaN for an undefined number.
+    /// The error radius; NaN if the number is undefined.
     radius: Size,
-    /// The distance of each digit from the leading one, in places.
+    /// For each digit, its distance from the leading digit's place.
     below: [u16; D],
-    /// The number of digits; none is zero.
+    /// The number of digits, all nonzero.
     count: u16,
 }
 
@@ -72,7 +72,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
 
     const UNDEFINED: Self = Self { radius: Size { exponent: 0, mantissa: f64::NAN }, ..Self::ZERO };
 
-    /// Returns the leading digits of row/denominator; the cut digits enlarge the radius.
+    /// Returns the leading digits of row/denominator; digits cut off enlarge the radius.
     fn of(row: &DigitRow<M>, denominator: u64, radius: Size) -> Self {
         let Some(&(place, _)) = row.digits().first() else {
             return Self { radius: radius + row.without(0) / Size::from(denominator as f64), ..Self::ZERO };
@@ -97,7 +97,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         DigitRow::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
     }
 
-    /// Returns the number with another number of digits; missing digits enlarge the radius.
+    /// Converts to another number of digits; digits cut off enlarge the radius.
     #[cfg(feature = "std")]
     fn with_digits<const E: usize, const K: usize>(&self) -> Digits<E, K> {
         let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
@@ -110,12 +110,11 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::of(&DigitRow::of_significand(1, power), 1, Size { exponent: 0, mantissa: 0.0 })
     }
 
-    /// Returns the bound of the distance from the exact value: 0 if nothing was cut off.
+    /// Returns a bound on the distance from the exact value, which is 0 if nothing was cut off.
     pub(crate) fn radius(&self) -> Size {
         self.radius
     }
 
-    /// Returns whether this is a number, zero included, rather than undefined.
     pub(crate) fn is_defined(&self) -> bool {
         !self.radius.is_unknown()
     }

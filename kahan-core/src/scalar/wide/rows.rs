@@ -1,8 +1,8 @@
-//! Exact sums and products of sparse rows of digits to the base 2⁶⁴.
+//! Exact sums and products of sparse rows of base-2⁶⁴ digits.
 //!
-//! Digits are signed, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them, and differences need no
-//! long borrows. The value of a row is Σ digit·2^(64·place), with the sign of its leading digit.
-//! Rows cut off low digits for lack of room, and keep a bound of them.
+//! Digits are signed, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them, and subtraction needs no
+//! long borrows. The value of a row is Σ digit·2^(64·place), with the sign of its leading digit. A
+//! full row cuts off low digits, and stores a bound on them.
 
 use num_traits::Zero;
 
@@ -12,9 +12,9 @@ use super::Size;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DigitRow<const M: usize> {
     digits: [(i64, i64); M],
-    /// The index of the leading digit, as rows are filled from the low end.
+    /// The index of the leading digit; rows are filled from the low end.
     start: usize,
-    /// An upper bound of the digits cut off.
+    /// An upper bound on the digits cut off.
     cut: Size,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct DigitRow<const M: usize> {
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
-/// Returns an upper bound of a digit and all digits below it.
+/// Returns an upper bound on a digit and all digits below it.
 fn from_here_on((place, digit): (i64, i64)) -> Size {
     // The second factor covers the rounding of the digit's conversion.
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
@@ -32,7 +32,7 @@ impl<const M: usize> DigitRow<M> {
     /// Whether quotient digits are estimated by dividing short rows instead of floats.
     const IS_LONG: bool = M > SHORT;
 
-    /// The least number of correct bits in an estimate. A short row omits less than a unit of its
+    /// The minimum number of correct bits of an estimate. A short row omits less than a unit of its
     /// last digit, and is at least half a unit of its first one.
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
@@ -43,7 +43,7 @@ impl<const M: usize> DigitRow<M> {
     pub(super) const EMPTY: Self =
         Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
 
-    /// Adds a sum of digits at a place above all others, and returns the carry to the next place.
+    /// Adds a sum of digits at a place above all others; returns the carry to the next place.
     fn settle(&mut self, place: i64, total: i128) -> i128 {
         let digit = total as i64;
         if digit != 0 {
@@ -52,7 +52,7 @@ impl<const M: usize> DigitRow<M> {
         (total - i128::from(digit)) >> 64
     }
 
-    /// Adds a digit before the others, and cuts off the last one if the row is full.
+    /// Adds a digit before the others; if the row is full, the last digit is cut off.
     fn lead(&mut self, digit: (i64, i64)) {
         if self.start == 0 {
             self.cut = self.cut + from_here_on(self.digits[M - 1]);
@@ -63,7 +63,6 @@ impl<const M: usize> DigitRow<M> {
         self.digits[self.start] = digit;
     }
 
-    /// Makes ±limbs from little-endian limbs.
     pub(super) fn of_limbs(negative: bool, limbs: &[u64]) -> Self {
         let (mut row, mut carry, mut place) = (Self::EMPTY, 0, 0);
         for limb in limbs {
@@ -89,12 +88,11 @@ impl<const M: usize> DigitRow<M> {
         row
     }
 
-    /// Returns the digits, the leading one first.
     pub(super) fn digits(&self) -> &[(i64, i64)] {
         &self.digits[self.start..]
     }
 
-    /// Returns an upper bound of all digits except the first `kept`, cut digits included.
+    /// Returns an upper bound on all digits except the first `kept`, including digits cut off.
     pub(super) fn without(&self, kept: usize) -> Size {
         self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
     }
@@ -117,8 +115,8 @@ impl<const M: usize> DigitRow<M> {
         size_of(self.leading())
     }
 
-    /// Returns |d·2⁶⁴ + d′| for the leading digit d and the digit d′ one place below, possibly 0,
-    /// and the place of d′; `None` for zero.
+    /// Returns |d·2⁶⁴ + d′|, with the leading digit d and the digit d′ one place below (possibly
+    /// 0), and the place of d′; `None` for zero.
     pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
         let (&(place, first), rest) = self.digits().split_first()?;
         let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);
@@ -126,7 +124,6 @@ impl<const M: usize> DigitRow<M> {
         Some((size.wrapping_add_signed(i128::from(second) * i128::from(first.signum())), place - 1))
     }
 
-    /// Returns self + sign·other, for a sign of 1 or −1.
     pub(super) fn plus(&self, other: &Self, sign: i64) -> Self {
         let mut sum = Self { cut: self.cut + other.cut, ..Self::EMPTY };
         let (mut these, mut those) = (self.digits(), other.digits());
@@ -137,7 +134,7 @@ impl<const M: usize> DigitRow<M> {
                 (Some(this), Some(that)) => Some(this.min(that)),
                 (this, that) => this.or(that),
             };
-            // A carry stands at or below the next digit.
+            // A carry is at or below the place of the next digit.
             let here = if carry == 0 { next } else { Some(place) };
             let Some(here) = here else { break };
             let mut take = |digits: &mut &[(i64, i64)], sign: i64| {
@@ -163,7 +160,7 @@ impl<const M: usize> DigitRow<M> {
         let (mut place, mut carry) = (0, 0);
         for &(at, digit) in self.digits().iter().rev() {
             if carry != 0 && place != at + up {
-                // The carry is below 2⁶³, so it is a digit.
+                // The carry is below 2⁶³, so it is itself a digit.
                 carry = product.settle(place, carry);
             }
             carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
@@ -224,9 +221,8 @@ impl<const M: usize> DigitRow<M> {
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// Returns q and r with self = q·divisor + r, for a nonzero divisor; r is zero, or below a unit
-    /// of a number relative to self. Each remainder is exact, so later rounds correct wrong
-    /// estimates.
+    /// Returns q and r with self = q·divisor + r, for a nonzero divisor. r is zero, or less than a
+    /// unit of a number relative to self. It is exact, so later rounds correct earlier estimates.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {
@@ -269,7 +265,7 @@ pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
 pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);
-    // Subnormal numbers have no hidden bit, and the exponent of the least normal ones.
+    // Subnormals have no hidden bit, and the exponent of the smallest normal number.
     let (size, exponent) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
     (if x.is_sign_negative() { -size } else { size }, exponent)
 }

@@ -1,6 +1,4 @@
-//! [`Digits`] as a scalar, on which generated steps run.
-//!
-//! Zero has no reciprocal, so an exact pole ends the step without an undefined number.
+//! [`Digits`] as a scalar. Zero has no reciprocal, so steps end at exact poles.
 
 use core::cmp::Ordering;
 
@@ -18,7 +16,7 @@ impl<const D: usize, const M: usize> Scalar for Digits<D, M> {
         Self::one().quotient(*self)
     }
 
-    /// Divides without the reciprocal, which would be a second division.
+    /// Divides directly, because a reciprocal would be a second division.
     fn quotient(self, divisor: Self) -> Option<Self> {
         if divisor.is_zero() { None } else { Some(self / divisor) }
     }

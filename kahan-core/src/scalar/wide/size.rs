@@ -1,14 +1,12 @@
-//! Magnitudes of [`Wide`](super::Wide) numbers: an exponent and 53 bits of mantissa.
-//!
-//! Error bounds are made of them. They need the range of wide numbers and few digits.
+//! Magnitudes of [`Wide`](super::Wide) numbers, for error bounds: an exponent and 53 bits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
 
-/// A magnitude mantissa·2^exponent with a mantissa in [1, 2), or a mantissa of 0, infinity or NaN
-/// with the exponent 0. Operations round by at most 2⁻⁵²; an exponent out of range gives NaN.
+/// A magnitude mantissa·2^exponent with a mantissa in [1, 2). A mantissa of 0, infinity or NaN has
+/// exponent 0. Operations round by at most 2⁻⁵²; an exponent out of range gives NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(super) exponent: i64,
@@ -62,7 +60,7 @@ impl From<f64> for Size {
     }
 }
 
-/// Returns infinity or zero beyond the range.
+/// Values beyond the range of `f64` become infinite or zero.
 impl From<Size> for f64 {
     fn from(size: Size) -> Self {
         let exponent = size.exponent.clamp(-1200, 1200);

@@ -1,8 +1,7 @@
-//! The error bounds that `Dd` states, on seeded operands with exponents over the whole range.
+//! The stated error bounds of `Dd`, on seeded operands with exponents over the whole range.
 //!
-//! Results are compared exactly, as integers times powers of two, and must be normalised. The
-//! default run is a sample of
-//! `cargo test --release -p kahan-core --features exact -- --ignored millions`.
+//! Results are compared exactly, as integers times powers of two, and must be normalised. More
+//! samples: `cargo test --release -p kahan-core --features exact -- --ignored millions`.
 
 use super::dyadic::Dyadic;
 use super::operands::Operands;
@@ -26,7 +25,6 @@ fn least() -> Dyadic {
     Dyadic::new(1, -1072)
 }
 
-/// Asserts that high is the nearest float to the sum.
 #[track_caller]
 fn assert_normalised(x: Dd) {
     assert!(x.is_finite() && x.high() + x.low() == x.high(), "{:e} {:e}", x.high(), x.low());
@@ -39,7 +37,7 @@ fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[
     assert!(error <= *bound, "{parts:?}");
 }
 
-/// Checks sums, whose relative bound has no exceptions, as sums of floats do not underflow.
+/// Checks sums; their relative bound always holds, because sums of floats do not underflow.
 fn check_sums(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {
@@ -57,8 +55,8 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// Operands at which an operation errs by most of its bound. Those of the sum are from the paper of
-/// Joldeş, Muller and Popescu, others the worst of a one-minute search without fused multiply-adds.
+/// Operands at which an operation nearly reaches its bound. Those of the sum are from the paper of
+/// Joldeş, Muller and Popescu, the others from a one-minute search without fused multiply-adds.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));
@@ -100,7 +98,7 @@ fn check_products(seed: u64, count: usize) {
         let bound = square_units(PRODUCT) * exact.clone().abs();
         let product = x * y;
         if !product.is_finite() {
-            // The largest products are below 2¹⁰²⁴ and may round to it.
+            // The largest products are below 2¹⁰²⁴ but may round to it.
             assert!(exact.abs() > Dyadic::new(1, 1023) && product.low() == 0.0 && !product.is_nan());
             continue;
         }

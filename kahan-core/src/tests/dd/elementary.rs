@@ -1,8 +1,7 @@
 //! The bounds of the elementary functions, against fixed-point numbers of 700 bits.
 //!
-//! An argument is a multiple of 2⁻⁷⁰⁰. Taylor series are summed until a term is 0: each of the
-//! fewer than 2000 divisions is off by less than one unit, and the rest of a series is below its
-//! last term once terms halve. All sums are accurate to 2⁻⁶⁰⁰.
+//! Taylor series are summed until a term is 0. Each of at most 2000 divisions errs by less than a
+//! unit, and the remainder is below the last term once terms halve: in all below 2⁻⁶⁰⁰.
 
 use std::vec::Vec;
 
@@ -17,7 +16,7 @@ fn one() -> BigInt {
     BigInt::from(1) << BITS
 }
 
-/// Returns a number exactly, for a magnitude of at least 2⁻⁵⁹⁰ or 0.
+/// Converts a number exactly; its magnitude must be 0 or at least 2⁻⁵⁹⁰.
 fn fixed(x: Dd) -> BigInt {
     let part = |x: f64| {
         let (bits, sign) = (x.to_bits(), if x < 0.0 { -1 } else { 1 });
@@ -28,7 +27,7 @@ fn fixed(x: Dd) -> BigInt {
     part(x.high()) + part(x.low())
 }
 
-/// Returns Σ of terms from `first` on, each the last one times y over the next `step` numbers.
+/// Returns Σ of terms from `first` on; each is the one before times y over the next `step` numbers.
 fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
     let (mut term, mut sum) = (first, BigInt::zero());
     while !term.is_zero() {
@@ -74,7 +73,7 @@ fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) 
     assert!(error <= bound, "{x:?}: {computed:?}");
 }
 
-/// Returns numbers from 2⁻²⁰ to 2ᵐ in size, of both signs, and near multiples of `period`.
+/// Returns numbers of magnitude 2⁻²⁰ to 2ᵐ, of both signs, and near multiples of `period`.
 fn arguments(most: i32, period: f64) -> Vec<Dd> {
     let mut state = 20_261_128_u64;
     let mut unit = || {
@@ -98,7 +97,7 @@ fn arguments(most: i32, period: f64) -> Vec<Dd> {
 fn exponentials_are_within_their_bound() {
     for x in arguments(6, core::f64::consts::LN_2 / 2.0) {
         let exact = exp(&fixed(x));
-        // Small values have fewer significant digits at 700 bits after the point.
+        // Small values have fewer significant digits in 700 bits after the point.
         assert_within(x.exp(), &exact, 12, 500, x);
     }
     assert_eq!(Dd::from(0.0).exp(), Dd::from(1.0));
@@ -110,7 +109,7 @@ fn exponentials_are_within_their_bound() {
 #[test]
 fn logarithms_are_within_their_bound() {
     for x in arguments(8, 0.5).into_iter().map(Dd::abs).filter(|x| x.high() > 0.0) {
-        // If e to the power of y is x(1 + δ), y is off by δ(1 − δ/2 + …).
+        // If e to the power of y is x(1 + δ), y has the error δ(1 − δ/2 + …).
         let y = x.ln();
         let (power, x_fixed) = (exp(&fixed(y)), fixed(x));
         let error = (((power - &x_fixed) << BITS) / x_fixed).abs();
@@ -131,7 +130,7 @@ fn sines_and_cosines_are_within_their_bound() {
     for x in arguments(40, core::f64::consts::FRAC_PI_2) {
         let exact = fixed(x);
         let turn: BigInt = &pi * 2;
-        // Division rounds to 0, which is down after adding many turns.
+        // Division rounds toward 0, which is down after adding many revolutions.
         let turns: BigInt = (&exact + &pi + &turn * MANY) / &turn - MANY;
         let rest: BigInt = exact - turns * turn;
         let square: BigInt = (&rest * &rest) >> BITS;

@@ -1,4 +1,4 @@
-//! Double-double numbers against exact numbers: bounds, special values, text.
+//! Double-double numbers against exact ones: bounds, special values, text.
 
 #[cfg(feature = "exact")]
 mod bounds;

@@ -25,7 +25,7 @@ impl Operands {
         least + self.below((most - least + 1) as u64) as i32
     }
 
-    /// Returns 52 bits behind the leading one: any, next to a power of two, or few.
+    /// Returns 52 bits after the leading one: random, near a power of two, or few.
     fn fraction(&mut self) -> u64 {
         const ALL: u64 = (1 << 52) - 1;
         match self.below(8) {
@@ -42,12 +42,12 @@ impl Operands {
         f64::from_bits(sign | ((exponent + 1023) as u64) << 52 | self.fraction())
     }
 
-    /// Returns a number whose high part has this exponent, or the next one after a carry.
+    /// Returns a number whose high part has this exponent, or the next exponent after rounding.
     pub(super) fn number(&mut self, exponent: i32) -> Dd {
         let high = self.float(exponent);
         let gap = match self.below(8) {
             0 => return Dd::from(high),
-            // |low| is in [½, 1) of half a unit in the last place.
+            // |low| is between a quarter and a half of a unit in the last place.
             1..=5 => 54,
             6 => 53 + self.between(1, 8),
             _ => 53 + self.between(1, 60),
@@ -56,7 +56,7 @@ impl Operands {
         if exponent - gap < -1022 { Dd::from(high) } else { Dd::new(high, self.float(exponent - gap)) }
     }
 
-    /// Returns a number within `reach` of the exponent of x, which often cancels x in part.
+    /// Returns a number within `reach` of the exponent of x, which often partly cancels x.
     pub(super) fn partner(&mut self, x: Dd, exponent: i32, reach: i32) -> Dd {
         let nudge = self.between(-3, 3) as f64;
         let unit = f64::EPSILON * x.high();

@@ -94,7 +94,7 @@ fn text_is_read_to_the_last_bit_of_both_parts() {
     assert!(read("nan").is_nan());
 }
 
-/// 1 + 2⁻⁵³ is a tie of the high part, 1 + 2⁻⁵³ ± 10⁻¹⁵⁰⁰ is not: every digit counts.
+/// 1 + 2⁻⁵³ is a tie for the high part, but 1 + 2⁻⁵³ ± 10⁻¹⁵⁰⁰ is not.
 #[test]
 fn digits_far_behind_decide_ties() {
     let half = f64::EPSILON / 2.0;
@@ -106,7 +106,7 @@ fn digits_far_behind_decide_ties() {
     let above = read(&[middle, &"0".repeat(1500), "1"].concat());
     assert_eq!((above.high(), above.low()), (1.0 + f64::EPSILON, -half));
 
-    // A tie of the low part: 1 + 2⁻⁶⁰ + 2⁻¹¹³.
+    // A tie for the low part: 1 + 2⁻⁶⁰ + 2⁻¹¹³.
     let parts = [Dd::new(1.0, f64::EPSILON / 256.0), Dd::from(f64::EPSILON / 2_f64.powi(61))];
     let digits = |x: Dd| format!("{x:.150}");
     let (whole, tail) = (digits(parts[0]), digits(parts[1]));
@@ -116,7 +116,7 @@ fn digits_far_behind_decide_ties() {
     assert_eq!(above.low(), parts[0].low() * (1.0 + f64::EPSILON));
 }
 
-/// Returns the sum of two positive decimals with equally many places.
+/// Adds two positive decimals with equal numbers of decimals.
 fn add_digits(a: &str, b: &str) -> String {
     let mut carry = 0;
     let mut sum: std::vec::Vec<u8> = a

@@ -1,18 +1,17 @@
-//! Registers of addresses and counts, instructions on them, the stack, and jumps.
+//! General-purpose registers, integer instructions, the stack and jumps.
 
 use super::Assembler;
 
-/// A register of addresses and counts, by its number. The number 31 is the end of the stack where
-/// an address begins, and zero elsewhere.
+/// A general-purpose register, by number; 31 is the stack pointer as a base, otherwise zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct General(u8);
 
 impl General {
-    /// The arguments of a function, in order.
+    /// The argument registers of a function, in order.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
-    /// Other registers that a function may change.
+    /// Caller-saved registers free for other uses.
     pub(crate) const SPARE: [Self; 3] = [Self(9), Self(10), Self(11)];
-    /// The registers in which addresses of columns stay.
+    /// The registers that hold the addresses of columns.
     pub(crate) const POINTERS: [Self; 13] = [
         Self(5),
         Self(6),
@@ -28,12 +27,10 @@ impl General {
         Self(23),
         Self(24),
     ];
-    /// Registers of these that a function has to leave as they were, each second one behind its
-    /// neighbour.
+    /// The callee-saved registers among [`POINTERS`](Self::POINTERS), in adjacent pairs.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
-    /// The end of the stack.
     pub(crate) const STACK: Self = Self(31);
-    /// Holds distances and addresses that no instruction has room for.
+    /// Scratch register for offsets and addresses that do not fit an instruction.
     pub(super) const BEYOND: Self = Self(16);
 
     pub(super) fn number(self) -> u32 {
@@ -41,24 +38,24 @@ impl General {
     }
 }
 
-/// Two neighbouring registers that are saved at once.
+/// The kind of an adjacent pair of registers, saved by one instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pair {
-    /// The lower halves of registers of numbers.
+    /// The lower 64 bits of vector registers.
     Vectors,
     General,
 }
 
-/// A place in the code to jump back to.
+/// The target of a backward jump.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label(usize);
 
-/// A jump whose target is not known yet.
+/// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct Forward(usize);
 
-/// cbz, cbnz, and b.cond of two conditions that are each other's opposite.
+/// cbz, cbnz, and b.cond with a condition and its opposite.
 const IF_ZERO: u32 = 0xb400_0000;
 const IF_NOT_ZERO: u32 = 0xb500_0000;
 const IF_BELOW: u32 = 0x5400_0003;
@@ -79,20 +76,19 @@ impl Assembler {
         self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
     }
 
-    /// Adds a number that an instruction has room for.
+    /// Adds an unsigned 12-bit immediate.
     pub(crate) fn add_immediate(&mut self, to: General, number: i32) {
         let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
         let number = number.expect("the bytes of a register") << 10;
         self.word(0x9100_0000 | number | to.number() << 5 | to.number());
     }
 
-    /// Loads 64 bits from base + offset.
     pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
-    /// An instruction that loads or stores `size` bytes at base + offset: `near` counts the offset
-    /// in units of `size` bytes, `far` takes it from a register.
+    /// Loads or stores `size` bytes at base + offset. The first word has a 12-bit immediate offset,
+    /// in units of `size` bytes; the second takes the offset from a register.
     pub(super) fn access(&mut self, words: [u32; 2], register: u32, base: General, offset: i32, size: usize) {
         let [near, far] = words;
         let offset = u32::try_from(offset).expect("entries stand behind the beginning of their array");
@@ -112,19 +108,19 @@ impl Assembler {
         self.word(word | index.number() << 16 | base.number() << 5 | register);
     }
 
-    /// The page of a number of the pool, whose distance is written later: adrp
+    /// adrp: the page address of a pool entry, to be patched.
     pub(super) fn page_of_pool(&mut self) {
         self.word(0x9000_0000 | General::BEYOND.number());
     }
 
-    /// Saves the frame record in `bytes` bytes of the stack: stp x29, x30 and mov x29, sp
+    /// stp x29, x30 and mov x29, sp: saves the frame record in `bytes` bytes of the stack.
     pub(super) fn begin_frame(&mut self, bytes: u32) {
         let offset = (bytes / 8).wrapping_neg() & 0x7f;
         self.word(0xa980_7bfd | offset << 15);
         self.word(0x9100_03fd);
     }
 
-    /// Takes it back: ldp x29, x30
+    /// ldp x29, x30: restores the frame record.
     pub(super) fn end_frame(&mut self, bytes: u32) {
         self.word(0xa8c0_7bfd | (bytes / 8) << 15);
     }
@@ -142,7 +138,7 @@ impl Assembler {
         self.word(word | load | (offset / 8) << 15 | (first + 1) << 10 | first);
     }
 
-    /// Moves the end of the stack by up to a page: sub sp, sp
+    /// sub sp, sp: lowers the stack pointer by at most one page.
     pub(super) fn lower_stack(&mut self, bytes: usize) {
         const PAGES: u32 = 1 << 22;
 
@@ -151,12 +147,12 @@ impl Assembler {
         self.word(0xd100_03ff | number);
     }
 
-    /// Moves it back to the frame record: mov sp, x29
+    /// mov sp, x29: resets the stack pointer to the frame record.
     pub(super) fn restore_stack(&mut self) {
         self.word(0x9100_03bf);
     }
 
-    /// Writes to the end of the stack, where nothing stands yet: str xzr, [sp]
+    /// str xzr, [sp]: touches the stack at its new end.
     pub(super) fn touch_stack(&mut self) {
         self.word(0xf900_03ff);
     }
@@ -165,32 +161,32 @@ impl Assembler {
         self.word(0xd65f_03c0);
     }
 
-    /// This place.
+    /// Returns the current position as the target of later jumps.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
     }
 
-    /// Jumps, if a count is zero, to a place that is still to be [bound](Self::bind).
+    /// Jumps forward if `count` is zero, to a target given later by [`bind`](Self::bind).
     pub(crate) fn skip_if_zero(&mut self, count: General) -> Forward {
         Forward(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
     }
 
-    /// Takes one from a count, and jumps unless it is zero then.
+    /// Decrements `count` and jumps if it is not zero then.
     pub(crate) fn count_down(&mut self, count: General, Label(to): Label) {
         self.word(0xd100_0400 | count.number() << 5 | count.number());
         let place = self.jump(IF_NOT_ZERO | count.number(), IF_ZERO | count.number());
         set_target(&mut self.bytes, place, to);
     }
 
-    /// Jumps if a is below b, both without a sign.
+    /// Jumps if a < b, unsigned.
     pub(crate) fn repeat_below(&mut self, a: General, b: General, Label(to): Label) {
         self.word(0xeb00_001f | b.number() << 16 | a.number() << 5);
         let place = self.jump(IF_BELOW, UNLESS_BELOW);
         set_target(&mut self.bytes, place, to);
     }
 
-    /// A jump on a condition, and the place of the word that its target is written to; long code
-    /// jumps over a jump that reaches farther, on the opposite condition.
+    /// Writes a conditional jump and returns the position of the instruction that holds its target.
+    /// Long code jumps over an unconditional branch, on the opposite condition.
     fn jump(&mut self, condition: u32, opposite: u32) -> usize {
         const OVER_THE_NEXT: u32 = 2 << 5;
 
@@ -204,7 +200,6 @@ impl Assembler {
         self.bytes.len() - 4
     }
 
-    /// Lets a jump lead to this place.
     pub(crate) fn bind(&mut self, Forward(place): Forward) {
         let target = self.bytes.len();
         set_target(&mut self.bytes, place, target);
@@ -216,10 +211,10 @@ fn change(code: &mut [u8], place: usize, change: impl FnOnce(u32) -> u32) {
     *word = change(u32::from_le_bytes(*word)).to_le_bytes();
 }
 
-/// Writes the distance from an instruction to its target into the bits that it has for it.
+/// Writes the distance to the target into the branch instruction at `place`.
 ///
 /// # Panics
-/// If they are too few, which lengths of code rule out.
+/// If the distance does not fit, which the bounds on code length exclude.
 pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     change(code, place, |word| {
         let (bits, shift) = if word & 0xfc00_0000 == ALWAYS { (26, 0) } else { (19, 5) };
@@ -229,8 +224,7 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Writes the page of a target, as distance from that of the code, and its place in the page, into
-/// two instructions; code begins with a page.
+/// Patches adrp and load: distance in pages, offset in the page. Code begins at a page boundary.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

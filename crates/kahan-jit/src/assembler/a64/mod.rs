@@ -1,10 +1,10 @@
 //! An assembler for 64-bit Arm.
 //!
-//! Instructions are those of A64 with its scalar floats and Advanced SIMD registers of 128 bits
-//! (Arm Architecture Reference Manual for A-profile, C6 and C7), each one word. Operands of
-//! arithmetic are registers: a number in memory is loaded first. Functions follow the calling
-//! convention of the C language (Procedure Call Standard for the Arm 64-bit Architecture): they
-//! leave the lower halves of v8 to v15 as they were, and never name x18, which some systems keep.
+//! It writes A64 instructions with scalar floats and 128-bit Advanced SIMD registers, 32 bits each
+//! (Arm Architecture Reference Manual for A-profile, C6 and C7). Arithmetic works on registers
+//! only; a memory operand is loaded first. Functions follow the C calling convention (Procedure
+//! Call Standard for the Arm 64-bit Architecture): they preserve the lower halves of v8 to v15.
+//! They never use x18, which some systems reserve.
 
 mod general;
 #[cfg(test)]
@@ -19,27 +19,26 @@ pub(crate) use general::General;
 pub(crate) type Memory = operands::Memory<General>;
 type Source = operands::Source<Memory>;
 
-/// Holds what is computed on the way from operands to a result.
+/// Holds intermediate results.
 const TEMPORARY: Vector = Vector(30);
-/// Holds an operand that stood in memory.
+/// Holds an operand loaded from memory.
 const OPERAND: Vector = Vector(31);
-/// The first register whose lower half a function has to leave as it was; they are eight.
+/// The first of the eight callee-saved vector registers, in the numbering of [`Vector`].
 const FIRST_SAVED: u8 = 22;
 
-/// The distance that an instruction with 19 bits for it reaches, in bytes.
+/// The range of a 19-bit branch or load offset, in bytes.
 const REACH: usize = 1 << 20;
 
-/// Code that is being written, for operands of one form.
 #[derive(Debug)]
 pub(crate) struct Assembler {
     bytes: Vec<u8>,
     form: Form,
     pool: Pool,
-    /// Whether jumps and the pool may be out of the reach of one instruction.
+    /// Whether jumps and the pool may be out of the range of a single instruction.
     is_long: bool,
 }
 
-/// The number of a register in instructions. Those that a function may change come first.
+/// Returns a register's machine number; caller-saved registers come first in `Vector`.
 fn number(Vector(index): Vector) -> u32 {
     match index {
         0..8 => index.into(),
@@ -54,14 +53,13 @@ impl Assembler {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form), is_long: false }
     }
 
-    /// The kind of its operands.
     pub(crate) fn form(&self) -> Form {
         self.form
     }
 
-    /// Begins a function: saves registers, and makes room for slots.
+    /// Begins a function: saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &Needs) {
-        /// The most bytes that become of a machine instruction, with its number in the pool.
+        /// The most bytes that one machine instruction takes, with its pool entry.
         const LONGEST: usize = 12 * 4 + 16;
 
         self.is_long = needs.instructions >= REACH / LONGEST - PAGE / 4;
@@ -76,7 +74,7 @@ impl Assembler {
         }
     }
 
-    /// Ends a function that was begun with the same needs.
+    /// Ends a function; `needs` must equal those of `open`.
     pub(crate) fn close(&mut self, needs: &Needs) {
         let saved = Saved::of(needs);
         if saved.bytes() > 0 {
@@ -93,7 +91,6 @@ impl Assembler {
         self.bytes.extend(word.to_le_bytes());
     }
 
-    /// The bit that tells double precision from single.
     fn precision(&self) -> u32 {
         u32::from(self.form.element == Element::Double) << 22
     }
@@ -102,14 +99,12 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// An instruction on three registers in the precision of the form; its words are those for one
-    /// number and for a register of them.
+    /// Writes an instruction on three registers, from its scalar and its vector encoding.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));
     }
 
-    /// An instruction on all bits of three registers.
     fn bits(&mut self, word: u32, to: Vector, a: Vector, b: Vector) {
         self.word(word | number(b) << 16 | number(a) << 5 | number(to));
     }
@@ -135,14 +130,14 @@ impl Assembler {
                 let b = self.in_register(b);
                 return self.choose(operator == Binary::Maximum, to, a, b);
             }
-            // One instruction flips a sign, and needs no number for it.
+            // fneg flips the sign and needs no constant.
             Binary::ExclusiveOr => return self.negate(to, a),
         };
         let b = self.in_register(b);
         self.three(words, to, a, b);
     }
 
-    /// a if it is greater, or less, than b, else b. The processor's own maximum is another one.
+    /// to = a if a > b (or a < b), else b; fmax and fmin treat NaN and ±0 differently.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
@@ -170,13 +165,12 @@ impl Assembler {
         }
     }
 
-    /// to = −a
     fn negate(&mut self, to: Vector, a: Vector) {
         let word = if self.is_scalar() { 0x1e21_4000 } else { 0x6ea0_f800 };
         self.word(word | self.precision() | number(a) << 5 | number(to));
     }
 
-    /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
+    /// Writes a fused multiply-add into `to`, which is one of its operands.
     pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
         let c = self.in_register(c);
         let (x, y, addend) = match order {
@@ -194,7 +188,7 @@ impl Assembler {
             let operands = number(y) << 16 | number(addend) << 10 | number(x) << 5 | number(to);
             return self.word(word | self.precision() | operands);
         }
-        // Vectors add to what is overwritten.
+        // Vector fmla and fmls accumulate into their destination.
         let sum = if addend == to && x != to && y != to { to } else { TEMPORARY };
         if operator == Fused::MultiplySubtract {
             self.negate(sum, addend);
@@ -209,7 +203,7 @@ impl Assembler {
         }
     }
 
-    /// Copies a whole register; of single numbers, the number.
+    /// Copies a whole vector register, or the number in it for scalar forms.
     pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
         if self.is_scalar() {
             self.word(0x1e20_4000 | self.precision() | number(from) << 5 | number(to));
@@ -227,7 +221,7 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // The offset of an entry, a register as offset, and behind the code.
+        // Encodings with an immediate offset, a register offset, and relative to the counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],
@@ -253,7 +247,7 @@ impl Assembler {
         }
     }
 
-    /// The number of single precision nearest to a number, as one of this form.
+    /// Rounds to the nearest single-precision number, in the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);
@@ -265,14 +259,14 @@ impl Assembler {
         self.word(wide | number(to) << 5 | number(to));
     }
 
-    /// A place in the pool that holds a number in every lane; `bits` are those of one.
+    /// Returns the pool entry that holds a number in every lane; `bits` encodes one lane.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// The code and its pool.
+    /// Returns the code followed by its pool.
     pub(crate) fn finish(self) -> Vec<u8> {
-        /// A word of zeros is no instruction, and never will be.
+        /// A zero word is permanently undefined (udf).
         const UNDEFINED: u8 = 0;
 
         let (is_long, size) = (self.is_long, self.form.bytes());
@@ -289,7 +283,6 @@ impl Assembler {
 /// The registers that a function saves, in pairs above the frame record.
 #[derive(Clone, Copy)]
 struct Saved {
-    /// The pairs of registers of numbers.
     vectors: u32,
     uses_pointers: bool,
     has_frame: bool,
@@ -302,14 +295,13 @@ impl Saved {
         Saved { vectors, uses_pointers, has_frame: needs.stack > 0 || vectors > 0 || uses_pointers }
     }
 
-    /// The bytes that they and the frame record take; none where nothing is saved.
+    /// The bytes of the saved registers and the frame record; 0 if nothing is saved.
     fn bytes(self) -> u32 {
         let pointers = if self.uses_pointers { General::SAVED.len() as u32 } else { 0 };
         if self.has_frame { 16 * (1 + self.vectors) + 8 * pointers } else { 0 }
     }
 
-    /// Calls with each pair, by the word of its instruction and the numbers of its registers, and
-    /// with its distance from the end of the stack.
+    /// Calls `pair` with the kind, first register and stack offset of each saved pair.
     fn each(self, mut pair: impl FnMut(general::Pair, u32, u32)) {
         let vectors = (0..self.vectors).map(|k| (general::Pair::Vectors, 8 + 2 * k));
         let pointers = General::SAVED.into_iter().step_by(2).filter(|_| self.uses_pointers);

@@ -1,29 +1,28 @@
-//! The bytes of instructions on vectors: prefix, opcode, operands.
+//! The encoding of vector instructions: prefix, opcode, operands.
 //!
-//! VEX has a short and a long form and names sixteen registers; EVEX names thirty-two, and those of
-//! 512 bits. Bits of register numbers beyond the three that stand in the operands themselves are in
-//! the prefix, inverted.
+//! VEX prefixes of two or three bytes address 16 registers; EVEX prefixes address 32, of up to 512
+//! bits. Operand bytes hold three bits of a register number, the prefix the others, inverted.
 
 use super::{Assembler, Element, Form, General, Memory, Source, Vector, Width};
 
-/// Which instruction: the fields of its prefix, and its opcode.
+/// The prefix fields and opcode of an instruction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Opcode {
-    /// 1 for opcodes after 0F, 2 after 0F 38.
+    /// Opcode map: 1 for 0F, 2 for 0F 38.
     map: u8,
-    /// 0 for no further prefix, 1 for 66, 2 for F3, 3 for F2.
+    /// Mandatory prefix: 0 for none, 1 for 66, 2 for F3, 3 for F2.
     prefix: u8,
-    /// Whether numbers are of double precision, where the opcode does not say so.
+    /// The W bit: double precision.
     is_wide: bool,
-    /// 0 to 2 for 128 to 512 bits.
+    /// Vector length: 0, 1, 2 for 128, 256, 512 bits.
     length: u8,
     opcode: u8,
-    /// The prefix and opcode in EVEX, where they differ.
+    /// Mandatory prefix and opcode in EVEX, if they differ from VEX.
     other: Option<(u8, u8)>,
 }
 
 impl Opcode {
-    /// An instruction that has a form each for single numbers and for vectors.
+    /// An instruction with scalar and vector forms.
     pub(super) fn of(form: Form, opcode: u8) -> Self {
         let prefix = match (form.width, form.element) {
             (Width::Scalar, Element::Single) => 2,
@@ -33,7 +32,7 @@ impl Opcode {
         Opcode { prefix, ..Self::packed(form, opcode) }
     }
 
-    /// One that has forms for vectors only: single numbers are in one of 128 bits.
+    /// An instruction with vector forms only; scalars use the 128-bit form.
     pub(super) fn packed(form: Form, opcode: u8) -> Self {
         let is_wide = form.element == Element::Double;
         let length = match form.width {
@@ -44,33 +43,30 @@ impl Opcode {
         Opcode { map: 1, prefix: u8::from(is_wide), is_wide, length, opcode, other: None }
     }
 
-    /// A fused operation; the opcode for a single number is the next one.
+    /// A fused multiply-add; the scalar opcode is the next one.
     pub(super) fn fused(form: Form, opcode: u8) -> Self {
         let opcode = opcode + u8::from(form.width == Width::Scalar);
         Opcode { map: 2, prefix: 1, ..Self::packed(form, opcode) }
     }
 
-    /// That of floats is not part of AVX-512F; that of integers is.
+    /// xor. AVX-512F has only the integer form.
     pub(super) fn exclusive_or(form: Form) -> Self {
         Opcode { other: Some((1, 0xef)), ..Self::packed(form, 0x57) }
     }
 
-    /// From the numbers of a form to those of the other element.
+    /// Converts from `from` to the other element type.
     pub(super) fn convert(from: Form) -> Self {
         Self::of(from, 0x5a)
     }
 }
 
-/// Bit `k` of a number, inverted.
 fn inverted(number: u8, k: u8) -> u8 {
     !(number >> k) & 1
 }
 
 impl Assembler {
-    /// An instruction on up to three operands.
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // The fourth bits of what is in the last operand: an index, or of a register the fifth bit,
-        // and a base or a register.
+        // The last operand's high bits: 4 of a register or 3 of an index; 3 of a register or base.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -87,7 +83,7 @@ impl Assembler {
             Some(other) if is_evex => other,
             _ => (opcode.prefix, opcode.opcode),
         };
-        // In VEX only fused operations have nothing else to tell the element by.
+        // In VEX, only fused operations need the W bit to tell the element type.
         let wide = u8::from(is_wide && (is_evex || map == 2)) << 7;
         let second = (!a.0 & 15) << 3;
         if is_evex {
@@ -104,10 +100,9 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// The bytes that name a register and the last operand. EVEX counts short offsets in operands,
-    /// so there they are all long.
+    /// Writes ModRM, SIB and offset, of four bytes in EVEX, which would scale 8-bit offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// What in the place of a base says that there is more to come, or no base.
+        /// ModRM base codes: a SIB byte follows; relative to the program counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 
@@ -129,7 +124,7 @@ impl Assembler {
             }
             Source::Memory(Memory::Indexed { base, index }) => {
                 assert!(index != General::Rsp, "this register is no index");
-                // With an offset of 0, which some bases need.
+                // An explicit offset of 0, because some bases require an offset.
                 let index = (index as u8 & 7) << 3;
                 if may_be_short {
                     self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);

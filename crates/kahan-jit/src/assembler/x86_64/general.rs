@@ -1,8 +1,8 @@
-//! Registers of addresses and counts, instructions on them, and jumps.
+//! General-purpose registers, integer instructions and jumps.
 
 use super::{Assembler, Memory, Source};
 
-/// A register of addresses and counts, by its number.
+/// A general-purpose register, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum General {
     Rax,
@@ -24,38 +24,37 @@ pub(crate) enum General {
 }
 
 impl General {
-    /// The arguments of a function, in order.
+    /// The argument registers of a function, in order.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
-    /// Other registers that a function may change.
+    /// Caller-saved registers free for other uses.
     pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
-    /// The registers in which addresses of columns stay.
+    /// The registers that hold the addresses of columns.
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// Registers of these that a function has to leave as they were.
+    /// The callee-saved registers among [`POINTERS`](Self::POINTERS).
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// The end of the stack.
     pub(crate) const STACK: Self = Self::Rsp;
 }
 
-/// When a jump is taken, after a comparison or what sets the same flags.
+/// The condition of a jump, tested on the flags; values are x86 condition codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Condition {
-    /// The first was below the second, both without a sign.
+    /// a < b, unsigned.
     Below = 2,
     Zero = 4,
     NotZero = 5,
 }
 
-/// A place in the code to jump back to.
+/// The target of a backward jump.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Label(usize);
 
-/// A jump whose target is not known yet.
+/// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
 pub(crate) struct Forward(usize);
 
 impl Assembler {
-    /// An instruction on two registers of 64 bits, or on one and a part of the opcode.
+    /// Writes an instruction on two 64-bit registers, or on one and an opcode extension.
     fn on_registers(&mut self, opcode: u8, register: u8, other: General) {
         let other = other as u8;
         let prefix = 0x48 | register >> 3 << 2 | other >> 3;
@@ -88,7 +87,6 @@ impl Assembler {
         self.on_registers(0x39, b as u8, a);
     }
 
-    /// Compares with zero.
     pub(super) fn test(&mut self, a: General) {
         self.on_registers(0x85, a as u8, a);
     }
@@ -97,7 +95,6 @@ impl Assembler {
         self.on_registers(0xff, 1, a);
     }
 
-    /// Loads 64 bits from base + offset.
     pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
         let register = to as u8;
         self.bytes.extend([0x48 | register >> 3 << 2 | base as u8 >> 3, 0x8b]);
@@ -120,7 +117,7 @@ impl Assembler {
         self.bytes.push(opcode | number & 7);
     }
 
-    /// Writes to the end of the stack without changing what is there.
+    /// Touches the end of the stack without changing its value.
     pub(super) fn touch_stack(&mut self) {
         // or qword ptr [rsp], 0
         self.bytes.extend([0x48, 0x83, 0x0c, 0x24, 0]);
@@ -130,24 +127,24 @@ impl Assembler {
         self.bytes.push(0xc3);
     }
 
-    /// This place.
+    /// Returns the current position as the target of later jumps.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
     }
 
-    /// Jumps, if a count is zero, to a place that is still to be [bound](Self::bind).
+    /// Jumps forward if `count` is zero, to a target given later by [`bind`](Self::bind).
     pub(crate) fn skip_if_zero(&mut self, count: General) -> Forward {
         self.test(count);
         self.jump_if_forward(Condition::Zero)
     }
 
-    /// Takes one from a count, and jumps unless it is zero then.
+    /// Decrements `count` and jumps if it is not zero then.
     pub(crate) fn count_down(&mut self, count: General, to: Label) {
         self.decrement(count);
         self.jump_if(Condition::NotZero, to);
     }
 
-    /// Jumps if a is below b, both without a sign.
+    /// Jumps if a < b, unsigned.
     pub(crate) fn repeat_below(&mut self, a: General, b: General, to: Label) {
         self.compare(a, b);
         self.jump_if(Condition::Below, to);
@@ -158,18 +155,17 @@ impl Assembler {
         self.set_target(after, to.0);
     }
 
-    /// A jump to a place that is still to be [bound](Self::bind).
+    /// Jumps forward on a condition, to a target given later by [`bind`](Self::bind).
     pub(super) fn jump_if_forward(&mut self, condition: Condition) -> Forward {
         self.bytes.extend([0x0f, 0x80 | condition as u8, 0, 0, 0, 0]);
         Forward(self.bytes.len())
     }
 
-    /// Lets a jump lead to this place.
     pub(crate) fn bind(&mut self, Forward(after): Forward) {
         self.set_target(after, self.bytes.len());
     }
 
-    /// Distances are counted from after the jump.
+    /// Distances count from the end of the jump instruction.
     fn set_target(&mut self, after: usize, target: usize) {
         let distance = target as i32 - after as i32;
         self.bytes[after - 4..after].copy_from_slice(&distance.to_le_bytes());

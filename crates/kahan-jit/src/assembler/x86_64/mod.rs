@@ -1,8 +1,7 @@
 //! An assembler for x86-64.
 //!
-//! Instructions are those of AVX, of FMA, and of AVX-512F and AVX-512VL where a register beyond the
-//! first sixteen or of 512 bits takes part (Intel, Software Developer's Manual, volume 2).
-//! Functions follow the calling convention of System V.
+//! It writes AVX and FMA, and for registers beyond the first sixteen or of 512 bits AVX-512F and
+//! AVX-512VL (Intel, Software Developer's Manual, volume 2). Functions follow System V.
 
 mod encoding;
 mod general;
@@ -20,11 +19,10 @@ pub(crate) type Memory = operands::Memory<General>;
 type Source = operands::Source<Memory>;
 
 impl Vector {
-    /// The number in place of an operand that an instruction has not.
+    /// Encodes an unused operand.
     const NONE: Self = Vector(0);
 }
 
-/// Code that is being written, for operands of one form.
 #[derive(Debug)]
 pub(crate) struct Assembler {
     bytes: Vec<u8>,
@@ -37,16 +35,14 @@ impl Assembler {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
     }
 
-    /// The kind of its operands.
     pub(crate) fn form(&self) -> Form {
         self.form
     }
 
-    /// Begins a function: saves registers, and makes room for slots.
+    /// Begins a function: saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &Needs) {
-        /// Slots of any width begin with cache lines.
+        /// Slots of every width start on a cache line.
         const LINE: i32 = 64;
-        /// About the length of an instruction.
         const LENGTH: usize = 8;
 
         assert!(needs.vectors <= 32, "there are so many registers");
@@ -66,7 +62,7 @@ impl Assembler {
         }
     }
 
-    /// Ends a function that was begun with the same needs.
+    /// Ends a function; `needs` must equal those of `open`.
     pub(crate) fn close(&mut self, needs: &Needs) {
         if needs.uses_pointers {
             for (index, register) in (1..).zip(General::SAVED) {
@@ -79,8 +75,7 @@ impl Assembler {
         self.ret();
     }
 
-    /// to = a ∘ b. Where a sign of single numbers is flipped, other bits of the register are
-    /// flipped as well: a memory operand is 16 bytes at least.
+    /// to = a ∘ b. A scalar sign flip changes other bits too: xor reads at least 16 bytes.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -94,7 +89,7 @@ impl Assembler {
         self.vector(Opcode::of(self.form, opcode), to, a, b);
     }
 
-    /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
+    /// Writes a fused multiply-add into `to`, which is one of its operands.
     pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
         let order = match order {
             Order::D132 => 0x98,
@@ -109,7 +104,6 @@ impl Assembler {
         self.vector(Opcode::fused(self.form, order + operator), to, b, c);
     }
 
-    /// Copies a whole register.
     pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
         self.vector(Opcode::packed(self.form, 0x28), to, Vector::NONE, Source::Register(from));
     }
@@ -122,12 +116,12 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// The number of single precision nearest to a number, as one of this form.
+    /// Rounds to the nearest single-precision number, in the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // The rest of the register comes from a further operand, which vectors have no use for.
+        // Scalar conversions copy the upper bits from an extra operand, which vector ones lack.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
         let single = Form { element: Element::Single, ..self.form };
@@ -135,23 +129,22 @@ impl Assembler {
         self.vector(Opcode::convert(single), to, rest_of_single, Source::Register(to));
     }
 
-    /// Leaves the upper halves of the registers as code that knows only their lower halves wants
-    /// them.
+    /// vzeroupper: avoids a penalty in callers that use SSE instructions.
     fn zero_upper(&mut self) {
         self.bytes.extend([0xc5, 0xf8, 0x77]);
     }
 
-    /// A place in the pool that holds a number in every lane; `bits` are those of one.
+    /// Returns the pool entry that holds a number in every lane; `bits` encodes one lane.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// The code and its pool.
+    /// Returns the code followed by its pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         const BREAKPOINT: u8 = 0xcc;
 
         self.pool.append_to(self.bytes, BREAKPOINT, |code, place, target| {
-            // Code and pool are short. The distance is counted from what comes after it.
+            // The distance counts from the end of the offset; code and pool fit 32 bits.
             let distance = target as i32 - (place as i32 + 4);
             code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
         })

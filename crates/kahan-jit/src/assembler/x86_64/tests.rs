@@ -1,5 +1,4 @@
-//! Every form of every instruction, with every register in every place, decoded by a library that
-//! knows them all.
+//! Decodes all forms of all instructions, with all registers, by an independent disassembler.
 
 use iced_x86::{
     Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
@@ -43,10 +42,10 @@ const GENERAL: [(General, Register); 16] = [
     (General::R15, Register::R15),
 ];
 
-/// Offsets that take no byte, one byte, and four.
+/// Offsets that take zero, one and four bytes.
 const OFFSETS: [i32; 9] = [0, 1, -1, 127, -128, 128, -129, 0x1234_5678, i32::MIN];
 
-/// The only instruction of some code.
+/// Decodes code of exactly one instruction.
 fn decoded(write: impl FnOnce(&mut Assembler), form: Form) -> Instruction {
     let mut assembler = Assembler::new(form);
     write(&mut assembler);
@@ -60,7 +59,7 @@ fn decoded(write: impl FnOnce(&mut Assembler), form: Form) -> Instruction {
     instruction
 }
 
-/// It works on all lanes, rounds to nearest, and repeats nothing that it reads.
+/// Asserts that the instruction has no mask, broadcast or embedded rounding.
 fn assert_is_plain(instruction: &Instruction) {
     assert_eq!(instruction.op_mask(), Register::None, "{instruction:?}");
     assert!(!instruction.zeroing_masking() && !instruction.is_broadcast(), "{instruction:?}");
@@ -68,7 +67,7 @@ fn assert_is_plain(instruction: &Instruction) {
     assert!(!instruction.suppress_all_exceptions(), "{instruction:?}");
 }
 
-/// The register of a form.
+/// Returns the decoder's name of a vector register.
 fn vector(form: Form, Vector(number): Vector) -> Register {
     let first = match form.width {
         Width::Scalar | Width::Bits128 => Register::XMM0,
@@ -78,7 +77,6 @@ fn vector(form: Form, Vector(number): Vector) -> Register {
     first + u32::from(number)
 }
 
-/// How a mnemonic ends.
 fn suffix(form: Form) -> &'static str {
     match (form.width, form.element) {
         (Width::Scalar, Element::Single) => "ss",
@@ -114,7 +112,7 @@ fn assert_memory(instruction: &Instruction, place: u32, bytes: usize, memory: Me
     assert_eq!(instruction.memory_displacement64() as i64, offset, "{instruction:?}");
 }
 
-/// Every place in memory that has a base.
+/// Yields every memory operand with a base.
 fn places() -> impl Iterator<Item = Memory> {
     let at = |(base, _)| OFFSETS.map(|offset| Memory::At { base, offset });
     let indices = GENERAL.into_iter().filter(|(index, _)| *index != General::Rsp);
@@ -122,7 +120,7 @@ fn places() -> impl Iterator<Item = Memory> {
     GENERAL.into_iter().flat_map(at).chain(indexed)
 }
 
-/// Three registers: all of 32 in each place, the others different.
+/// Yields register triples in which each of the 32 registers takes each position.
 fn triples() -> impl Iterator<Item = [Vector; 3]> {
     (0..32_u32).flat_map(|k| {
         let [a, b] = [(k * 7 + 3) % 32, (k * 13 + 5) % 32];
@@ -131,11 +129,11 @@ fn triples() -> impl Iterator<Item = [Vector; 3]> {
     })
 }
 
-/// An instruction with three operands, the last of which may be in memory.
+/// Checks an instruction with three operands, the last in a register or in memory.
 fn check(name: &str, form: Form, bytes: usize, write: impl Fn(&mut Assembler, Vector, Vector, Source)) {
     for [to, a, b] in triples() {
         let instruction = decoded(|assembler| write(assembler, to, a, Source::Register(b)), form);
-        // Only the name with an element at its end is one of AVX-512F.
+        // AVX-512F mnemonics of bitwise and copy instructions end with the element.
         let is_evex = form.width == Width::Bits512 || [to, a, b].iter().any(|register| register.0 >= 16);
         assert_mnemonic(&instruction, &named(name, form, is_evex));
         assert_registers(&instruction, form, &[to, a, b]);
@@ -151,7 +149,7 @@ fn check(name: &str, form: Form, bytes: usize, write: impl Fn(&mut Assembler, Ve
     }
 }
 
-/// The mnemonic: that of an operation on bits is of integers where it is one of AVX-512F.
+/// Returns the expected mnemonic; AVX-512F has only integer forms of xor.
 fn named(name: &str, form: Form, is_evex: bool) -> String {
     match (name, form.element) {
         ("vxor", Element::Single) if is_evex => "vpxord".to_owned(),
@@ -225,7 +223,6 @@ fn numbers_are_moved_as_was_asked_for() {
     }
 }
 
-/// All instructions of some code.
 fn all(bytes: &[u8]) -> Vec<Instruction> {
     let instructions: Vec<Instruction> = Decoder::new(64, bytes, DecoderOptions::NONE).iter().collect();
     assert!(instructions.iter().all(|instruction| !instruction.is_invalid()));
@@ -236,7 +233,7 @@ fn all(bytes: &[u8]) -> Vec<Instruction> {
 #[test]
 fn numbers_are_rounded_to_single_precision_and_taken_back() {
     for form in FORMS.into_iter().filter(|form| form.element == Element::Double) {
-        // Singles take half a register of doubles, and of the shortest a part.
+        // Singles fill half the width of doubles; the shortest register has 128 bits.
         let half = match form.width {
             Width::Bits512 => Width::Bits256,
             _ => Width::Bits128,
@@ -266,7 +263,7 @@ fn numbers_are_rounded_to_single_precision_and_taken_back() {
     }
 }
 
-/// Everything that code is made of: each operation of a form, with registers from both ends.
+/// Decodes each operation of a form, with registers from both ends of the range.
 #[cfg(target_arch = "x86_64")]
 fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction> {
     let mut assembler = Assembler::new(form);
@@ -303,7 +300,7 @@ fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction
     all(&assembler.bytes)
 }
 
-/// Sets ask for extensions where there is a processor that may have them.
+/// An instruction set is available if the processor has every extension that its code uses.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn a_set_of_instructions_is_available_where_all_of_them_are() {
@@ -335,7 +332,7 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        // The last is like the first in one half, and like the second in the other.
+        // The third constant shares its lower half with the first, its upper with the second.
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);
@@ -354,7 +351,7 @@ fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     }
 }
 
-/// Operands of a whole register are aligned to it wherever code ends.
+/// Aligned whole-register operands need this for code of every length.
 #[test]
 fn the_pool_begins_with_a_cache_line() {
     for length in 0..=130 {
@@ -370,7 +367,7 @@ fn the_pool_begins_with_a_cache_line() {
     }
 }
 
-/// Offsets take one byte where one holds them, but for EVEX, which would count them in operands.
+/// Offsets take one byte if they fit, except in EVEX, which would scale them.
 #[test]
 fn offsets_are_as_short_as_they_can_be() {
     let length = |offset: i32, register: u8| {
@@ -379,13 +376,13 @@ fn offsets_are_as_short_as_they_can_be() {
     };
     for offset in OFFSETS {
         let short = i8::try_from(offset).is_ok();
-        // A prefix of two bytes or four, the opcode, the operands.
+        // A prefix of two or four bytes, the opcode, the operands.
         assert_eq!(length(offset, 3), 4 + if short { 1 } else { 4 }, "{offset}");
         assert_eq!(length(offset, 19), 6 + 4, "{offset}");
     }
 }
 
-/// One instruction on registers of addresses.
+/// Decodes one integer instruction.
 fn general(write: impl FnOnce(&mut Assembler)) -> Instruction {
     decoded(write, FORMS[0])
 }
@@ -455,7 +452,7 @@ fn jumps_lead_where_they_are_bound() {
     }
 }
 
-/// Functions save what their callers need, and find their frame where it was.
+/// Functions restore callee-saved registers and their frame.
 #[test]
 fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
     for (stack, uses_pointers) in [(0, false), (9000, false), (8, true)] {

@@ -1,4 +1,4 @@
-//! Slices between forbidden pages: code that reads or writes one number too many stops the process.
+//! Slices between inaccessible pages: an access out of bounds kills the process.
 #![expect(unsafe_code, reason = "only the system can forbid memory, and knows nothing of slices")]
 
 use std::ffi::c_void;
@@ -11,15 +11,15 @@ use rustix::mm::{MapFlags, MprotectFlags, ProtFlags, mmap_anonymous, mprotect, m
 
 const PAGE: usize = 4096;
 
-/// The end of a slice that borders on forbidden memory; the other end is part of a page away.
+/// The end of a slice that touches an inaccessible page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
     Begin,
     End,
 }
 
-/// Numbers in pages of their own between two forbidden pages, initially 0. Untouched pages take no
-/// memory, so that there may be more numbers than memory.
+/// Numbers between two inaccessible pages, initially 0. Untouched pages take no memory, so the
+/// slice may exceed physical memory.
 pub(crate) struct Guarded<T> {
     pages: NonNull<c_void>,
     bytes: usize,
@@ -33,8 +33,8 @@ impl<T: num_traits::Float> Guarded<T> {
         let used = len * size_of::<T>();
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
-        // SAFETY: the system chooses unused addresses. The inner pages are as long as the numbers,
-        // are initially zero, and are aligned at both ends.
+        // SAFETY: the system chooses unused addresses. The inner pages hold the numbers, are
+        // initially zero, and are aligned at both ends.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);
@@ -55,15 +55,14 @@ impl<T> Deref for Guarded<T> {
     type Target = [T];
 
     fn deref(&self) -> &[T] {
-        // SAFETY: `len` numbers begin there, and live as long as `self`.
+        // SAFETY: `len` numbers begin at `start` and live as long as `self`.
         unsafe { slice::from_raw_parts(self.start.as_ptr(), self.len) }
     }
 }
 
 impl<T> DerefMut for Guarded<T> {
     fn deref_mut(&mut self) -> &mut [T] {
-        // SAFETY: `len` numbers begin there, and live as long as `self`, which is borrowed
-        // exclusively.
+        // SAFETY: `len` numbers at `start` live as long as `self`, borrowed exclusively.
         unsafe { slice::from_raw_parts_mut(self.start.as_ptr(), self.len) }
     }
 }

@@ -1,7 +1,7 @@
-//! Hostile programs on slices between forbidden pages. Every program that a caller can build
-//! without `unsafe` is refused, or computes its results and touches no other memory.
+//! Hostile programs on slices between inaccessible pages. Every program that safe code can build is
+//! either refused or computes its results without touching other memory.
 //!
-//! The fuzz target `program` compiles these files too, which therefore use only public items.
+//! The fuzz target `program` compiles these files too, so they use only public items.
 
 mod guarded;
 #[cfg(test)]
@@ -46,11 +46,11 @@ pub(crate) struct Case {
     is_double: bool,
     edge: Edge,
     seed: u64,
-    /// Whether nothing in the program is a reason to refuse it.
+    /// Whether the program gives no reason for a refusal.
     is_ordinary: bool,
 }
 
-/// Bytes that decide random choices, followed by zeros.
+/// Random bytes that decide choices, followed by zeros.
 #[derive(Clone, Copy)]
 struct Source<'a>(&'a [u8]);
 
@@ -65,8 +65,7 @@ impl Source<'_> {
         of[self.byte() % of.len()]
     }
 
-    /// Returns an index of an array, usually small, else near limits of bytes, offsets or
-    /// addresses.
+    /// Returns an array index, usually small, otherwise near a limit of offsets or addresses.
     fn entry(&mut self) -> usize {
         let near = self.byte();
         if near < 240 {
@@ -111,7 +110,7 @@ impl Source<'_> {
         }
     }
 
-    /// Returns a program of arbitrary instructions, and whether nothing is a reason to refuse it.
+    /// Returns an arbitrary program, and whether it gives no reason for a refusal.
     fn program(&mut self) -> (Program, bool) {
         const MANY: usize = 25_000;
 
@@ -120,13 +119,13 @@ impl Source<'_> {
             255 => MANY,
             results => results % 40,
         };
-        // Sometimes the bytes repeat.
+        // Sometimes repeat the bytes to make a long program.
         let instructions = match self.byte() {
             255 => MANY,
             254 => 3000,
             _ => 0,
         };
-        // Sometimes an operation reads one that is not before it.
+        // Sometimes an operation reads a later or missing one.
         let is_broken = self.byte() > 248;
         let (beginning, mut known) = (*self, 0);
         let mut is_ordinary = results < MANY && instructions < MANY && !is_broken;
@@ -180,7 +179,6 @@ impl Case {
 
     pub(crate) fn has_run(&self) -> bool {
         if self.routine != Routine::Function && self.states() > self.program.outputs.len() {
-            // `compile` panics if a state has no result.
             return false;
         }
         let refusal = if self.is_double { self.run::<f64>() } else { self.run::<f32>() };
@@ -201,7 +199,7 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers; of very many only the first and last ones are not zero.
+    /// Returns `count` numbers; in very long arrays, only the first and last ones are nonzero.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 

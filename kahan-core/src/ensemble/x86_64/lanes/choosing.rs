@@ -1,4 +1,4 @@
-//! Comparing and choosing, lane by lane, and what transposes squares beside it.
+//! Lane-wise comparison and selection, with the transposition of 4 × 4 matrices.
 
 use core::arch::x86_64::*;
 

@@ -1,4 +1,4 @@
-//! Squares of sixteen numbers, rows for columns, in registers.
+//! Transposition of 4 × 4 matrices in registers.
 
 use core::arch::x86_64::*;
 
@@ -6,10 +6,9 @@ use crate::ensemble::lanes::Square;
 
 use super::machine;
 
-/// In registers of four doubles, for AVX2 and AVX-512.
 #[inline(always)]
 pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
-    // Each pointer is good for the four numbers of its row.
+    // Each pointer is valid for the four numbers of its row.
     let [a, b, c, d] = machine!([
         _mm256_loadu_pd(rows[0].as_ptr()),
         _mm256_loadu_pd(rows[1].as_ptr()),
@@ -26,18 +25,17 @@ pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
     ];
     let mut square = [[0.0; 4]; 4];
     for k in 0..4 {
-        // As above.
+        // Each pointer is valid for the four numbers of its row.
         machine!(_mm256_storeu_pd(square[k].as_mut_ptr(), columns[k]));
     }
     square
 }
 
-/// In registers of two doubles, which every x86-64 processor has.
 #[inline(always)]
 pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
     for (r, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
-        // Each pointer is good for the two numbers from there to the end of the row or its middle.
+        // Each pointer is valid for two numbers: r and k are at most 2.
         let (a, b) = machine!((_mm_loadu_pd(rows[r][k..].as_ptr()), _mm_loadu_pd(rows[r + 1][k..].as_ptr())));
         machine!(_mm_storeu_pd(square[k][r..].as_mut_ptr(), _mm_unpacklo_pd(a, b)));
         machine!(_mm_storeu_pd(square[k + 1][r..].as_mut_ptr(), _mm_unpackhi_pd(a, b)));
@@ -45,10 +43,9 @@ pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
     square
 }
 
-/// In registers of four floats, which every x86-64 processor has.
 #[inline(always)]
 pub(super) fn singles(rows: Square<f32>) -> Square<f32> {
-    // Each pointer is good for the four numbers of its row.
+    // Each pointer is valid for the four numbers of its row.
     let [a, b, c, d] = machine!([
         _mm_loadu_ps(rows[0].as_ptr()),
         _mm_loadu_ps(rows[1].as_ptr()),
@@ -65,7 +62,7 @@ pub(super) fn singles(rows: Square<f32>) -> Square<f32> {
     ];
     let mut square = [[0.0; 4]; 4];
     for k in 0..4 {
-        // As above.
+        // Each pointer is valid for the four numbers of its row.
         machine!(_mm_storeu_ps(square[k].as_mut_ptr(), columns[k]));
     }
     square

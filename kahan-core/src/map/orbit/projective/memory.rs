@@ -1,14 +1,13 @@
-//! Tests whether an ordinary step preserves information; otherwise an orbit continues along lines.
+//! Tests whether an ordinary step preserves enough digits; otherwise an orbit follows lines.
 //!
 //! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. If A(x,ε) is nearly singular, x̃ is large or
-//! inaccurate. If A(x̃,−ε) is nearly singular, the step maps many points to nearly one, and their
-//! differences lie below the last digit of x̃.
+//! inaccurate; if A(x̃,−ε) is, the step merges points whose differences the digits of x̃ lose.
 
 use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// The smallest ratio of a pivot to its row or column; a step then loses at most ten bits.
+/// The smallest ratio of a pivot to its row or column, so that a step loses at most ten bits.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
 #[inline(always)]
@@ -17,15 +16,15 @@ fn slope<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>, i: usize, j: usiz
     (if i == j { slope - T::one() } else { slope }).approximate().abs()
 }
 
-/// Returns whether every row of |εf′| sums to at most ½, so that A = I − εf′ and I + εf′ are far
-/// from singular. This is the common case of small ε.
+/// Returns whether every row of |εf′| sums to at most ½. Then I − εf′ and I + εf′ are far from
+/// singular; this is the common case of small ε.
 #[inline(always)]
 pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Returns whether A = I − εf′ is far from singular: each pivot is at least `LEAST_PIVOT` times 1 +
-/// Σ|εf′ᵢⱼ| over its column, or each over its row.
+/// Returns whether A = I − εf′ is far from singular: every pivot is at least `LEAST_PIVOT` times
+/// (1 + Σ|εf′ᵢⱼ|), with all sums over its column or all over its row.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;
@@ -46,7 +45,7 @@ pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T
                 let factor = row[k] / pivot[k];
                 row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * above);
             }
-            // False for NaN.
+            // The comparison is false for NaN.
             pivot[k].abs() >= LEAST_PIVOT * scales[k]
         })
     };

@@ -1,8 +1,8 @@
 //! Orbits that continue through poles, in projective space.
 //!
-//! In: an orbit. Out: its points, including those at infinity and after poles. An ordinary step is
-//! taken if it loses nothing ([`memory`]). Otherwise the orbit follows lines ([`passage`]) over
-//! numbers that depend on a small δ ([`germ`]), until points merged by the pole are separate again.
+//! In: an orbit. Out: its points, including those at infinity and after poles. Steps are ordinary
+//! while they preserve enough digits ([`memory`]). Otherwise the orbit follows lines ([`passage`])
+//! over numbers that depend on a small δ ([`germ`]), until points merged by the pole separate.
 
 mod germ;
 mod memory;
@@ -24,13 +24,13 @@ use passage::{Lost, Passage, Place};
 pub use point::ProjectivePoint;
 pub use through::ThroughPoles;
 
-/// The number of steps after which points merged by a pole are assumed to stay merged.
+/// The number of steps after which merged points are assumed never to separate.
 const MOST_STEPS: usize = 12;
 
-/// The largest number of variables with lines through points, whose matrices lie on the stack.
+/// The maximum number of variables for lines through points, whose matrices lie on the stack.
 const MOST_VARIABLES: usize = 32;
 
-/// The orbit of a Kahan map through its poles; made by [`Orbit::projective`].
+/// The orbit of a Kahan map through its poles; see [`Orbit::projective`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
@@ -43,14 +43,12 @@ pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
 
 #[derive(Clone)]
 enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
-    /// Before the first point.
     First(SVector<T, N>),
     Point {
         x: SVector<T, N>,
         /// Whether |εf′| is known to be small at x.
         is_flat: bool,
     },
-    /// On its way through a pole.
     Passage(Box<Passage<M, T, N>>),
     Nowhere,
 }
@@ -62,28 +60,27 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> At<M, T, N> {
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Continues this orbit through its poles: yields points of projective space.
+    /// Continues this orbit through its poles, as points of projective space.
     ///
-    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0 for the map φ and any direction v: the
+    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, for the map φ and any direction v: the
     /// value of the n-th iterate as a rational map of projective space. A map may contract a curve
     /// or surface to one point, finite or infinite, and separate its points some steps later;
-    /// `kahan poles` finds these curves. Until then the orbit follows lines through the point
-    /// before the contraction. If the points are still merged after twelve steps, the orbit
-    /// continues from the merged point.
+    /// `kahan poles` finds such curves. Until then the orbit follows lines through the point before
+    /// the contraction; if twelve steps separate nothing, it continues from the merged point.
     ///
     /// Exact orbits are exact: lines are series in δ. Over floats, points have the bits of
     /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular:
-    /// no pivot is below a 1024th of its row or column, as far as the digits of x̃ show. Other
-    /// points are computed in 17 digits of 64 bits and rounded once each, until a rounding is
-    /// amplified by at most ten bits at the point before the pole. Hence an orbit loses at most ten
-    /// bits on its way through a pole. If a float is near a pole but not at it, the next point is
-    /// large but finite, unless it is beyond the range of the scalar. In more than 32 variables the
-    /// orbit takes only ordinary steps.
+    /// no pivot is below 1/1024 of its row or column, as far as the digits of x̃ show. Other points
+    /// are computed in numbers of 17 × 64 bits and rounded once each, until rounding is amplified
+    /// by at most ten bits on the way back to the point before the pole. Hence a passage through a
+    /// pole loses at most ten bits. From a float near a pole but not at it, the next point is large
+    /// but finite, unless it exceeds the range of the scalar. In more than 32 variables the orbit
+    /// takes only ordinary steps.
     ///
-    /// Cost: over floats, a step and the matrix A, or two matrices and their eliminations if |εf′|
-    /// is not small; over exact scalars, a step and a determinant. A step near a pole allocates; it
-    /// costs several orders of magnitude more over floats, and several exact steps per term of the
-    /// series over exact scalars.
+    /// Cost over floats: a step and the matrix A, or two matrices and their eliminations if |εf′|
+    /// is not small. Cost over exact scalars: a step and a determinant. A step near a pole
+    /// allocates and is several orders of magnitude slower over floats; over exact scalars it costs
+    /// several exact steps per term of the series.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -109,8 +106,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N> {
-    /// Returns why the orbit has ended: after a non-finite state, at a point of indeterminacy (the
-    /// limits along two lines differ), or if no limit shows.
+    /// Returns the reason why the orbit has ended: a state that is not finite, a point of
+    /// indeterminacy (limits along two lines differ), or no recognisable limit.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
@@ -121,7 +118,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         None
     }
 
-    /// Returns the next point, unless it is an ordinary step from the last point.
+    /// Returns the next point if it does not follow by an ordinary step.
     #[cold]
     fn elsewhere(&mut self) -> Option<ProjectivePoint<T, N>> {
         match mem::replace(&mut self.at, At::Nowhere) {
@@ -145,7 +142,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         match self.begin(x) {
             Ok(point) => Some(point),
             Err(Lost::Ambiguous) => self.stop(Reason::Indeterminate),
-            // Continues like an ordinary orbit.
+            // Continues with the ordinary step, if it is finite.
             Err(Lost::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
                 Some(next) => Some(self.at_point(next)),
                 None => self.stop(Reason::Unfollowed),
@@ -185,7 +182,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         point
     }
 
-    /// Returns the next point from the last point only, without the lines.
+    /// Returns the next point from the last point only, dropping the lines.
     fn forget(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
         match passage.into_last().and_then(ProjectivePoint::affine) {
             Some(x) => self.after(x),
@@ -199,7 +196,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Proje
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        // In place: a moved state would lengthen the recurrence of the orbit.
+        // Updates the state in place; moving it would lengthen the critical path of the orbit.
         if let At::Point { x, is_flat } = &mut self.at
             && let Some(next) = self.prepared.next(x)
             && T::keeps(&self.map, x, &next, &self.eps, is_flat)

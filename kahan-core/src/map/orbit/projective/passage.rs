@@ -1,9 +1,8 @@
-//! The passage through a pole: lines through the point before the pole, followed step by step.
+//! The passage through a pole: lines through the point before the pole, advanced step by step.
 //!
-//! For two directions v the points x + δv are stepped by A(x,ε)·x̃ = b(x,ε), over numbers that
-//! depend on δ. If both have the same limit as δ → 0, it is the next point of the orbit. The
-//! product of the steps' derivatives shows when points merged by the map are separate again, which
-//! ends the passage.
+//! The points x + δv of two directions v are advanced by A(x,ε)·x̃ = b(x,ε) over numbers that
+//! depend on δ. If both have one limit as δ → 0, it is the next point of the orbit. The product of
+//! the steps' derivatives shows when merged points are separate again, which ends the passage.
 
 use std::vec::Vec;
 
@@ -17,7 +16,7 @@ use super::ThroughPoles;
 use super::germ::Germ;
 use super::point::ProjectivePoint;
 
-/// Random coefficients of δ; small integers would often sum to 0 or lie in a special plane.
+/// Arbitrary slopes of the lines; small integers would often sum to 0 or lie in a special plane.
 const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
@@ -25,11 +24,11 @@ fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
     S::constant(&crate::Constant::integer(SLOPES[place % SLOPES.len()]))
 }
 
-/// A line through a point, and its image under the steps so far.
+/// A line through a point, advanced by the steps so far.
 #[derive(Clone)]
 struct ProjectiveLine<S, const N: usize> {
     point: SVector<S, N>,
-    /// The derivative of the first point by this one; `None` if not computed or not known.
+    /// The derivative of the first point by this one; `None` if not computed or unknown.
     derivative: Option<SMatrix<S, N, N>>,
 }
 
@@ -53,19 +52,18 @@ fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>
 
 pub(super) struct Place<T, const N: usize> {
     pub(super) point: ProjectivePoint<T, N>,
-    /// Whether points near the first one are separate again; `None` if unknown.
+    /// Whether merged points are separate again; `None` if unknown.
     pub(super) is_through: Option<bool>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lost {
-    /// Along two lines the limits differ, with the greatest effort, too.
+    /// The limits along two lines differ, even in the last attempt.
     Ambiguous,
-    /// The greatest effort shows no limit.
+    /// The last attempt shows no limit.
     Unknown,
 }
 
-/// The state of an orbit on its way through a pole.
 #[derive(Clone)]
 pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     start: SVector<T, N>,
@@ -95,7 +93,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         self.last
     }
 
-    /// Returns the next point; repeats all steps with a greater effort if necessary.
+    /// Returns the next point; repeats all steps in further attempts if necessary.
     pub(super) fn advance(&mut self) -> Result<Place<T, N>, Lost> {
         let mut steps = 1;
         loop {
@@ -132,7 +130,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         ProjectiveLine { point: SVector::from_fn(|i, _| moved(i)), derivative }
     }
 
-    /// Advances all lines by `steps` steps; `None` if this effort does not show the point.
+    /// Advances all lines by `steps` steps; `None` if this attempt does not determine the point.
     fn attempt(&mut self, steps: usize) -> Option<Result<Place<T, N>, Lost>> {
         let Self { unit, map, eps, effort, lines, .. } = self;
         let mut common: Option<ProjectivePoint<T, N>> = None;

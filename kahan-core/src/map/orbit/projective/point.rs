@@ -1,13 +1,13 @@
-//! Points of projective space: those of Tᴺ, and a point at infinity for each direction.
+//! Points of projective space: the points of Tᴺ, and a point at infinity for each direction.
 
 use nalgebra::SVector;
 
 use crate::{Pivot, Scalar};
 
-/// A point \[X : W\] of projective space: x = X/W, or for W = 0 at infinity in directions X and −X.
+/// A point \[X : W\] of projective space: x = X/W, or for W = 0 at infinity in the directions ±X.
 ///
-/// Normal form: W is 1 or 0. At infinity the first coordinate within a part in 2²⁰ of the largest
-/// is 1. So equal points have equal coordinates, up to rounding.
+/// Normal form: W is 1 or 0. At infinity, the first coordinate within a relative 2⁻²⁰ of the
+/// largest is 1. Equal points therefore have equal coordinates, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -23,7 +23,7 @@ pub struct ProjectivePoint<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> ProjectivePoint<T, N> {
-    /// Returns x, unless the point is at infinity.
+    /// Returns x; `None` at infinity.
     pub fn affine(self) -> Option<SVector<T, N>> {
         if self.is_infinite { None } else { Some(self.coordinates) }
     }
@@ -54,7 +54,7 @@ impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
     }
 }
 
-/// The relative difference up to which a coordinate counts as one of the largest.
+/// The relative difference up to which a coordinate counts as equal to the largest.
 const TIE: f64 = 1.0 / (1_u32 << 20) as f64;
 
 pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {

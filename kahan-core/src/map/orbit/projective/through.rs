@@ -1,6 +1,6 @@
-//! The scalars that support orbits through poles.
+//! Scalars that support orbits through poles.
 //!
-//! In: a step. Out: whether it loses nothing, and otherwise the type of numbers for the passage.
+//! In: a step. Out: whether it preserves enough digits, and the number type for the passage.
 
 use core::mem;
 
@@ -12,16 +12,16 @@ use crate::{Dd, KahanMap, Pivot, Scalar};
 use super::germ::Germ;
 use super::memory::{has_small_slopes, is_far_from_singular};
 
-/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`] or (`exact`) `BigRational`.
+/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`], or `BigRational` (`exact`).
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
 pub trait ThroughPoles: Pivot + Followed {}
 
-/// A scalar with numbers for the passage through poles.
+/// A scalar whose orbits can be continued through poles.
 pub(super) trait Followed: Scalar {
     type Germ: Germ<Self>;
 
-    /// Returns whether x̃ retains enough digits of x. `is_flat` is true only if |εf′| is known to
-    /// be small: at x on entry, at x̃ on return.
+    /// Returns whether x̃ preserves enough digits of x. `is_flat` says whether |εf′| is known to be
+    /// small: at x on entry, at x̃ on return.
     fn keeps<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         x: &SVector<Self, N>,
@@ -34,7 +34,7 @@ pub(super) trait Followed: Scalar {
     fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
 }
 
-/// The relative distance of limits that count as equal.
+/// The relative distance below which two limits count as equal.
 const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
 
 fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {
@@ -56,7 +56,7 @@ macro_rules! implement_for_float {
                 eps: &Self,
                 is_flat: &mut bool,
             ) -> bool {
-                // Cancellation of x against x̃ − x leaves too few digits of x̃ for a judgement.
+                // If x cancels against x̃ − x, too few digits of x̃ remain for a decision.
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
                 let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
                 let is_finite = next.iter().all(Pivot::is_finite_number);

@@ -1,5 +1,5 @@
-//! Tests that each rule of the running bound is nearly attained: with one rounding, one term or
-//! half of the slack less, the rule would fail.
+//! Tests that each rule of the running error bound is nearly sharp: with one rounding, one term or
+//! half of the slack less, it would fail.
 
 use num_traits::One;
 
@@ -34,7 +34,7 @@ fn assert_near<const BITS: i32>(value: &Beside<BITS>, least: f64) {
     assert!(part >= least, "a bound that nothing comes near says little: {part}");
 }
 
-/// The part of a bound that remains within the slack.
+/// The fraction of a bound that remains within the slack.
 const ALL: f64 = 1.0 / SLACK - 1e-4;
 
 #[test]
@@ -80,13 +80,13 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     }
 }
 
-/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are too small: half of the slack would not suffice.
+/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are rounded down: half of the slack would not suffice.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
 }
 
-/// Operands and magnitudes with the largest possible errors, in both kinds of quotients.
+/// Operands and magnitudes have the largest possible errors, in both kinds of quotients.
 #[test]
 fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
     const MIDDLE: i32 = 13;
@@ -107,7 +107,7 @@ fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
 #[test]
 fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
-        // Without a known reciprocal; below, whole literals with one.
+        // Without a known reciprocal; whole literals with one follow below.
         let quotient = off_by(UP, || rounded_up::<FINE>(a).over(&rounded_down(b))).expect("a quotient");
         let k = a.max(b) as f64 + 1.0;
         let part = (a + b + 1) as f64 / (2.0 * k);
@@ -120,7 +120,7 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// A divisor with an error of nearly a 64th, so that v̂, which replaces v in m, is too small.
+/// The divisor's error is nearly 1/64, so v̂, which replaces v in m, is too small.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -128,7 +128,7 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
-/// A divisor whose error may reach a 64th of it has no quotient.
+/// A divisor whose error may reach 1/64 of it has no quotient.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::given(1.0);
@@ -151,7 +151,7 @@ fn a_divisor_that_may_be_zero_has_no_quotient() {
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// The chain 1/d/d′, which keeps m/|v̂| as a sum.
+/// The chain 1/d/d′ keeps m/|v̂| as a sum.
 #[test]
 fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
     for k in [0, 1, 4] {
@@ -180,7 +180,7 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
 
-/// n̂·r̂ against w·m: errors of numerator, reciprocal and product.
+/// Compares n̂·r̂ with w·m: errors of numerator, reciprocal and product.
 #[test]
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
@@ -215,7 +215,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// A value with a known radius: m and k follow from the radius, not from cancelled terms.
+/// For a value with a known radius, m and k follow from the radius, not from cancelled terms.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
@@ -233,7 +233,6 @@ fn a_known_radius_is_the_error() {
     assert!(difference.error() <= (radius + radius) * Size::from(1.07));
 }
 
-/// Packed values and magnitudes equal separate ones bit for bit, except for fused multiply-adds.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn packed_pairs_are_pairs() {
@@ -258,7 +257,7 @@ fn packed_pairs_are_pairs() {
     }
 }
 
-/// The unit of a pair of floats covers the bounds stated for its operations.
+/// The unit of each number type covers the stated error bounds of its operations.
 #[test]
 fn units_are_those_of_the_operations() {
     use crate::Dd;

@@ -1,4 +1,4 @@
-//! Whole steps with worst-case rounding: the bounds of attempts, and results of the first rung.
+//! Whole steps with worst-case rounding: the bounds of attempts, and the results of level 1.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -39,7 +39,6 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// Linear.
     struct Decay;
     xdot = -x;
 }
@@ -81,7 +80,7 @@ fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) 
     (error, largest(&mut y.iter().cloned()))
 }
 
-/// Calls `see` with pseudorandom states and ε, of ordinary size and beside poles.
+/// Calls `see` with pseudorandom states and ε, ordinary ones and ones near poles.
 fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) {
     let mut state = 20_261_122_u64;
     let mut unit = || {
@@ -159,7 +158,7 @@ fn an_attempt_is_within_what_it_says() {
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
-/// If the reciprocal took few roundings, those of the numerator make up nearly all of the error.
+/// If the reciprocal has few roundings, the numerator's make up nearly all of the error.
 #[test]
 fn an_attempt_has_the_roundings_of_its_numerators() {
     let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
@@ -169,7 +168,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
         by_step(&Long { a }, &given(&x), eps).expect("no pole is near")
     });
-    // The second component is larger; the first begins at 0, so its last roundings are of its size.
+    // The second component is larger; the first starts at 0, so its last roundings are of its size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = f64::from(attempt.next[1].size());
     let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());
@@ -202,7 +201,7 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// An input beyond the limit for underflow: y² is off by η, and a·η exceeds the allowance.
+/// An input exceeds the limit for underflow: y² is off by η, and a·η exceeds the allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -214,7 +213,7 @@ fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     assert!(off_by((0, 1), step).is_some());
 }
 
-/// Rounding to a narrower scalar counts as error: near underflow it exceeds 64 u.
+/// Rounding to a narrower scalar counts as error, and near underflow it exceeds 64 u.
 #[test]
 fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
@@ -235,7 +234,7 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart.
+/// Leading terms cancel at a parameter; the remaining digits are 2·10³ bits below.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {
@@ -266,7 +265,7 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
-/// Terms too far apart for 17 digits in expanded forms; elimination answers.
+/// Terms are too far apart for 17 digits in expanded forms; elimination succeeds.
 #[cfg(feature = "std")]
 #[test]
 fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
@@ -290,7 +289,7 @@ crate::kahan! {
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
 }
 
-/// Steps of many variables at every size, also if constants or elimination in doubles overflow.
+/// Steps of many variables at every magnitude, even if doubles overflow.
 #[test]
 fn many_variables_are_promised_at_every_size() {
     let rational = |x: f64| Q::from_float(x).unwrap();
@@ -333,7 +332,7 @@ crate::kahan! {
     xdot = x^2/(a - b) - x;
 }
 
-/// Produces each reason by a step, except for exhausted digits, which are too rare.
+/// Produces every reason by a step, except for exhausted digits, which are too rare.
 #[test]
 fn reports_say_what_is_the_case() {
     use crate::SingularStep;

@@ -7,18 +7,18 @@ use crate::scalar::bounded::underflow;
 use crate::scalar::bounded::{Number, power_of_two};
 
 const FINE: i32 = 40;
-/// Exact operations except for an error of η each.
+/// Exact operations, except for an error of η each.
 const TINY: (i64, i64) = (0, 1);
 
 type Value = Beside<FINE>;
 
-/// Checks the bound. An error of η may double 30 times, including 20 for products of inputs.
+/// Checks the bound. The range allows an error of η to double 30 times, 20 of them by inputs.
 fn assert_allowed(value: &Value) {
     let error = value.error();
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
 }
 
-/// Returns the largest input that a formula permits, from a run with inputs of 1.
+/// Returns the largest input that a formula permits, found with inputs of 1.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
     formula(&Value::given(1.0)).bounded.largest_input().size()
 }
@@ -31,7 +31,7 @@ fn an_operation_that_underflows_is_allowed_for() {
     }
 }
 
-/// Products with an underflowed factor, as large as the bits of products permit.
+/// Products with an underflowed factor, as large as the limits on products permit.
 #[test]
 fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
     for count in 2..8 {
@@ -47,7 +47,7 @@ fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
 
 #[test]
 fn sums_and_constants_take_their_bits() {
-    // Doubled 18 times: one input is left a size of 2 bits.
+    // The error doubles 18 times, which leaves 2 bits for the input.
     let formula = |x: &Value| {
         let tiny = Value::given(0.0).times(&Value::given(0.0));
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
@@ -66,7 +66,7 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Quotients by the least divisor amplify η by its bits, twice if the divisor has an error.
+/// Quotients by the least divisor amplify η by its bits, or twice if the divisor has an error.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
@@ -104,7 +104,7 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Premises that constants and operations can violate without inputs. Each is necessary: slightly
+/// Premises that constants and operations can violate without inputs. Each is necessary: just
 /// beyond it, the true error exceeds the bound.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
@@ -160,7 +160,7 @@ mod premises {
         };
         assert_eq!(product(MOST_UNDERFLOWS, 0), Limit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS + 1, 0), Limit::NONE);
-        // A rounded literal may underflow, too.
+        // A rounded literal may underflow as well.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), Limit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), Limit::NONE);
         // A sum takes the underflows of the worse term and one bit for the other.
@@ -175,7 +175,7 @@ mod premises {
         assert_eq!(quotient(MOST_UNDERFLOWS / 2), Limit::NONE);
     }
 
-    /// (1+u)ᵏ − 1 against 1.0625·k·u·(1−u)ᵏ, with coarse u and rounded magnitudes.
+    /// Compares (1+u)ᵏ − 1 with 1.0625·k·u·(1−u)ᵏ, for coarse u and rounded magnitudes.
     #[test]
     fn no_more_roundings_are_counted_than_the_slack_pays_for() {
         const COARSE: i32 = 10;
@@ -195,7 +195,7 @@ mod premises {
     fn a_quotient_has_the_inputs_of_its_divisor() {
         let input = || Bounded::<Worst<FINEST>>::given(Worst::of_float(1.0));
         let quotient = |divisor: Bounded<Worst<FINEST>>| input().quotient(divisor).expect("a divisor of 1");
-        // Of 20 bits, a quotient takes twice the 4 bits of the least divisor.
+        // A quotient uses twice the 4 bits of the least divisor, out of 20 bits.
         assert_eq!(quotient(input()).largest_input(), Limit::below((20 - 8) / 2));
         assert_eq!(quotient(input() * input() * input()).largest_input(), Limit::below((20 - 8) / 4));
         // b = x·(0·0)·x + ⅛: if its inputs did not count, 2¹⁰ would pass with an error 2²⁰·η of b.
@@ -210,7 +210,7 @@ mod premises {
         assert!(formula(size).part() > 1.0);
     }
 
-    /// Unknown values stay unknown: ∞·0 is NaN, whose comparisons are false.
+    /// Unknown values stay unknown: ∞·0 is NaN, and comparisons with NaN are false.
     #[test]
     fn nothing_is_allowed_of_an_unknown_value() {
         let unknown = || Bounded::<f64>::given(1.0) / Bounded::given(0.0);
@@ -220,7 +220,7 @@ mod premises {
         }
     }
 
-    /// An infinite literal exceeds all bits; one that underflows errs within the bound.
+    /// An infinite literal exceeds all limits; one that underflows errs within the bound.
     #[test]
     fn literals_at_the_ends_of_a_range_are_bounded() {
         let of = |single: f32, double: f64, limbs: (&[u64], &[u64])| {
@@ -242,13 +242,13 @@ mod premises {
             for power in [bits, -bits] {
                 assert_eq!(over(sign * power_of_two(power)).largest_input(), Limit::below(20 - 1 - 6));
             }
-            // A larger ε counts as an ordinary input; a smaller one may be no valid divisor.
+            // A larger ε counts as an ordinary input; a smaller one may be an invalid divisor.
             assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), Limit::below(20 - 1 - 8));
             assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), Limit::NONE);
         }
     }
 
-    /// The allowance is 2¹⁰·2ᴮ·η; η is at least the loss of one operation.
+    /// The allowance is 2¹⁰·2ᴮ·η, and η is at least the error of one operation.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
@@ -261,7 +261,7 @@ mod premises {
     }
 }
 
-/// A numerator of 0 after underflow: only the allowance covers the error of the product.
+/// The numerator is 0 after underflow, so only the allowance covers the error of the product.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");
@@ -283,7 +283,7 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= f64::from(reciprocal.bounded.weight(0)) * Worst::<FINE>::UNIT);
 }
 
-/// The reciprocal of a constant, finer than its divisor's loss below the range.
+/// Takes the reciprocal of a constant whose error is below the divisor's underflow error.
 #[test]
 fn a_weight_of_a_chain_allows_for_underflow() {
     const FINEST: i32 = 60;
@@ -298,7 +298,7 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
-/// The limits on inputs with hardware floats.
+/// The limits on inputs, tested with hardware floats.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
         #[test]

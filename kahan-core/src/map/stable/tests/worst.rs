@@ -1,6 +1,5 @@
-//! A scalar with worst-case rounding: each operation errs by u in the direction that a test
-//! chooses, and optionally by η, as in underflow. Values are rationals, so tests know the true
-//! error.
+//! A scalar with worst-case rounding. Each operation errs by u in a direction that the test
+//! chooses, and optionally by η, as in underflow. Values are rationals, so the true error is known.
 
 use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -15,7 +14,6 @@ use crate::{Constant, Pivot, Scalar};
 
 pub(super) type Q = BigRational;
 
-/// A number of precision u = 2^−BITS.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Worst<const BITS: i32>(&'static Q);
 
@@ -88,7 +86,7 @@ impl<const BITS: i32> Pivot for Worst<BITS> {
     }
 }
 
-/// A magnitude of precision u = 2^−BITS; the roundings of `f64` are negligible beside u.
+/// A magnitude of precision u = 2^−BITS; the rounding of `f64` is negligible beside u.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Rough<const BITS: i32>(f64);
 
@@ -204,7 +202,7 @@ impl<const BITS: i32> One for Worst<BITS> {
     }
 }
 
-/// A bounded value beside the exact value of its formula.
+/// A bounded value together with the exact value of its formula.
 #[derive(Clone, Debug)]
 pub(super) struct Beside<const BITS: i32> {
     pub(super) bounded: Bounded<Worst<BITS>, Both<Worst<BITS>>>,

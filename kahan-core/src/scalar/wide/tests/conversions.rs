@@ -1,4 +1,4 @@
-//! Conversions of floats: exact in, and nearest out, compared with neighbours and parsed decimals.
+//! Conversions from floats, and to the nearest float by comparison with neighbours and decimals.
 
 use std::string::ToString;
 
@@ -7,11 +7,10 @@ use num_traits::One;
 
 use super::{Dyadic, Random, Wide};
 
-/// Returns any finite float, of any exponent, with few or many bits.
+/// Returns a random finite float of any exponent, with few or many bits.
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };
-        // A quarter are subnormal or nearly so.
         let bits = if random.bits() & 3 == 0 { bits & !(0x7fe << 52) } else { bits };
         let x = f64::from_bits(bits);
         if x.is_finite() {
@@ -50,7 +49,7 @@ fn a_float_is_taken_exactly() {
     let mut random = Random(12);
     for _ in 0..10_000 {
         let x = any_f64(&mut random);
-        // x·2¹⁰⁷⁴ is an integer; its decimal digits are those of x printed as one.
+        // x·2¹⁰⁷⁴ is an integer.
         let exact = Dyadic::of(Wide::from(x)).scaled(1074);
         let scaled = &exact.integer * BigInt::from(2).pow(3000);
         let spelled = scaled_integer(x) * BigInt::from(2).pow(3000);
@@ -80,7 +79,7 @@ macro_rules! assert_nearest {
     ($number:expr, $nearest:expr, $largest_exponent:expr) => {{
         let (number, nearest) = ($number, $nearest);
         let value = Dyadic::of(number);
-        // Infinity stands for 2^(largest exponent + 1), the next number.
+        // Infinity stands for the next power of two above the largest float.
         let as_dyadic = |x| {
             let wide = Wide::from(x);
             let beyond = Wide::one().scaled($largest_exponent + 1);
@@ -118,7 +117,7 @@ fn rounding_is_to_the_nearest_float() {
     }
 }
 
-/// Tests ties from the least float to the largest, and numbers that differ in their last bit.
+/// Tests ties over the whole range of floats, and numbers that differ from them in the last bit.
 #[test]
 fn ties_go_to_even() {
     let mut random = Random(14);
@@ -153,7 +152,7 @@ fn ties_go_to_even() {
 
 #[test]
 fn beyond_the_largest_float_there_is_infinity() {
-    // The tie between the largest float and the next power of two goes to the even side.
+    // The tie between the largest float and the next power of two rounds to even: to infinity.
     let tie = Wide::from(f64::MAX) + Wide::one().scaled(970);
     assert_eq!(tie.to_f64(), f64::INFINITY);
     assert_eq!((-tie).to_f64(), f64::NEG_INFINITY);

@@ -9,7 +9,7 @@ use num_traits::Zero;
 use super::{Dyadic, Random, Wide};
 use crate::{Constant, Scalar};
 
-/// Returns whether |w − p/q| ≤ r ≤ 2^unit·|p/q|, multiplied by q and the denominator of w.
+/// Returns whether |w − p/q| ≤ r ≤ 2^unit·|p/q|, all multiplied by q and the denominator of w.
 fn is_close(wide: Wide, constant: &Constant<'_>, unit: i64) -> bool {
     let ratio = constant.to_ratio();
     let integer = |n: &BigInt| Dyadic { integer: n.clone(), exponent: 0 };

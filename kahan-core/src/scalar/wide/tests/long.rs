@@ -41,7 +41,7 @@ fn sums_and_products_are_exact() {
     }
 }
 
-/// A quotient knows its error, far below a unit of any float; zero has no reciprocal.
+/// A quotient knows its error, which is far below a unit of any float; zero has no reciprocal.
 #[test]
 fn quotients_know_their_digits() {
     let third = Long::one().quotient(long(3.0)).expect("a quotient");
@@ -80,7 +80,7 @@ fn a_levelled_row_is_the_same_equation() {
 #[test]
 fn more_room_is_asked_for_until_a_step_is_settled() {
     let known = long(1.5);
-    // Two quotients cut off at different digits have an unknown difference.
+    // Two quotients with different digits cut off have an unknown difference.
     let divisor = || long(1e300) + long(3e-300);
     let lost = Long::new(Wide::one(), Capacity::Few) / divisor() - Long::one() / divisor();
     let are_settled = |components: &[(Long, bool)]| {
@@ -100,10 +100,10 @@ fn a_rounding_is_within_half_a_unit() {
         |number: &Long, relative| number.is_within(relative, Wide::from(number.leading().to_f64()));
     assert!(is_within(&third, unit) && !is_within(&third, unit / 4.0));
     assert!(is_within(&long(1.5), 0.0) && is_within(&Long::zero(), 0.0));
-    // Three quarters of the least float round to the least float.
+    // Three quarters of the smallest float round to the smallest float.
     let few = long(f64::from_bits(1)) * long(0.75);
     assert!(is_within(&few, 0.25) && !is_within(&few, 0.24));
-    // The digits cut off in two products are all that remains.
+    // Only the digits cut off in two products remain.
     let divisor = long(1e300) + long(3e-300);
     let near_one = Long::one() / divisor.clone() * divisor;
     let lost = near_one.clone() - near_one;

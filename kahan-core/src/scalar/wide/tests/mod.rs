@@ -1,7 +1,7 @@
-//! [`Wide`] against exact numbers n·2^k with big integers n.
+//! Compares [`Wide`] with exact numbers n·2^k, n a big integer.
 //!
-//! Operands are seeded. Mantissas are random, all ones, single bits or long runs. Exponents are
-//! from −5000 to 5000, or close together, so that sums cancel.
+//! Operands are seeded. Mantissas are random, all ones, single bits or long runs. Exponents range
+//! from −5000 to 5000, or are close together, so that sums cancel.
 
 mod conversions;
 mod literals;
@@ -30,7 +30,6 @@ impl Dyadic {
         Self::numerator(&number)
     }
 
-    /// Returns the number times its denominator.
     fn numerator(number: &Wide) -> Self {
         assert!(number.is_defined(), "an undefined number has no value");
         let digits = number.digits.iter().zip(&number.below).take(number.count.into());
@@ -116,7 +115,7 @@ impl Random {
         (self.bits() % (2 * limit as u64 + 1)) as i64 - limit
     }
 
-    /// Returns limbs through which carries and borrows run.
+    /// Returns limbs with long carries and borrows.
     fn limbs(&mut self) -> [u64; LIMBS] {
         let mut limbs = match self.bits() % 5 {
             0 => [u64::MAX; LIMBS],
@@ -138,7 +137,7 @@ impl Random {
         Wide::from_limbs(self.bits() & 1 == 1, &self.limbs()).scaled(exponent - 64 * LIMBS as i64 + 1)
     }
 
-    /// Returns a number of few, distant digits.
+    /// Returns a number of few, widely spaced digits.
     fn sparse(&mut self, exponent: i64) -> Wide {
         let parts = 1 + self.bits() % 6;
         (0..parts).fold(Wide::zero(), |sum, _| {

@@ -8,7 +8,7 @@ use crate::Scalar;
 
 const TRIALS: usize = 2_000;
 
-/// Asserts that a result of exact operands is within its radius, and the radius within the unit.
+/// Asserts error ≤ radius ≤ unit of a result of exact operands.
 fn assert_close(computed: Wide, exact: &Dyadic, what: &str, operands: [Wide; 2]) {
     let (error, radius) = (Dyadic::of(computed).minus(exact), Dyadic::size(computed.radius()));
     assert!(error.is_within(&radius.scaled_up()), "{what} of {operands:?} is {computed:?}");
@@ -54,7 +54,7 @@ fn both_ways_to_multiply_agree() {
     assert!((TRIALS / 4..TRIALS).contains(&made_in_place), "{made_in_place}");
 }
 
-/// |q − a/b| ≤ 2⁻¹⁰²²·|a/b|, multiplied by |b| and by the denominator of q.
+/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b|, multiplied by |b| and by the denominator of q.
 #[test]
 fn a_quotient_is_within_the_unit() {
     let mut random = Random(3);
@@ -70,7 +70,7 @@ fn a_quotient_is_within_the_unit() {
     }
 }
 
-/// Digits are cut off only for lack of room: sums of up to 17 digits at any places are exact.
+/// Digits are cut off only in full rows: sums of up to 17 digits at any places are exact.
 #[test]
 fn digits_lie_where_they_are_needed() {
     let mut random = Random(4);
@@ -83,7 +83,7 @@ fn digits_lie_where_they_are_needed() {
         assert!(rest.radius().is_zero() && rest == parts[0]);
         let longer = sum + part(20, random.bits());
         let cut = longer.radius();
-        // The lowest digit is cut off, with at most one of its units.
+        // The lowest digit is cut off; the bound may add one of its units.
         assert!(Dyadic::of(parts[0]).is_within(&Dyadic::size(cut)));
         assert!(Dyadic::size(cut).is_within(&Dyadic::of(parts[0] + Wide::one().scaled(-64 * 50 + 14))));
     }
@@ -111,7 +111,7 @@ fn short_fractions_are_exact() {
         assert_eq!(p / q * whole(b * c), whole(-a * d));
         assert_eq!(p.is_better_pivot(&q), a * d > b * c);
     }
-    // Denominators that do not fit are divided out, with the error in the radius.
+    // Denominators beyond 64 bits are divided out; the radius contains the error.
     let large = whole((1 << 61) - 1);
     let (p, q) = (whole(1) / large, whole(1) / whole((1 << 60) + 33));
     for (number, exact) in [(p + q, whole((1 << 61) - 1) + whole((1 << 60) + 33)), (p * q, whole(1))] {
@@ -149,7 +149,6 @@ fn a_radius_holds_whatever_the_operands_stand_for() {
             assert!(error.is_within(&radius.scaled_up()), "{near_a:?} {near_b:?}");
         }
     }
-    // A divisor that may be zero.
     let doubtful = Wide { radius: Size::from(0.1), ..Wide::one() };
     assert!((Wide::one() / doubtful).radius() > Size::from(1e300));
 }

@@ -1,4 +1,4 @@
-//! Magnitudes: rounded by at most 2⁻⁵² in each operation, and NaN beyond their range.
+//! Magnitudes round by at most 2⁻⁵² in each operation, and become NaN beyond their range.
 
 use core::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Numbers in memory, addresses and counts.
+//! Encodings of loads, stores and integer instructions.
 
 use super::{Binary, D, D2, General, Memory, S, S4, Source, at, check, g, v};
 

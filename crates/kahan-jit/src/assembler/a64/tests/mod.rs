@@ -1,5 +1,4 @@
-//! Instructions against the words that the assembler of the GNU binutils makes of the text beside
-//! them.
+//! Compares encoded instructions with the words that GNU binutils makes of the text beside.
 
 mod memory;
 mod operations;
@@ -16,10 +15,10 @@ const D: Form = form(Element::Double, Width::Scalar);
 const S4: Form = form(Element::Single, Width::Bits128);
 const D2: Form = form(Element::Double, Width::Bits128);
 
-/// A form, what is written in it, and the words that it takes.
+/// A form, the calls that write instructions, and the expected words.
 type Written<'a> = (Form, &'a dyn Fn(&mut Assembler), &'a [u32]);
 
-/// The needs of a function, and its words.
+/// The stack bytes, pointer use and vector registers of a function, and its expected words.
 type Frame<'a> = ((usize, bool, u8), &'a [u32]);
 
 fn v(register: u8) -> Vector {
@@ -53,7 +52,7 @@ fn check(all: &[Written<'_>]) {
     }
 }
 
-/// A function that does nothing.
+/// Assembles a function with an empty body.
 fn frame((stack, uses_pointers, vectors): (usize, bool, u8)) -> Vec<u32> {
     let needs = Needs { stack, uses_pointers, vectors, instructions: 1 };
     let mut assembler = Assembler::new(D);
@@ -147,7 +146,7 @@ fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
     }
 }
 
-/// A loop as code of either length has it.
+/// Assembles a loop with short or long jumps.
 fn jumps(is_long: bool) -> Vec<u32> {
     let [a, b, ..] = General::ARGUMENTS;
     let mut assembler = Assembler::new(D);
@@ -219,7 +218,7 @@ fn long_code_finds_its_numbers_by_their_page() {
     }
 }
 
-/// The bits of this register are those of a thread on some systems.
+/// Some systems keep a thread's data in x18.
 #[test]
 fn no_register_of_a_system_is_named() {
     let all = General::ARGUMENTS.into_iter().chain(General::SPARE).chain(General::POINTERS);

@@ -1,4 +1,4 @@
-//! Operations on numbers.
+//! Encodings of floating-point instructions.
 
 use super::{Binary, D, D2, Fused, Order, S, S4, check, r, v};
 

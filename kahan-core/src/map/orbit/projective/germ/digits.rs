@@ -1,4 +1,4 @@
-//! Numbers with a δ far below the last digit of a float, for orbits of floats through poles.
+//! Wide numbers with a numeric δ far below a float's last digit, for float orbits through poles.
 
 use core::array::from_fn;
 
@@ -12,14 +12,14 @@ use crate::scalar::{Size, Wide};
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{Germ, direction};
 
-/// The exponent of δ relative to the unit: δ⁴ still leaves the digits of a [`Dd`](crate::Dd).
+/// The exponent of δ relative to the unit; even δ⁴ leaves the digits of a [`Dd`](crate::Dd) intact.
 const DELTA: i32 = -192;
 
-/// The exponent of the threshold relative to the unit: a larger coordinate of a perturbed point
-/// tends to infinity, one below the inverse tends to 0.
+/// The exponent, relative to the unit, above which a coordinate counts as infinite; below the
+/// inverse threshold it counts as 0.
 const INFINITE: i64 = 96;
 
-/// The number of known bits of a limit; exceeds the precision of any float of this crate.
+/// The number of bits to which a limit must be known, more than any float of this crate has.
 const KNOWN: i64 = 110;
 
 /// Returns the limit of a coordinate as δ → 0: drops traces of δ far below its leading digits.
@@ -31,11 +31,11 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
 }
 
-/// The number of bits by which a rounding may be amplified on the way back to the first point.
+/// The number of bits by which rounding may be amplified on the way back to the first point.
 const LOST: i64 = 10;
 
 impl<T: Promised> Germ<T> for Wide {
-    /// The first effort perturbs nothing, for points near a pole; the others differ in directions.
+    /// The first attempt, for points near a pole, has δ = 0; the others differ in their directions.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
@@ -59,7 +59,7 @@ impl<T: Promised> Germ<T> for Wide {
         let larger = |best: usize, i: usize| if point[i].size() > point[best].size() { i } else { best };
         let largest = (1..N).fold(0, larger);
         let size = point[largest].size() + unit.size();
-        // Comparisons with an undefined value are false.
+        // Comparisons with NaN are false.
         if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN)) {
             return None;
         }

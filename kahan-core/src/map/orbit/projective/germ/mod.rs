@@ -1,8 +1,8 @@
-//! Numbers that depend on a perturbation δ, for orbits through poles.
+//! Numbers that depend on a perturbation δ → 0, for orbits through poles.
 //!
-//! In: numbers of a scalar, and the effort to spend. Out: numbers that depend on δ, and their
-//! limits as δ → 0. Exact scalars use Laurent series in δ ([`series`]). Floats use a δ far below
-//! their last digits and numbers of 17 digits of 64 bits ([`digits`]).
+//! In: numbers of a scalar, and the number of the attempt. Out: numbers that depend on δ, and their
+//! limits. Exact scalars use Laurent series in δ ([`series`]). Floats use a numeric δ far below
+//! their last digits, in numbers of 17 × 64 bits ([`digits`]).
 
 mod digits;
 #[cfg(feature = "exact")]
@@ -19,26 +19,26 @@ use super::point::{ProjectivePoint, first_of_the_largest};
 
 /// A number over the scalar T that may depend on δ.
 pub(super) trait Germ<T: Scalar>: Scalar {
-    /// The number of efforts; each resolves more than the previous one.
+    /// The number of attempts; each resolves more than the one before.
     const EFFORTS: usize;
 
     fn of(number: &T) -> Self;
 
-    /// Returns δ; 0 in an effort without perturbation.
+    /// Returns δ; 0 in an attempt without perturbation.
     fn delta(effort: usize) -> Self;
 
-    /// Returns the size of coordinates near a point, the unit of δ.
+    /// Returns the magnitude of coordinates near a point, the unit of δ.
     fn unit(point: &[T]) -> Self;
 
-    /// Returns the limit of a point as δ → 0, in these units; `None` if too little is known.
+    /// Returns the limit of a point as δ → 0, in these units; `None` if its digits do not suffice.
     fn limit<const N: usize>(
         point: &SVector<Self, N>,
         unit: &Self,
         effort: usize,
     ) -> Option<ProjectivePoint<T, N>>;
 
-    /// Returns whether neighbourhoods of the first point and `point` correspond one-to-one;
-    /// `derivative` is that of the first point by `point`. `None` if too little is known.
+    /// Returns whether the steps map neighbourhoods of the first point to those of `point`
+    /// one-to-one, by the `derivative` of the former by the latter; `None` if digits are too few.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
