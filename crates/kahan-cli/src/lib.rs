@@ -154,8 +154,7 @@ fn meant(error: &clap::Error) -> Option<&'static str> {
     match (error.kind(), &**argument) {
         (ErrorKind::UnknownArgument, "--h" | "--step") => Some("--dt is the time step, and --eps half of it"),
         (ErrorKind::UnknownArgument, "--reembed") => Some(
-            "it projects the steps of an orbit in f64, for orbit, dynamics, section, chart and picture; what this command \
-             asks is of the map itself or of exact numbers",
+            "it projects the steps of an orbit in f64: orbit, dynamics, section, chart and picture take it",
         ),
         (ErrorKind::UnknownArgument, _) if is_number => Some(ONE_WORD),
         _ => None,

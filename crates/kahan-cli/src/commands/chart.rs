@@ -181,7 +181,7 @@ impl Asking for Chart {
         let shown = match &self.from {
             _ if self.over.len() > 2 => {
                 return Err(Refusal::new(
-                    "--over: a chart goes through one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
+                    "--over: a chart has one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
                 ));
             }
             Some(from) => self.of_rows(from)?,

@@ -112,21 +112,21 @@ const LABELS: usize = 15;
 
 fn text(judged: &Judged) -> String {
     let headings =
-        ["regime", "tier", "scalar", "trials", "largest error", "flagged", "without right", "silently wrong"];
+        ["regime", "tier", "scalar", "trials", "largest error", "flagged", "unjustified", "silently wrong"];
     let cells = table(&headed(headings, judged.tally.cells.iter().map(row)), 3);
     let mut lines = labelled("systems", &judged.systems.join(", "), LABELS);
     let removable = match judged.removable.as_slice() {
-        [] => "none; their quarter went to the poles".to_owned(),
+        [] => "none; their trials went to the poles".to_owned(),
         systems => systems.join(", "),
     };
     lines.extend(labelled("removable poles", &removable, LABELS));
     lines.extend(judged.random_fields.iter().map(|(name, equations)| format!("{name}: {equations}")));
     if judged.odd_fields > 0 {
-        lines.push(format!("besides {} random fields of odd tempers, all of them judged", judged.odd_fields));
+        lines.push(format!("{} random fields with extreme coefficients were tested as well", judged.odd_fields));
     }
     for (name, Broken { text, silently_wrong, unjustified, first }) in &judged.tally.broken {
         lines.push(format!(
-            "{name}, {silently_wrong} silently wrong, {unjustified} flagged without right: {text}"
+            "{name}, {silently_wrong} silently wrong, {unjustified} unjustified flags: {text}"
         ));
         lines.push(format!("  {}", first.text));
     }
@@ -139,7 +139,7 @@ fn complaint(judged: &Judged) -> Option<String> {
     let examples = joined(judged.tally.failures.iter().map(|failure| &failure.text), "; ");
     (wrong + flags > 0).then(|| {
         format!(
-            "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first of each: {examples}"
+            "the stable tier breaks its promise: {wrong} silently wrong, {flags} unjustified flags. The first of each: {examples}"
         )
     })
 }

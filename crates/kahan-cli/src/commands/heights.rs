@@ -123,7 +123,7 @@ fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
         }
     };
     let (done, wanted) = (found.steps(), asked.steps);
-    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; a larger {option} goes further"))
+    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; increase {option} to continue"))
 }
 
 fn complaint(found: &HeightsFound) -> Option<String> {

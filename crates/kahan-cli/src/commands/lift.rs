@@ -76,7 +76,7 @@ impl Lift {
         }
         let found = study.lift_found(eps.map(|eps| eps.to_f64()))?;
         let Some(found) = found else {
-            return Err(Refusal::new("--sites: a chain is lifted as its equations are; write them out"));
+            return Err(Refusal::new("--sites: a chain `for i in … { … }` cannot be lifted; write out its equations"));
         };
         if let Some(out) = &self.out {
             let look = Look::on(self.look.sheet(usual()));

@@ -274,7 +274,7 @@ impl Picture {
                 "--plane and --maxima make a section; leave them out, or leave --kind out"
             }
             (_, None, _) if self.crossings.is_some() => {
-                "--crossings counts those of a section; add --plane EXPR or --maxima X, or give --steps N"
+                "--crossings counts the crossings of a section; add --plane EXPR or --maxima X, or give --steps N"
             }
             (None | Some(Kind::OrbitsOver), _, Some(_)) => return Ok(Kind::OrbitsOver),
             (Some(_), _, Some(_)) => "--over makes an orbit diagram; leave it out, or leave --kind out",

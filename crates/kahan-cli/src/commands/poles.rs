@@ -73,7 +73,7 @@ fn text(answer: &PolesFound) -> String {
     let is_undecided = found.patterns.iter().any(|pattern| pattern.confined.is_none());
     let notes = [
         (!found.is_complete, "the Jacobian determinant is too long to factor, so curves may be missing"),
-        (is_undecided, "what is undecided may be decided in more --seconds or fewer --steps"),
+        (is_undecided, "more --seconds or fewer --steps may decide the undecided ones"),
     ];
     let mut degrees = vec![
         format!("degrees of the iterates of {name}"),

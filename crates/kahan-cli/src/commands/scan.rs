@@ -112,7 +112,7 @@ fn text(answer: &ScanFound) -> String {
     )];
     lines.extend(found.out_of_time.then(|| {
         let left = total - looked;
-        format!("note: time ran out before {left} of {total} points; a larger --seconds goes further")
+        format!("note: time ran out before {left} of {total} points; increase --seconds to continue")
     }));
     let relations = found.relations.iter().map(relation_lines);
     paragraphs([table(&rows, found.names.len()), lines].into_iter().chain(relations))

@@ -238,7 +238,7 @@ impl Source {
         let Some((option, name)) = given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) else {
             return Ok(());
         };
-        Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
+        Err(Refusal::new(format!("--over already varies {name}; leave {option} out")))
     }
 
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
@@ -269,7 +269,7 @@ impl Source {
                 Ok(Some(block))
             }
             (Some(word), ..) => Err(Refusal::new(format!(
-                "one field at a time: `{word}` is read as a SYSTEM, and there is --field or --file besides; {ONE_WORD}"
+                "one field at a time: `{word}` is read as a SYSTEM, and --field or --file is given as well; {ONE_WORD}"
             ))),
             _ => Err(Refusal::new("one field at a time: give --field or --file")),
         }

@@ -311,7 +311,7 @@ impl Shown {
 /// What to say of orbits that end early, or that there was no time for.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
     if is_cut {
-        let cut = "time ran out, and the picture shows what there was; a larger --seconds goes further";
+        let cut = "time ran out, and the picture shows the points so far; increase --seconds to draw all";
         return vec![cut.to_owned()];
     }
     let ended = (ended > 0)
