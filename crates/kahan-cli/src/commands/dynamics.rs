@@ -66,7 +66,7 @@ pub(crate) struct Dynamics {
     #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     renormalize: u64,
 
-    /// Compute only the K largest exponents; without it, all exponents.
+    /// Compute only the K largest exponents, not all of them.
     #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = whole(1, usize::MAX))]
     spectrum: Option<usize>,
 
@@ -81,6 +81,8 @@ pub(crate) struct Dynamics {
     stepping: Stepping,
 
     /// The observables to compute, in this order, separated by commas.
+    ///
+    /// The default is all of them except final and passed_poles.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observable::usual().iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
     observe: Vec<Observable>,
 

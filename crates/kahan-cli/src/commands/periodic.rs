@@ -38,10 +38,10 @@ use crate::reading::{Start, one_of, over, whole};
 /// the unit circle. --out writes all points of these cycles as CSV, or draws the branch. The exit
 /// status is 1 if no cycle is found.
 ///
-/// --free eps finds a limit cycle of the flow: a cycle of K steps whose eps is an unknown, too.
+/// --free eps finds a limit cycle of the flow: a cycle of K steps for which eps is unknown as well.
 /// Period, multipliers and changes are extrapolated from K, 2K and 4K steps, for a lifted field
-/// also 8K. The search starts at --at, and at the points of its orbit that nearly return after
-/// --transient steps: after about the time 2*eps*K, or without --period after any time.
+/// also 8K. The search starts at --at, and at points of its orbit, after --transient steps, that
+/// nearly return after about the time 2*eps*K, or without --period after any time.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
