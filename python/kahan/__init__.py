@@ -1,7 +1,8 @@
 """Kahan's method for quadratic differential equations.
 
-A quadratic vector field x' = f(x) has a birational map that approximates its flow over the time
-step 2 eps, runs forwards and backwards, and often keeps integrals and volume forms exactly.
+Kahan's method turns a quadratic vector field x' = f(x) into a birational map, which approximates
+the flow over the time step 2 eps. The map runs forwards and backwards, and often preserves
+integrals and volume forms exactly. Everywhere, ``eps`` is half the time step: dt = 2 eps.
 
 >>> import kahan
 >>> s = kahan.System("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);")

@@ -1,4 +1,4 @@
-"""Answers: what a question found, by the names that the command's JSON has."""
+"""Answers to questions, with the names of the command's JSON."""
 
 from __future__ import annotations
 
@@ -47,14 +47,14 @@ class Answer(Mapping[str, Any]):
 
 
 class Settings(list[dict[str, Any]]):
-    """Rows of one answer with the same names: a list of them, whose columns are entries, ``settings["eps"]``."""
+    """A list of rows with equal names. ``settings[0]`` is a row, ``settings["eps"]`` a column."""
 
     def columns(self) -> dict[str, Any]:
-        """The columns by name, as arrays."""
+        """Returns the columns by name, as arrays."""
         return {name: np.array([row[name] for row in self]) for name in self.keys()}
 
     def keys(self) -> list[str]:
-        """The names of the columns."""
+        """Returns the names of the columns."""
         return list(self[0]) if self else []
 
     def __getitem__(self, place: Any) -> Any:
@@ -65,7 +65,7 @@ class Settings(list[dict[str, Any]]):
         return self.columns()[place]
 
     def to_pandas(self) -> Any:
-        """A data frame of the rows. Needs pandas."""
+        """Returns a data frame of the rows. Needs pandas."""
         return needed("pandas").DataFrame(list(self))
 
 

@@ -1,4 +1,4 @@
-"""Arrays of floats from the arguments of callers; columns with names are put in the order of the variables."""
+"""Conversion of arguments to arrays of floats, with named columns in the order of the variables."""
 
 from __future__ import annotations
 
@@ -19,22 +19,25 @@ class Columns(Protocol):
 
     @property
     def _names(self) -> Sequence[str]:
-        """The names that columns may have."""
+        """Returns the names that columns may have."""
 
     def _matched(self, names: list[str], name: str, varies: bool) -> tuple[list[int], list[tuple[str, int]]]:
-        """The columns of the variables among ``names``; with ``varies`` also those of parameters and ``eps``."""
+        """Returns the columns of the variables among ``names``; with ``varies`` also those of
+        parameters and ``eps``.
+        """
 
 
 def _labels(labels: Iterable[Any]) -> list[str]:
-    """Labels as names; empty if they only count from 0, like those of a plain index."""
+    """Returns labels as names; empty if they only count from 0, as in a default index."""
     labels = list(labels)
     return [] if labels == list(range(len(labels))) else [str(label) for label in labels]
 
 
 def by_name(given: Any, known: Callable[[], Sequence[str]] = tuple) -> list[tuple[str, Any]] | None:
-    """The names and values of the columns of a table, or of the coordinates of a point; ``None`` without names.
+    """Returns the names and values of the columns of a table, or of the coordinates of a point;
+    ``None`` without names.
 
-    Levels of an index of pandas are columns if their names are ``known``.
+    Levels of a pandas index count as columns if their names are ``known``.
     """
     if isinstance(given, (np.ndarray, np.void)):
         return [(name, given[name]) for name in given.dtype.names or ()] or None
@@ -66,7 +69,7 @@ def by_name(given: Any, known: Callable[[], Sequence[str]] = tuple) -> list[tupl
 
 
 def _of_records(given: Sequence[Any]) -> list[tuple[str, Any]] | None:
-    """The columns of a list of points, which must all have the same names."""
+    """Returns the columns of a list of points, which must all have the same names."""
     records = [by_name(one) for one in given]
     if not any(records):
         return None
@@ -78,9 +81,11 @@ def _of_records(given: Sequence[Any]) -> list[tuple[str, Any]] | None:
 
 
 def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tuple[Any, dict[str, Any]]:
-    """Puts columns with names in the order of the variables. Returns the points, and columns of parameters and ``eps``.
+    """Returns points with named columns in the order of the variables, and the columns of
+    parameters and ``eps``.
 
-    Raises ``ValueError`` for a variable without a column, a name of two columns, and a column that cannot be used.
+    Raises ``ValueError`` for a variable without a column, a name that occurs twice, and an unknown
+    column.
     """
     found = by_name(given, lambda: of._names)
     if found is None:
@@ -102,7 +107,7 @@ def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tupl
 
 
 def named(given: Any, of: Columns, name: str = "x") -> Any:
-    """Puts columns with names in the order of the variables; returns numbers without names as they are."""
+    """Returns named columns in the order of the variables, and unnamed numbers unchanged."""
     return read(given, of, name)[0]
 
 
@@ -114,7 +119,7 @@ def _column(label: str, values: Any, name: str) -> Array:
 
 
 def constants(eps: Any, own: dict[str, Any], params: Any, parameters: Iterable[str]) -> dict[str, Array]:
-    """``eps``, and the values of parameters by name; ``own`` are those of the columns of a table of starts."""
+    """Returns ``eps`` and the values of parameters by name; ``own`` are columns from the table of initial points."""
     parameters = list(parameters)
     table = [] if params is None else by_name(params, lambda: [*parameters, "eps"])
     if table is None:
@@ -134,7 +139,7 @@ def constants(eps: Any, own: dict[str, Any], params: Any, parameters: Iterable[s
 
 
 def flat(value: Array, name: str, shape: tuple[int, ...]) -> Array:
-    """One number, or one for each start; starts of the sizes ``shape`` are put along one axis."""
+    """Returns one number, or one for each start, flattened from the ``shape`` of the starts."""
     if value.shape == shape == (0,):
         return np.zeros(())  # No trajectory uses it.
     if value.ndim == 0 or len(shape) < 2:
@@ -145,7 +150,7 @@ def flat(value: Array, name: str, shape: tuple[int, ...]) -> Array:
 
 
 def one_order(columns: Iterable[Any]) -> None:
-    """Checks that columns with row labels, as in pandas, have the same labels, since rows are taken in order."""
+    """Checks that columns with row labels, as in pandas, have equal labels, because rows are matched by position."""
     first = None
     for column in columns:
         index = getattr(column, "index", None)
@@ -158,7 +163,7 @@ def one_order(columns: Iterable[Any]) -> None:
 
 
 def unnamed(given: Any, name: str) -> Array:
-    """Numbers in their order. Raises ``TypeError`` where they have names."""
+    """Returns numbers in their order. Raises ``TypeError`` if they have names."""
     found = by_name(given)
     if found is not None and not isinstance(given, (Orbit, Ensemble, Section)):
         raise TypeError(f"{name}: numbers are taken in order here, and these have the names "
@@ -167,15 +172,15 @@ def unnamed(given: Any, name: str) -> Array:
 
 
 def _numbers(given: Any, name: str) -> Array:
-    """Numbers in their order, also from a column with row labels."""
+    """Returns numbers in their order, also from a column with row labels."""
     return np.asarray(given) if hasattr(given, "iloc") and not hasattr(given, "columns") else unnamed(given, name)
 
 
 def floats(given: Any, name: str) -> Array:
-    """An array of float32, as it was, or else of float64, in C order.
+    """Returns an array of float32 if given as such, otherwise of float64, in C order.
 
-    Fractions and text become the nearest floats. Raises ``TypeError`` where the numbers are no real
-    ones, or their float64 would lose digits.
+    Fractions and text become the nearest floats. Raises ``TypeError`` for numbers that are not
+    real, or that float64 cannot hold without loss of digits.
     """
     array = _numbers(given, name)
     if array.dtype.kind in "OU":

@@ -24,36 +24,41 @@ __all__ = ["Basis"]
 class Basis(Answer):
     """Monomials m_k with one linear relation, sum of c_k m_k(x) = 0, along every orbit of a map.
 
-    The coefficients c differ from orbit to orbit and do not change along one, so that, with the
-    first of them 1, they are integrals. ``monomials``, ``terms`` (sums of monomials with equal
-    coefficients), ``integrals`` (the independent ones among the c), ``points`` (how many consecutive
-    points of an orbit determine the c) and ``outcome`` are those of ``kahan discover --json``.
+    The coefficients c differ from orbit to orbit and are constant along an orbit. Scaled so that
+    the first of them is 1, they are integrals. The attributes are those of ``kahan discover
+    --json``: ``monomials``, ``terms`` (sums of monomials with equal coefficients), ``integrals``
+    (the independent ones among the c), ``points`` (the number of consecutive points that determine
+    the c) and ``outcome``.
     """
 
     monomials: list[str]
     """The monomials as text."""
     integrals: list[str]
-    """Which quotients of coefficients are independent integrals, as ``c[y^2]/c[1]``."""
+    """The quotients of coefficients that are independent integrals, as ``c[y^2]/c[1]``."""
     points: int
-    """How many consecutive points of an orbit determine the coefficients."""
+    """The number of consecutive points of an orbit that determine the coefficients."""
 
     def __init__(self, found: Mapping[str, Any], relation: Relation) -> None:
         super().__init__(found)
         self.__dict__["_relation"] = relation
 
     def monomial_values(self, x: Any) -> Array:
-        """The monomials at points: an axis of them in the place of the variables, which are ``x``'s last."""
+        """Returns the monomials at points. The last axis of ``x`` holds the variables; that of the
+        result, the monomials.
+        """
         x = unnamed(x, "x")
         values: Array = np.prod(x[..., None, :] ** np.array(self._relation.exponents), axis=-1)
         return values
 
     def coefficients(self, x: Any) -> tuple[Array, Array | None]:
-        """The coefficients c at the points of an orbit, and the condition of the equations for them.
+        """Returns the coefficients c at the points of an orbit, and the condition number of their
+        equations.
 
-        ``x`` has consecutive points as rows, ``every=1``. Row k of the coefficients is that of the
-        ``points`` points from the k-th on, so that all rows are equal but for rounding, which is
-        about 1e-16 times the condition; NaN where no digit is right. Of an exact orbit
-        (``scalar="exact"``) they are fractions, and there is no condition.
+        The rows of ``x`` are consecutive points (``every=1``). Row k of the result is determined by
+        ``points`` points from the k-th on, so all rows are equal up to rounding. The relative error
+        is about 1e-16 times the condition number; a row without a correct digit is NaN. For an
+        exact orbit (``scalar="exact"``) the coefficients are fractions, and the condition number is
+        ``None``.
         """
         x = unnamed(x, "x")
         if x.ndim != 2 or len(x) < self.points:
@@ -67,10 +72,11 @@ class Basis(Answer):
         return relation.solve(windows)
 
     def integral_values(self, system: System, x: Any, eps: Number) -> dict[str, Array]:
-        """The independent integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
+        """Returns the independent integrals at points, by name. ``x`` has shape (variables,) or
+        (points, variables).
 
-        ``system`` is the field with values of its parameters. Costs ``points`` - 1 steps a point, and a
-        system of linear equations.
+        ``system`` is the field with values for its parameters. For each point, this makes
+        ``points`` - 1 steps and solves a system of linear equations.
         """
         orbit = [np.asarray(system._at(x), dtype=float)]
         while len(orbit) < self.points:

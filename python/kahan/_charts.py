@@ -1,4 +1,4 @@
-"""Axes of charts, scans and cycles."""
+"""The axes of charts, scans and cycles."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from ._orbit import Array
 __all__ = ["Range", "axes_of", "size"]
 
 Range = str | tuple[Number, Number, int]
-"""Values with both ends: (low, high, count), or text in the grammar of the command, as "0:1:/20"."""
+"""A range (low, high, count) that includes both ends, or text as in the command: "0:1:/20"."""
 
 def size(values: Range | Array) -> int | None:
-    """The number of values of an axis; ``None`` for text, whose values the library counts."""
+    """Returns the number of values of an axis; ``None`` for text, which the library evaluates."""
     if isinstance(values, str):
         return None
     return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
 
 
 def axes_of(over: Mapping[str, Range | Array] | None, has_lists: bool = True) -> dict[str, str | list[str]]:
-    """The axes of a question, exactly."""
+    """Returns the axes of a question, with exact numbers."""
     def axis(name: str, values: Range | Array) -> str | list[str]:
         if isinstance(values, str):
             return values

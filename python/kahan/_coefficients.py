@@ -1,4 +1,4 @@
-"""Fields from arrays of their coefficients, and back."""
+"""Conversion between fields and arrays of coefficients."""
 
 from __future__ import annotations
 
@@ -12,19 +12,20 @@ from ._arrays import floats
 __all__ = ["Entries", "coefficients", "dense", "loaded", "named_wrongly"]
 
 Entries = tuple[tuple[str, ...], tuple[str, ...], tuple[np.ndarray[Any, Any], ...]]
-"""The states, the parameters, and arrays with the component, two states, parameter and value of each coefficient; -1
-stands for no state or parameter."""
+"""The states, the parameters, and arrays with the component, the two states, the parameter and the
+value of each coefficient. An index of -1 means no state or parameter.
+"""
 
 _PARTS = ("c", "B", "Q")
 
 
 def _triangle(n: int, order: str) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
-    """The states j and k of the columns of a Q that has each product once."""
+    """Returns the states j and k of the columns of a Q that has each product once."""
     return np.tril_indices(n) if order == "tril" else np.triu_indices(n)
 
 
 def _sparse(given: Any, name: str) -> tuple[tuple[int, ...], tuple[np.ndarray[Any, Any], ...], np.ndarray[Any, Any]]:
-    """The shape of an array, the indices of its entries that are not 0, and their values."""
+    """Returns the shape of an array, the indices of its nonzero entries, and their values."""
     if hasattr(given, "tocoo"):
         entries = given.tocoo()
         indices: tuple[np.ndarray[Any, Any], ...] = tuple(getattr(entries, "coords", None) or (entries.row, entries.col))
@@ -35,7 +36,7 @@ def _sparse(given: Any, name: str) -> tuple[tuple[int, ...], tuple[np.ndarray[An
 
 
 def _halves(given: Any, name: str, n: int) -> Any:
-    """A dense symmetric Q with each product once, j <= k; any other Q as it is."""
+    """Returns a dense symmetric Q with each product once, j <= k; any other Q unchanged."""
     if hasattr(given, "tocoo") or np.size(given) != n**3:
         return given
     Q = floats(given, name)
@@ -48,7 +49,7 @@ def _halves(given: Any, name: str, n: int) -> Any:
 
 
 def _part(given: Any, name: str, n: int, order: str) -> tuple[np.ndarray[Any, Any], ...]:
-    """The components, first states, second states (-1 for none) and values of the entries."""
+    """Returns the components, first states, second states (-1 for none) and values of the entries."""
     halves = _halves(given, name, n) if name[0] == "Q" else given
     order = order if halves is given else "triu"
     shape, (component, *columns), values = _sparse(halves, name)
@@ -76,7 +77,9 @@ def _part(given: Any, name: str, n: int, order: str) -> tuple[np.ndarray[Any, An
 def coefficients(
     parts: Sequence[Any], names: Sequence[str] | None, parameters: Mapping[str, Any] | None, order: str
 ) -> Entries:
-    """The coefficients of ẋ = c + Bx + Q(x, x), each part an array or ``None``, and of what parameters multiply."""
+    """Returns the coefficients of ẋ = c + Bx + Q(x, x), each array possibly ``None``, and those
+    that parameters multiply.
+    """
     if order not in ("tril", "triu"):
         raise ValueError(f'order: columns of Q stand as "tril" (j <= i) or "triu" (j >= i), not "{order}"')
     # Products first, as in the terms of a polynomial.
@@ -108,7 +111,7 @@ def coefficients(
 
 
 def named_wrongly(entries: Entries) -> str:
-    """Which name of a state or parameter cannot be one; empty where none is found."""
+    """Returns the first invalid name of a state or parameter; empty if all are valid."""
     names = [*entries[0], *entries[1]]
     for name in names:
         if names.count(name) > 1:
@@ -119,7 +122,7 @@ def named_wrongly(entries: Entries) -> str:
 
 
 def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
-    """The arrays c, B and Q of coefficients; Q is symmetric, and sparse ones have a row a component."""
+    """Returns the arrays c, B and Q of coefficients. Q is symmetric; sparse arrays have a row for each component."""
     component, j, k, values = (np.asarray(column) for column in entries)
     c = np.zeros(n)
     is_c, is_b, is_q = (k < 0) & (j < 0), (k < 0) & (j >= 0), k >= 0
@@ -139,8 +142,12 @@ def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
 
 
 def loaded(path: Any) -> dict[str, Any]:
-    """The arguments of ``System.from_arrays`` in a file of ``np.savez``: its arrays c, B, Q, names and order. B and Q may be
-    sparse arrays of SciPy by rows, as ``Q_data``, ``Q_indices`` and ``Q_indptr``."""
+    """Returns the arguments of ``System.from_arrays`` from a file of ``np.savez``: c, B, Q, names
+    and order.
+
+    B and Q may be sparse SciPy arrays in row format, stored as ``Q_data``, ``Q_indices`` and
+    ``Q_indptr``.
+    """
     with open(path, "rb") as stream:
         try:
             file = np.load(stream, allow_pickle=False)

@@ -1,4 +1,4 @@
-"""Sections, diagrams and charts: what orbits do over starts, parameters and eps."""
+"""Sections, diagrams and charts of orbits over initial points, parameters and eps."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Crossed = TypeVar("Crossed", bound=Section)
 
 
 class Crossings(Points):
-    """A field with what is seen of orbits over axes."""
+    """A field with its sections, diagrams and charts."""
 
     def section(
         self, x: Any, eps: Number | Array | None = None, steps: int | None = None, plane: str | None = None, *,
@@ -36,22 +36,26 @@ class Crossings(Points):
         transient: int = 0, order: int = 2, params: Any = None, over: Mapping[str, Range | Array] | None = None, carry: bool = False,
         reembed: bool = False, to: str | PathLike[str] | None = None, threads: int | None = None, progress: bool = False,
     ) -> Section:
-        """Where orbits cross ``plane`` = 0, a formula of the variables and integrals.
+        """Finds where orbits cross ``plane`` = 0, a formula in the variables and integrals.
 
-        ``x`` is a point, or points of shape (orbits, variables), or a table, as in ``ensemble``; ``eps`` and the
-        parameters of ``params`` are one number, or one for each start. ``over`` maps names to values, as in ``chart``:
-        each start begins an orbit at each of them. Orbits run side by side on ``threads``, and each has the crossings
-        that it has alone.
+        ``x`` is a point, an array of shape (orbits, variables), or a table, as in ``ensemble``.
+        ``eps`` and each parameter in ``params`` are one number, or one for each initial point.
+        ``over`` maps names to values, as in ``chart``: an orbit is computed for each initial point
+        and each value. Orbits are computed on several ``threads``; the crossings of an orbit do not
+        depend on the other orbits.
 
-        ``direction`` is rising, falling or both; ``maxima="x"`` takes the place of a plane, and finds where x is
-        largest. Each crossing is refined on the curve that the step of this ``order`` draws as eps grows from 0, so its
-        time is of that order, too. A sign change without a zero, as at a pole of the formula or of the
-        map, is no crossing; ``jumps`` counts them. An orbit ends after ``crossings`` of them, or ``steps`` behind the
-        first ``transient``, which are not looked at; ``ended`` says which. With ``carry`` an orbit begins where that at the
-        value before came to. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
+        ``direction`` is "rising", "falling" or "both". ``maxima="x"`` replaces ``plane`` and finds
+        the maxima of x. Each crossing is refined on the curve that the step of this ``order``
+        traces as eps grows from 0, so its time is accurate to that order. A sign change without a
+        zero, as at a pole of the formula or of the map, is not a crossing; ``jumps`` counts these.
+        The first ``transient`` steps are skipped. After them, an orbit ends after ``crossings``
+        crossings or ``steps`` steps; ``ended`` says which. With ``carry``, an orbit begins at the
+        last point of the orbit at the previous value. ``reembed`` projects the steps of a lifted
+        field, as in ``orbit``.
 
-        ``to`` names a file, F.parquet or F.arrow, to which the table is written while it is computed, in memory that does
-        not grow with it; the result then has no rows, and counts the crossings of each orbit. Needs pyarrow.
+        ``to`` names a file, F.parquet or F.arrow. The table is written to it during the
+        computation, with bounded memory. The result then has no rows, but counts the crossings of
+        each orbit. Needs pyarrow.
 
         >>> import kahan
         >>> s = kahan.System("xdot = y; ydot = -x;")
@@ -69,13 +73,17 @@ class Crossings(Points):
         steps: int | None = None, transient: int = 1000, order: int = 2, carry: bool = False, show: str | None = None,
         reembed: bool = False, threads: int | None = None, progress: bool = False,
     ) -> Diagram:
-        """Where orbits cross a section over a parameter, or eps: a bifurcation diagram, which ``plot`` draws.
+        """Finds where orbits cross a section over a parameter or eps: a bifurcation diagram for
+        ``plot``.
 
-        At each value of ``over`` an orbit begins at ``x``, or with ``carry`` where that at the value before came to; it
-        has up to ``crossings`` points where ``plane`` = 0, or maxima of the variable ``maxima``, in at most ``steps`` after
-        ``transient`` steps: 1000 by default, a time of 2000 eps, which a slowly attracting orbit exceeds. With ``carry`` the
-        diagram shows hysteresis, and period doublings appear later than they occur, as an orbit that has become unstable
-        is left slowly. ``show`` is the variable that ``plot`` draws: by default that of ``maxima``, or the first that ``plane`` does not name.
+        At each value of ``over``, an orbit begins at ``x``, or with ``carry`` at the last point for
+        the previous value. It yields up to ``crossings`` points where ``plane`` = 0, or maxima of
+        the variable ``maxima``, within ``steps`` steps after the first ``transient`` steps. The
+        default transient is 1000 steps, a time of 2000 eps; an orbit that is attracted slowly needs
+        more. With ``carry`` the diagram shows hysteresis, and period doublings appear later than
+        they occur, because an orbit leaves an unstable cycle slowly. ``show`` is the variable that
+        ``plot`` draws; the default is the variable of ``maxima``, or the first one that ``plane``
+        does not contain.
 
         >>> import kahan
         >>> s = kahan.System("xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);")
@@ -97,7 +105,7 @@ class Crossings(Points):
         return found
 
     def _plane(self, plane: str | None, maxima: str | None, direction: str) -> tuple[str, str]:
-        """The formula of a section and its direction; of maxima those of the derivative."""
+        """Returns the formula of a section and its direction; for maxima, those of the derivative."""
         if maxima is not None and plane is not None:
             raise ValueError("plane and maxima: one of both says what the section is")
         if maxima is not None:
@@ -110,7 +118,7 @@ class Crossings(Points):
 
     def _crossed(self, kind: type[Crossed], x: Any, eps: Any, params: Any, over: Mapping[str, Range | Array] | None,
                  threads: int | None, progress: bool, to: str | PathLike[str] | None, maxima: str | None, **asked: Any) -> Crossed:
-        """Asks for the crossings of one orbit or many, and writes them to a file if one is named."""
+        """Computes the crossings of one orbit or many, and writes them to a file if one is named."""
         points, own = read(self._at(x), self, "x", varies=True)
         given = dict(by_name(params) or ()) | own
         if "eps" in given:
@@ -141,18 +149,21 @@ class Crossings(Points):
         color: str = "sali", order: int = 2, escape: float | None = None, reembed: bool = False,
         threads: int | None = None, progress: bool = False,
     ) -> Chart:
-        """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
+        """Computes an observable of orbits over parameters, eps or initial values: one number per
+        cell.
 
-        ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
-        it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
-        number: sali, fli, megno, lyapunov, log_det, drift, escape, passed_poles, or a column, as drift_H or
-        spectrum_2. Costs an orbit a cell, in lanes and on all threads. ``transient`` steps are made before those that are observed.
+        ``over`` maps each name to (low, high, count), to text as "0:1:/20", or to an array of
+        values. All other values are those of the field, ``x`` and ``eps``. ``color`` is an
+        observable with one number: sali, fli, megno, lyapunov, log_det, drift, escape,
+        passed_poles; or a column such as drift_H or spectrum_2. Each cell needs one orbit; orbits
+        run in SIMD lanes and on all threads. The first ``transient`` steps are not observed.
 
-        An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
-        is beyond ``escape``, if that is given, and its cell is NaN. Some times the size of the region of
-        interest is a good bound. ``ended`` and ``ended_step`` say how and after how many steps the orbit of each cell ended.
-        ``reembed`` projects the steps of a lifted field, as in ``orbit``, for the colors drift, escape, and columns of
-        final points, extrema and rotation.
+        The exponents of an escaping orbit are large without being a sign of chaos. If ``escape`` is
+        given, an orbit ends where a variable exceeds it in absolute value, and its cell is NaN. A
+        good bound is a few times the size of the region of interest. ``ended`` and ``ended_step``
+        say for each cell how and after how many steps the orbit ended. ``reembed`` projects the
+        steps of a lifted field, as in ``orbit``; it supports the colors drift, escape, and columns
+        of final points, extrema and rotation.
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")

@@ -1,4 +1,4 @@
-"""The names by which orbits are differentiated."""
+"""Names of the variables of differentiation."""
 
 from __future__ import annotations
 
@@ -15,9 +15,11 @@ __all__ = ["in_order", "differentiable"]
 
 
 def differentiable(system: System, names: str | Sequence[str] | None, argument: str) -> list[str]:
-    """The names of parameters, variables and ``eps``, each once; all of them for ``None``.
+    """Returns the names of parameters, variables and ``eps``, without repetition; all of them for
+    ``None``.
 
-    Raises ``ValueError`` for another name, and for a lifted field. ``argument`` is that of the caller.
+    Raises ``ValueError`` for another name, and for a lifted field. ``argument`` is the name of the
+    caller's argument.
     """
     known = system._names
     asked = known if names is None else [names] if isinstance(names, str) else list(dict.fromkeys(names))
@@ -33,5 +35,5 @@ def differentiable(system: System, names: str | Sequence[str] | None, argument: 
 
 
 def in_order(asked: Sequence[str], names: Sequence[str], arrays: Array) -> dict[str, Array]:
-    """The derivatives, of which ``names`` are the first axis, in the order ``asked``."""
+    """Returns the derivatives in the order ``asked``; ``names`` are those of their first axis."""
     return Named({name: arrays[names.index(name)] for name in asked}, "derivative", 'ask for it by derivatives=["{name}"]')

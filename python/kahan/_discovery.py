@@ -18,11 +18,12 @@ __all__ = ["Discovery"]
 
 
 class Discovery(Answer):
-    """Integrals, densities, brackets and drifts of a map, by the names of ``kahan discover --json``.
+    """Integrals, densities, brackets and drifts of a map, with the names of ``kahan discover
+    --json``.
 
-    ``integrals``, ``densities``, ``brackets`` and ``drifts`` are formulas by name, and ``claims`` has all of
-    them as lines of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
-    too long to write are in ``bases``.
+    ``integrals``, ``densities``, ``brackets`` and ``drifts`` map names to formulas. ``claims``
+    lists them as lines in the language of ``kahan!``. ``claimed`` is the field with these claims.
+    Integrals whose formulas are too long to write are in ``bases``.
     """
 
     bases: list[Basis]
@@ -32,7 +33,7 @@ class Discovery(Answer):
     """The claims that were found and proved, as lines for the text of a field."""
 
     sentences: list[str]
-    """The extent of the search, and its result where something is missing."""
+    """The extent of the search, and its conclusion if something may be missing."""
 
     def __init__(self, found: Mapping[str, Any], of: System) -> None:
         kinds = ("integrals", "densities", "brackets", "drifts")
@@ -47,9 +48,10 @@ class Discovery(Answer):
 
     @cached_property
     def claimed(self) -> System:
-        """The field with what was found as its claims, which are proved once more; it steps and plots.
+        """Returns the field with the findings as its claims. They are proved once more.
 
-        Its parameters have the values with which it was searched, ``when`` which the claims are made.
+        Its parameters have the values of the search, which are the condition ``when`` of the
+        claims.
         """
         searched: System = self.__dict__["_searched"]
         text, is_name, sites, given = searched._call
@@ -79,5 +81,5 @@ class Discovery(Answer):
 
     @property
     def drifts(self) -> dict[str, Formula]:
-        """Functions whose next value follows from their value, by name, each a vector of the two values."""
+        """The drifts by name: a function whose next value is a function of its value. Each is a vector of the two."""
         return self.claimed.drifts

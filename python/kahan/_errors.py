@@ -1,4 +1,4 @@
-"""What can be wrong, as exceptions."""
+"""Exceptions for mistakes and for steps without a value."""
 
 from __future__ import annotations
 
@@ -13,33 +13,33 @@ from ._kahan import names, nearest
 __all__ = ["CHOICES", "FieldError", "Mistake", "Named", "SingularStep", "choice", "needed", "spelled", "unknown"]
 
 CHOICES: dict[str, list[str]] = dict(names())
-"""The names that arguments of one kind may have, by that kind."""
+"""The valid names of each kind of argument."""
 
 
 class Mistake(NamedTuple):
     """One mistake of a text in the language of ``kahan!``."""
 
     message: str
-    """What is wrong."""
+    """The description of the mistake."""
     line: int
     """The line of the text, counted from 1."""
     column: int
     """The column where the mistake begins, counted from 1."""
     help: str
-    """What to write instead; empty where there is nothing to say."""
+    """Advice on what to write instead; empty if there is none."""
 
 
 class FieldError(ValueError):
-    """A field that cannot be read, or whose claims do not hold.
+    """The error for a field that cannot be read, or whose claims do not hold.
 
-    As text it shows the line of each mistake with a caret under its place. The attributes
+    Its text shows the line of each mistake, with a caret below the position. The attributes
     ``message``, ``line``, ``column`` and ``help`` are those of the first mistake.
     """
 
     __module__ = "kahan"  # The name that a traceback shows is the one to catch.
 
     mistakes: tuple[Mistake, ...]
-    """All mistakes, in the order of their places."""
+    """All mistakes, in the order of their positions."""
 
     def __init__(self, report: str, mistakes: list[tuple[str, int, int, str]]) -> None:
         super().__init__(report, mistakes)
@@ -50,7 +50,7 @@ class FieldError(ValueError):
 
     @property
     def message(self) -> str:
-        """What is wrong first."""
+        """The description of the first mistake."""
         return self.mistakes[0].message
 
     @property
@@ -65,25 +65,27 @@ class FieldError(ValueError):
 
     @property
     def help(self) -> str:
-        """What to write instead."""
+        """Advice on what to write instead, for the first mistake."""
         return self.mistakes[0].help
 
 
 class SingularStep(ArithmeticError):
-    """The map has no value at a point: a pole, det A = 0, or numbers beyond the range of floats."""
+    """The error for a point at which the map has no value: a pole, det A = 0, or an overflow of floats."""
 
     __module__ = "kahan"
 
 
 def unknown(kind: str, name: str, known: Iterable[str]) -> str:
-    """That there is no such name of a kind, with the nearest one, or else with all."""
+    """Returns a message for an unknown name of a kind, with the nearest known name, or else all of them."""
     known = list(known)
     near = nearest(name, known)
     return f"there is no {kind} `{name}`; " + (f"did you mean `{near}`?" if near else f"there is {', '.join(known) or 'none'}")
 
 
 class Named(dict[str, Any]):
-    """Values by name, which say of a missing name which names there are, and what to do: ``advice``, in which {name} is that name."""
+    """Values by name. The error for a missing name lists the known names and gives ``advice``, in
+    which {name} stands for the missing name.
+    """
 
     def __init__(self, values: Any, kind: str, advice: str) -> None:
         super().__init__(values)
@@ -97,7 +99,7 @@ class Named(dict[str, Any]):
 
 
 def needed(package: str, extra: str = "", project: str = "") -> Any:
-    """A package that is not always there, imported; ``ImportError`` says how to install it."""
+    """Imports an optional package. Its ``ImportError`` says how to install it."""
     name = project or package
     try:
         return import_module(package)
@@ -107,23 +109,24 @@ def needed(package: str, extra: str = "", project: str = "") -> Any:
 
 
 def choice(value: str, kind: str) -> str:
-    """The value, if arguments of this kind may have it."""
+    """Returns the value if it is valid for this kind of argument."""
     if value not in CHOICES[kind]:
         raise ValueError(unknown(kind, str(value), CHOICES[kind]))
     return value
 
 
 _STEPS = ("h", "tau", "step_size", "stepsize", "time_step")
-"""What others call a time step."""
+"""Names of the time step in other packages."""
 
 Class = TypeVar("Class", bound=type)
 
 
 def spelled(cls: Class) -> Class:
-    """The class, whose functions, own and inherited ones, say of a mistyped argument which one is nearest.
+    """Makes the methods of a class, own and inherited, suggest the nearest name for a mistyped
+    argument.
 
-    What is called right pays for one more call; names are compared only where a call was refused. The
-    compiled ``step`` and ``try_step`` are left as they are, as a call of them takes no longer than that one.
+    A correct call costs one more function call; names are compared only if a call fails. The
+    compiled ``step`` and ``try_step`` are unchanged, because they are as fast as that extra call.
     """
     for name, function in inspect.getmembers(cls, inspect.isfunction):
         if not name.startswith("_") and function.__module__.startswith("kahan."):

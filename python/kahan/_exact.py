@@ -1,4 +1,4 @@
-"""Exact numbers on their way to a question and back."""
+"""Conversion of exact numbers for questions and answers."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ import numpy as np
 __all__ = ["Number", "answer", "exact", "exact_or_none", "half_step", "nearest", "point", "whole", "whole_or_none"]
 
 Number = Union[int, float, Fraction, str]
-"""A number as it is given: a float means the decimal that Python prints, 0.1 is 1/10."""
+"""A number from the caller. A float stands for the decimal that Python prints: 0.1 is 1/10."""
 
 _EXACT = re.compile(r"-?\d+(/\d+)?")
 
 
 def exact(value: Any, name: str) -> str:
-    """The number as text that is read exactly.
+    """Returns the number as text that is read exactly.
 
     >>> exact(0.1, "eps"), exact(np.float32(0.1), "eps"), exact(Fraction(1, 3), "eps"), exact("-2/7", "eps")
     ('0.1', '0.1', '1/3', '-2/7')
@@ -59,12 +59,12 @@ def exact(value: Any, name: str) -> str:
 
 
 def exact_or_none(value: Any, name: str) -> str | None:
-    """The number as text that is read exactly, and ``None`` for ``None``."""
+    """Returns the number as text that is read exactly, or ``None`` for ``None``."""
     return None if value is None else exact(value, name)
 
 
 def nearest(value: Any, name: str) -> float:
-    """The float nearest to a number."""
+    """Returns the float nearest to a number."""
     if isinstance(value, float):
         return value
     return float(_fraction(exact(value, name), name))
@@ -80,7 +80,8 @@ def _fraction(text: str, name: str) -> Fraction:
 
 
 def half_step(eps: Any, dt: Any, *, is_needed: bool = True) -> Any:
-    """eps, half the time step, from eps or from the time step ``dt``: a number, or an array with one for each trajectory.
+    """Returns eps, half the time step, from eps or from the time step ``dt``: a number, or an array
+    with one for each trajectory.
 
     >>> half_step(0.1, None), half_step(None, 0.1), half_step(None, None, is_needed=False)
     (0.1, Fraction(1, 20), None)
@@ -97,7 +98,7 @@ def half_step(eps: Any, dt: Any, *, is_needed: bool = True) -> Any:
 
 
 def point(values: Any, name: str = "x") -> list[str]:
-    """The coordinates of a point."""
+    """Returns the coordinates of a point as exact text."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise TypeError(f"{name}: a point is a list or an array with a coordinate for each variable")
     values = list(values)
@@ -107,7 +108,7 @@ def point(values: Any, name: str = "x") -> list[str]:
 
 
 def whole(value: Any, name: str) -> int:
-    """A whole number from 0 on; 1e3 is one, too."""
+    """Returns a whole number of 0 or more; 1e3 is accepted as well."""
     if value is None:
         raise TypeError(f"{name} is missing: give a whole number, as {name}=1000")
     try:
@@ -120,12 +121,12 @@ def whole(value: Any, name: str) -> int:
 
 
 def whole_or_none(value: Any, name: str) -> int | None:
-    """A whole number from 0 on, and ``None`` for ``None``."""
+    """Returns a whole number of 0 or more, or ``None`` for ``None``."""
     return None if value is None else whole(value, name)
 
 
 def _digits(value: int) -> str:
-    """Digits of an integer, however many: Python itself refuses more than some thousand."""
+    """Returns the digits of an integer of any length; ``str`` refuses more than a few thousand."""
     try:
         return str(value)
     except ValueError:
@@ -156,7 +157,7 @@ def _value(value: Any) -> Any:
 
 
 def answer(text: str) -> dict[str, Any]:
-    """The answer to a question, its exact numbers as fractions."""
+    """Returns the answer to a question, with exact numbers as fractions."""
     found = _value(json.loads(text))
     assert isinstance(found, dict)
     return found

@@ -1,4 +1,4 @@
-"""Models in files."""
+"""Reading of model files."""
 
 from __future__ import annotations
 
@@ -21,17 +21,18 @@ _ENDINGS = (".kahan", ".txt", ".ode", ".xml", ".sbml", ".ant")
 
 
 def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters: Number) -> System:
-    """The field in a file, with the values of its parameters and its start.
+    """Reads the field in a file, with the values of its parameters and its initial point.
 
-    The ending of the name says what the file is: ``.kahan`` or ``.txt`` a text as ``System`` takes it, ``.ode`` one of
-    XPP, ``.xml`` or ``.sbml`` a model in SBML, ``.ant`` one in Antimony, ``.npz`` arrays c, B, Q as ``np.savez`` writes
-    them. SBML needs the package python-libsbml, and Antimony antimony, too. ``parameters`` are other values than those
-    of the file.
+    The suffix of the name determines the format: ``.kahan`` or ``.txt`` for text as in ``System``,
+    ``.ode`` for XPP, ``.xml`` or ``.sbml`` for SBML, ``.ant`` for Antimony, ``.npz`` for arrays c,
+    B, Q written by ``np.savez``. SBML needs the package python-libsbml, and Antimony also the
+    package antimony. ``parameters`` replace values in the file.
 
-    Equations that are not quadratic are lifted; ``lift`` asks for one kind of lift, as in ``System``. ``source`` is the
-    text made from a model, with comments on the reading; it may be saved as a ``.kahan`` file.
+    Equations that are not quadratic are lifted; ``lift`` selects the kind of lift, as in
+    ``System``. The attribute ``source`` is the text made from a model, with comments on how it was
+    read; it may be saved as a ``.kahan`` file.
 
-    Raises ``ValueError`` with the place of a part that no field has, such as an event.
+    Raises ``ValueError`` with the position of an unsupported part, such as an event.
 
     >>> import kahan, pathlib, tempfile
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "oscillator.ode"
@@ -70,7 +71,7 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
 
 
 def _from_antimony(path: Path) -> str:
-    """The model of a file in Antimony as SBML; submodels are written out."""
+    """Converts the model of an Antimony file to SBML, with submodels expanded."""
     antimony = needed("antimony", "sbml")
     antimony.clearPreviousLoads()
     if antimony.loadAntimonyFile(str(path)) < 0:
@@ -80,7 +81,7 @@ def _from_antimony(path: Path) -> str:
 
 
 def _system(text: str, origin: str, wanted: str | None, parameters: dict[str, Any]) -> System:
-    """The field of a text, lifted where it is not quadratic; mistakes have their places in ``origin``."""
+    """Returns the field of a text, lifted if it is not quadratic. Positions of mistakes refer to ``origin``."""
     try:
         return System(text, **parameters)
     except FieldError as error:

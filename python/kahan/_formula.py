@@ -1,4 +1,4 @@
-"""Formulas of a field and of its map: as text, LaTeX, SymPy's expressions, and functions of points."""
+"""Formulas of a field and of its map, as text, LaTeX, SymPy expressions and functions of points."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ __all__ = ["Formula", "Symbols"]
 
 
 class Symbols(NamedTuple):
-    """What formulas of a field name beside ``eps``."""
+    """The names in formulas of a field, besides ``eps``."""
 
     variables: tuple[str, ...]
     """The state variables, in order."""
     parameters: dict[str, Fraction | None]
-    """The parameters with their values; ``None`` for one that has none."""
+    """The parameters with their values; ``None`` for a parameter without a value."""
     functions: dict[str, str]
-    """Constants and claims, which the claims below them may name, as text."""
+    """Constants and claims, as text. Later claims may use their names."""
 
     @property
     def _names(self) -> list[str]:
-        """The names that columns of a table may have."""
+        """Returns the names that columns of a table may have."""
         return [*self.variables, *self.parameters, "eps"]
 
     def _matched(self, names: list[str], name: str, varies: bool) -> tuple[list[int], list[tuple[str, int]]]:
@@ -40,9 +40,9 @@ class Symbols(NamedTuple):
 class Formula:
     """A formula, or a vector or a matrix of formulas.
 
-    ``str`` gives the language of ``kahan!``, in which ``eps`` is half the time step; ``latex`` and
-    ``sympy()`` the same for others. Vectors and matrices have entries by index or by variable.
-    Called, a formula has its values at points.
+    ``str`` writes it in the language of ``kahan!``, in which ``eps`` is half the time step;
+    ``latex`` and ``sympy()`` write it in other notations. Entries of vectors and matrices are
+    selected by index or by variable. A call evaluates the formula at points.
 
     >>> import kahan
     >>> A = kahan.System("xdot = y; ydot = x^2;").A
@@ -53,9 +53,9 @@ class Formula:
     """
 
     name: str
-    """The name of what is claimed; empty for what is derived."""
+    """The name of the claim; empty for a derived formula."""
     when: str
-    """The condition under which it is claimed; empty where it always holds."""
+    """The condition of the claim; empty if it always holds."""
 
     def __init__(self, read: Callable[[str], Any], of: Symbols, name: str = "", when: str = "") -> None:
         self._read, self._of, self.name, self.when = read, of, name, when
@@ -66,7 +66,7 @@ class Formula:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The sizes of a vector or matrix; ``()`` for one formula."""
+        """The shape of a vector or matrix; ``()`` for a single formula."""
         text, sizes = self._text, []
         while isinstance(text, list):
             sizes.append(len(text))
@@ -104,14 +104,17 @@ class Formula:
 
     def __call__(self, x: Any, eps: Number | np.ndarray[Any, Any] | None = None, *,
                  dt: Number | np.ndarray[Any, Any] | None = None, **parameters: Any) -> Any:
-        """The values at points: ``x`` has shape (variables,) or (points, variables), or columns with the names of the
-        variables, and of parameters and ``eps`` if you like. The entries of a vector or a matrix are the last axes of
-        what is returned.
+        """Returns the values at points.
 
-        ``eps``, or ``dt`` = 2 eps, is needed where the formula depends on it, and values for ``parameters`` that have none in
-        the field; each is one number, or one a point. Points with fractions or text among their
-        coordinates have exact values, by fractions; at a pole ``ZeroDivisionError`` is raised for them,
-        and floats are infinite or NaN there. Floats have the bits that the command gives the formula.
+        ``x`` has shape (variables,) or (points, variables), or it is a table with a column for each
+        variable, and optionally for parameters and ``eps``. The entries of a vector or matrix are
+        the last axes of the result.
+
+        ``eps``, or ``dt`` = 2 eps, is required if the formula contains it, and so are parameters
+        without a value in the field. Each is one number, or one for each point. Coordinates given
+        as fractions or text yield exact values, as fractions; at a pole they raise
+        ``ZeroDivisionError``, while floats become infinite or NaN. Floats agree bit for bit with
+        those of the command.
         """
         given = [value for _, value in by_name(x, lambda: self._of._names) or ()]
         one_order([*given, eps, dt, *parameters.values()])
@@ -173,7 +176,7 @@ class Formula:
 
     @property
     def latex(self) -> str:
-        """The formula in LaTeX, a vector as a column."""
+        """The formula in LaTeX; a vector is written as a column."""
         found = self._read("latex")
         if not isinstance(found, list):
             return str(found)
@@ -181,9 +184,9 @@ class Formula:
         return r"\begin{pmatrix}" + r" \\ ".join(" & ".join(row) for row in rows) + r"\end{pmatrix}"
 
     def sympy(self) -> Any:
-        """The formula as an expression of SymPy, which is needed for it; a vector as a column.
+        """Returns the formula as a SymPy expression; a vector becomes a column matrix. Needs SymPy.
 
-        Names become plain symbols, exact numbers rationals.
+        Names become plain symbols, and exact numbers become rationals.
         """
         from ._sympy import expression
 

@@ -19,8 +19,11 @@ class Formulas(Field):
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """The parameters with their values as fractions: those given, or else those of the text, ``None``
-        for one that has none. Values of the text count where numbers are needed; formulas keep their names.
+        """The parameters with their values as fractions, or ``None`` for a parameter without a
+        value.
+
+        Values given by name replace those in the text of the field. Values of the text are used
+        where numbers are needed; formulas keep the names.
 
         >>> import kahan
         >>> s = kahan.System("par a=2\\ninit x=1, y=0\\nx' = y\\ny' = -a*x")
@@ -30,7 +33,7 @@ class Formulas(Field):
         return {name: None if value is None else _number(value) for name, value in self._given}
 
     def _sheet(self, form: str) -> dict[str, Any]:
-        """All formulas of a notation, read once."""
+        """Returns all formulas in one notation, computed once."""
         sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
         if form not in sheets:
             sheets[form] = json.loads(self._answer(json.dumps({"ask": "show", "as": form, "jacobian": True})))
@@ -49,27 +52,27 @@ class Formulas(Field):
 
     @property
     def field(self) -> Formula:
-        """f(x), a vector, at eps = 0 where coefficients depend on eps."""
+        """The field f(x), a vector. If coefficients depend on eps, it is taken at eps = 0."""
         return self._formula("field")
 
     @property
     def field_jacobian(self) -> Formula:
-        """f'(x), a matrix, at eps = 0 where coefficients depend on eps."""
+        """The Jacobian f'(x) of the field. If coefficients depend on eps, it is taken at eps = 0."""
         return self._formula("field_jacobian")
 
     @property
     def A(self) -> Formula:
-        """The matrix A(x, eps): the map is the solution of A(x, eps) x~ = b(x, eps)."""
+        """The matrix A(x, eps). The map x -> x~ solves A(x, eps) x~ = b(x, eps)."""
         return self._formula("A")
 
     @property
     def b(self) -> Formula:
-        """The right side b(x, eps), a vector."""
+        """The right-hand side b(x, eps) of A x~ = b, a vector."""
         return self._formula("b")
 
     @property
     def det_A(self) -> Formula:
-        """det A(x, eps), whose zeros are the poles of the map, but for factors that cancel."""
+        """The determinant det A(x, eps). Its zeros are the poles of the map, except for factors that cancel."""
         return self._formula("det_A")
 
     @property
@@ -79,11 +82,11 @@ class Formulas(Field):
 
     @property
     def jacobian(self) -> Formula:
-        """The Jacobian of the map, dx~/dx, a matrix of fractions in lowest terms."""
+        """The Jacobian dx~/dx of the map, a matrix of fractions in lowest terms."""
         return self._formula("jacobian")
 
     def _claims(self, kind: str, arranged: Callable[[list[str], dict[str, Any], str], Any]) -> dict[str, Formula]:
-        """The claims of a kind by name; ``arranged`` puts the right sides of the equations of a claim in a notation."""
+        """Returns the claims of a kind by name. ``arranged`` formats the right-hand sides of a claim in a notation."""
         def formula(place: int, claim: dict[str, Any]) -> Formula:
             def read(form: str) -> Any:
                 return arranged([right for _, right in self._sheet(form)["claims"][place]["equations"]], claim, form)
@@ -95,17 +98,17 @@ class Formulas(Field):
 
     @property
     def integrals(self) -> dict[str, Formula]:
-        """The claimed integrals, by name; each was proved when the field was read."""
+        """The claimed integrals by name. Each was proved when the field was read."""
         return self._claims("integral", lambda sides, *_: sides[0])
 
     @property
     def densities(self) -> dict[str, Formula]:
-        """The claimed invariant densities, by name: the map keeps the volume form density dx."""
+        """The claimed invariant densities by name: the map preserves the volume form density dx."""
         return self._claims("density", lambda sides, *_: sides[0])
 
     @property
     def brackets(self) -> dict[str, Formula]:
-        """The claimed Poisson brackets, by name, each an antisymmetric matrix: brackets["P"]["x", "y"] is {x, y}."""
+        """The claimed Poisson brackets by name, as antisymmetric matrices: brackets["P"]["x", "y"] is {x, y}."""
         names = self._all_variables
 
         def matrix(sides: list[str], claim: dict[str, Any], form: str) -> list[list[str]]:
@@ -119,7 +122,8 @@ class Formulas(Field):
 
     @property
     def drifts(self) -> dict[str, Formula]:
-        """The claimed drifts, by name: vectors of a function F and of its next value as a formula of F.
+        """The claimed drifts by name. Each is a vector of a function F and of its next value as a
+        formula in F.
 
         >>> import kahan
         >>> F = kahan.System("xdot = x^2; drift F = 1/x by F - 2*eps;").drifts["F"]
@@ -129,7 +133,7 @@ class Formulas(Field):
         return self._claims("drift", lambda sides, *_: sides)
 
     def _repr_latex_(self) -> str:
-        """The field, its map where that is short, and the integrals that are known."""
+        """Returns the field, its map if it is short, and the known integrals."""
         def lines(accent: str, formula: Formula) -> list[str]:
             return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self._all_variables, formula)]
 

@@ -1,4 +1,4 @@
-"""Chains of any number of sites."""
+"""Chains with any number of sites."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ __all__ = ["Lattice", "LatticeOrbit"]
 
 @spelled
 class Lattice(Chain):
-    """A chain of a family ``for i in periodic { … }`` at one eps, half the time step, or ``dt`` = 2 eps.
+    """A chain ``for i in periodic { … }`` at a fixed ``eps``, half the time step (or ``dt`` = 2
+    eps).
 
-    ``family`` is its text, or its name in the catalog, as ``"kdv"``. ``values`` are the family's
-    parameters: a number each, or one a site. A state has a row a site, with a column for each of
-    ``arrays``; of one array it may be a list of the sites. Arrays of states, with more axes before those, are
-    advanced state by state.
+    ``family`` is the text of the chain, or a name in the catalog such as ``"kdv"``. ``values`` are
+    the parameters: one number each, or one for each site. A state has a row for each site and a
+    column for each array in ``arrays``; with a single array it may be one-dimensional. Arrays of
+    states have further axes in front, and are advanced state by state.
 
     >>> import kahan, numpy as np
     >>> ring = kahan.Lattice("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }", 100, eps=0.01)
@@ -54,24 +55,24 @@ class Lattice(Chain):
 
     @property
     def _names(self) -> list[str]:
-        """The names that columns of a state may have."""
+        """Returns the names that columns of a state may have."""
         return self.arrays
 
     def __repr__(self) -> str:
         return f"<Lattice of {self.sites} sites: {', '.join(self.arrays)}>"
 
     def _alone(self, state: Any) -> tuple[Array, int]:
-        """The state or states, with the number of axes that one state has."""
+        """Returns the state or states, and the number of axes of a single state."""
         states = np.array(named(state, self, "state"), dtype=float)
         pair = (self.sites, len(self.arrays))
         return states, 1 if len(self.arrays) == 1 and states.shape[-2:] != pair and states.shape[-1:] == pair[:1] else 2
 
     def step(self, state: Any) -> Array:
-        """The state one time step of 2 eps later."""
+        """Returns the state one time step of 2 eps later."""
         return self.advance(state, 1)
 
     def advance(self, state: Any, steps: int = 1, *, progress: bool = False) -> Array:  # type: ignore[override]
-        """The state so many steps later, of the shape that it has; NaN where it has no finite value."""
+        """Returns the state ``steps`` steps later, in the same shape; NaN if it is not finite."""
         states, axes = self._alone(state)
         if states.ndim <= axes:
             return super().advance(states, whole(steps, "steps"), listener=listener(progress))
@@ -79,9 +80,10 @@ class Lattice(Chain):
         return np.array([self.advance(one, steps, progress=progress) for one in each]).reshape(states.shape)
 
     def invariants(self, state: Any) -> dict[str, Any]:
-        """What the family claims, at a state: integrals, the Hamiltonian, and the energy that the map keeps.
+        """Returns the claimed quantities at a state: integrals, Hamiltonian, and the energy that
+        the map preserves.
 
-        Of arrays of states each is an array.
+        For arrays of states, each of them is an array.
         """
         states, axes = self._alone(state)
         if states.ndim <= axes:
@@ -90,10 +92,11 @@ class Lattice(Chain):
         return {name: np.array([one[name] for one in each]).reshape(states.shape[:-axes]) for name in each[0]} if each else {}
 
     def observe(self, state: Any, steps: int, **asked: Any) -> Answer:
-        """What the orbit of one state does, as ``System.observe`` tells: ``spectrum=3`` has the three largest exponents.
+        """Observes the orbit of one state, like ``System.observe``. ``spectrum=3`` gives the three
+        largest exponents.
 
-        The chain is written out as a field of all sites, ``System(family, sites=n)``, which takes milliseconds a site;
-        ``asked`` has the other arguments of ``System.observe``.
+        The chain is written out as a field of all sites, ``System(family, sites=n)``; this takes
+        milliseconds per site. ``asked`` are the other arguments of ``System.observe``.
 
         >>> import kahan
         >>> chain = kahan.Lattice("for i in periodic { q[i]dot = p[i]; p[i]dot = q[i+1] - 2*q[i] + q[i-1]; }", 8, eps=0.05)
@@ -115,10 +118,10 @@ class Lattice(Chain):
         return field(**of_sites).observe(states.ravel(), eps, steps, **asked)
 
     def orbit(self, state: Any, steps: int, *, every: int = 1, progress: bool = False) -> LatticeOrbit:
-        """The states after 0, ``every``, 2 ``every``, … steps.
+        """Returns the states after 0, ``every``, 2 ``every``, … steps.
 
-        An orbit of one state ends before the first that is not finite. Of arrays of states each row has all, and NaN
-        where one has ended.
+        An orbit of one state ends before the first state that is not finite. An array of states
+        keeps all rows, with NaN for states whose orbit has ended.
         """
         steps, every = whole(steps, "steps"), whole(every, "every")
         if not every:
@@ -142,15 +145,19 @@ class Lattice(Chain):
 
 @spelled
 class LatticeOrbit(Frame, Stepped):  # type: ignore[misc]
-    """The states of an orbit of a lattice: ``x[k]`` is the state after ``n[k]`` steps, and ``x[k][..., i, :]`` its site i.
+    """The states of an orbit of a lattice: ``x[k]`` is the state after ``n[k]`` steps, ``x[k][...,
+    i, :]`` its site i.
 
-    ``ended`` is ``"complete"`` where all steps were made, and ``"range"`` where the next state is not finite.
+    ``ended`` is ``"complete"`` if all steps were made, and ``"range"`` if the next state is not
+    finite.
     """
 
     system: Lattice
     """The lattice."""
     x: Array
-    """The states, of shape (rows, sites) or (rows, sites, arrays); of arrays of states with their axes after the first."""
+    """The states, of shape (rows, sites) or (rows, sites, arrays). For arrays of states, their axes
+    follow the first.
+    """
 
     def __init__(self, system: Lattice, x: Array, every: int, steps: int, ended: str) -> None:
         self.system, self.x, self.every, self.steps, self.ended = system, x, every, steps, ended
@@ -163,14 +170,14 @@ class LatticeOrbit(Frame, Stepped):  # type: ignore[misc]
 
     @cached_property
     def invariants(self) -> dict[str, Array]:
-        """What the family claims on each row, by name."""
+        """The claimed quantities of each row, by name."""
         return Named(self.system.invariants(self.x), "claimed invariant", "")
 
     def __repr__(self) -> str:
         return f"<LatticeOrbit of {self.system.sites} sites: {len(self.x)} states, {self.steps} steps{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
-        """n, t and the invariants, by name; those of arrays of states are numbered, as ``S_1``."""
+        """Returns n, t and the invariants by name. For arrays of states they are numbered, as ``S_1``."""
         columns = {"n": self.n, "t": self.t}
         for name, values in self.invariants.items():
             each = values.reshape(len(self.x), -1).T
@@ -178,7 +185,7 @@ class LatticeOrbit(Frame, Stepped):  # type: ignore[misc]
         return columns
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the arrays over the coordinates ``t`` and ``site``, and of the invariants. Needs xarray."""
+        """Returns an ``xarray.Dataset`` of the arrays over ``t`` and ``site``, with the invariants. Needs xarray."""
         x, arrays = self.x, self.system.arrays
         axes = x.ndim - 1 - self.system._alone(x[0])[1]
         sites = x if x.shape[axes + 2:] else x[..., np.newaxis]
@@ -188,9 +195,11 @@ class LatticeOrbit(Frame, Stepped):  # type: ignore[misc]
         return needed("xarray").Dataset(columns, {"t": self.t, "n": ("t", self.n), "site": np.arange(self.system.sites)})
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the first array in colours over sites and time, or two of the columns, as ``"t", "H"``.
+        """Draws the first array in colours over sites and time, or two columns such as ``"t",
+        "H"``.
 
-        Needs matplotlib. ``style`` goes to ``Axes.pcolormesh`` or ``Axes.plot``; returns the axes.
+        Needs matplotlib. ``style`` is passed to ``Axes.pcolormesh`` or ``Axes.plot``. Returns the
+        axes.
         """
         from ._plot import lattice
 

@@ -1,4 +1,4 @@
-"""What a lift has made of equations that are not quadratic."""
+"""Lifts: quadratic fields made from equations that are not quadratic."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ new variables."""
 
 
 def lifting(lift: bool | str | None, at: Any, t0: Any, all: bool) -> Lift | None:
-    """How a field is to be lifted, as the compiled module takes it; ``None`` where it is not."""
+    """Returns how a field is to be lifted, for the compiled module; ``None`` if it is not."""
     from ._arrays import by_name
     from ._exact import exact, point
 
@@ -40,7 +40,8 @@ def lifting(lift: bool | str | None, at: Any, t0: Any, all: bool) -> Lift | None
 
 
 class Lifted(Answer):
-    """A lift, by the names of ``kahan lift --json``, and the way in and out of its variables.
+    """A lift, with the names of ``kahan lift --json``, and conversions between original and new
+    variables.
 
     >>> import kahan
     >>> s = kahan.System("xdot = v; vdot = -sin(x);", lift=True)
@@ -51,21 +52,23 @@ class Lifted(Answer):
     """
 
     order: int
-    """The number of new variables; ``t`` is not counted."""
+    """The number of new variables, without ``t``."""
     optimal: bool
-    """Whether the search for fewer new variables was complete and found none."""
+    """Whether a complete search found no lift with fewer new variables."""
     chosen: str
-    """Why this lift was chosen."""
+    """The reason for the choice of this lift."""
     variables: list[str]
-    """All variables: the original ones, ``t`` where it is lifted, and the new ones."""
+    """All variables: the original ones, ``t`` if it occurs, and the new ones."""
     new: dict[str, str | None]
-    """The new variables with the functions that they stand for; ``None`` for the work since the start."""
+    """The new variables and the functions that they stand for; ``None`` for the work done since the start."""
     field: str
-    """The quadratic field in the language of ``kahan!``, with what its map keeps."""
+    """The quadratic field in the language of ``kahan!``, with claims for what its map preserves."""
     relations: list[Answer]
-    """For each relation: ``relation``, its fate ``along`` the orbit, ``formula``, ``rate``."""
+    """The relations between the variables: ``relation``, what happens to it ``along`` the orbit,
+    ``formula``, ``rate``.
+    """
     energy: str | None
-    """What the map keeps in the place of the energy."""
+    """The quantity that the map preserves instead of the energy."""
 
     def __init__(self, system: System, text: str) -> None:
         found = json.loads(text)
@@ -74,10 +77,10 @@ class Lifted(Answer):
         self.__dict__["_of"] = system
 
     def embed(self, x: Any) -> Array:
-        """All variables at points of the original ones, of shape (…, variables)."""
+        """Returns all variables at points of the original ones, of shape (…, variables)."""
         embedded: Array = self._of._embedded(self._of._at(x))
         return embedded
 
     def project(self, y: Any) -> Array:
-        """The original variables of points of all."""
+        """Returns the original variables at points of all variables."""
         return np.asarray(y)[..., self._of._places]

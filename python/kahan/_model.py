@@ -1,4 +1,4 @@
-"""Models from files of other programs as texts: equations, values, starts, and comments on the reading."""
+"""Models read from files of other programs, converted to text: equations, values, initial values, comments."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ _TAKEN = frozenset(
     number aux done when lift integral density bracket hamiltonian sin cos tan cot sec csc sinh cosh tanh coth sech
     csch exp log ln sqrt cbrt asin atan asinh acosh atanh acos arcsin arccos arctan pow Derivative Eq""".split()
 )
-"""Names with a meaning of their own in texts."""
+"""Names that are reserved in the text of a field."""
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
 
 def is_taken(name: str) -> bool:
-    """Whether a name has a meaning of its own in texts, and cannot name a state, a parameter or a quantity."""
+    """Returns whether a name is reserved, so that it cannot name a state, a parameter or a function."""
     return name in _TAKEN or not name.strip("_") or name.endswith("dot")
 
 
 class Refused(ValueError):
-    """A wrong or unsupported part of a file, with its place and with advice."""
+    """The error for a wrong or unsupported part of a file, with its position and advice."""
 
     def __init__(self, place: Place, part: str, reason: str, line: int = 0, name: str = "") -> None:
         line = place.line_of(name, line)
@@ -38,14 +38,14 @@ class Refused(ValueError):
 
 @dataclass
 class Place:
-    """A file, with the text by which lines are counted."""
+    """A file, with the text that determines line numbers."""
 
     path: str
     text: str | None = None
-    """The text of the user, if errors have the lines of a text made from it."""
+    """The user's text, if errors should refer to its lines instead of those of a converted text."""
 
     def line_of(self, name: str, line: int) -> int:
-        """The line of a name in the user's text, or else the line that is known."""
+        """Returns the line of a name in the user's text, or else the known line."""
         if self.text is None:
             return line
         # The definition of a name, or else its first place; an event without a name is known by its word.
@@ -56,7 +56,7 @@ class Place:
 
 
 def number_text(value: Fraction | float, in_product: bool = False) -> str:
-    """A number as a text with all digits: a decimal where it is one, else a fraction."""
+    """Returns a number as text with all digits: a decimal if possible, otherwise a fraction."""
     if isinstance(value, float):
         return repr(value)
     if Fraction(repr(float(value))) == value:
@@ -66,7 +66,7 @@ def number_text(value: Fraction | float, in_product: bool = False) -> str:
 
 
 class Model:
-    """A model while it is read."""
+    """A model that is being read."""
 
     def __init__(self, place: Place, names: Iterable[str]) -> None:
         self.place, self.title, self.units = place, "", ""
@@ -94,7 +94,7 @@ class Model:
         return next(one for one in candidates if one not in taken and one not in _TAKEN)
 
     def name(self, name: str) -> str:
-        """The name in the text."""
+        """Returns the name in the text."""
         return self.names[name]
 
     def note(self, note: str) -> None:
@@ -114,7 +114,7 @@ class Model:
         self.totals.append(text)
 
     def computed(self, formula: str, value: Fraction | float) -> str:
-        """The name of a parameter that has the value of a constant formula."""
+        """Returns the name of a parameter that has the value of a constant formula."""
         if formula not in self._computed:
             start = "_".join(_NAME.findall(formula) or ["value"])[:24]
             name = next(one for k in range(len(self._all) + 2) if (one := f"{start}_{k + 1}") not in self._all)
@@ -125,7 +125,7 @@ class Model:
         return self._computed[formula]
 
     def used(self) -> set[str]:
-        """The names that the equations need, in the text."""
+        """Returns the names in the text that the equations need."""
         needed: set[str] = set()
         formulas = {self.name(name): text for name, text in self.formulas.items()}
         left = [*self.rights.values(), *self.totals]
@@ -136,7 +136,7 @@ class Model:
         return needed
 
     def text(self) -> str:
-        """The model as a text: comments on what was read, values, starts, formulas, equations."""
+        """Returns the model as text: comments on the reading, values, initial values, formulas, equations."""
         used = self.used()
         title = f'The model "{self.title}" of' if self.title else "A model of"
         lines = [f"{title} {self.place.path.replace(chr(92), '/').rsplit('/', 1)[-1]}"]

@@ -1,4 +1,4 @@
-"""Orbits and what is seen of them, as arrays."""
+"""Orbits and their observables, as arrays and tables."""
 
 from __future__ import annotations
 
@@ -35,19 +35,21 @@ def _end(ended: str, steps: int) -> str:
 
 
 class Table(ABC):
-    """Columns of one length by name, as a data frame has them: ``keys()``, ``items()``, ``dict(table)``.
+    """Named columns of equal length, like a data frame: ``keys()``, ``items()``, ``dict(table)``.
 
-    A column is an entry, ``table["y"]``, and an attribute where there is no other one: ``x`` are always the
-    points. Iteration goes over the names, and ``len`` counts the rows. ``numpy.asarray`` of a table is its points,
-    or a chart's values. ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` read it by Arrow's capsule.
+    A column is an entry, ``table["y"]``, and also an attribute unless another attribute has that
+    name: ``x`` is always the array of points. Iteration runs over the names, and ``len`` counts the
+    rows. ``numpy.asarray`` of a table is its points, or the values of a chart.
+    ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` read it through Arrow's capsule
+    interface.
     """
 
     @abstractmethod
     def columns(self) -> dict[str, Array]:
-        """The columns by name."""
+        """Returns the columns by name."""
 
     def _whole(self) -> Array:
-        """The table as one array."""
+        """Returns the table as one array."""
         whole: Array = self.x
         return whole
 
@@ -73,18 +75,18 @@ class Table(ABC):
         return len(self._whole())
 
     def keys(self) -> KeysView[str]:
-        """The names of the columns."""
+        """Returns the names of the columns."""
         return self.columns().keys()
 
     def items(self) -> ItemsView[str, Array]:
-        """The names of the columns, each with its column."""
+        """Returns pairs of the name and the values of each column."""
         return self.columns().items()
 
     def __contains__(self, name: object) -> bool:
         return name in self.columns()
 
     def get(self, name: str, default: Any = None) -> Any:
-        """The column of this name, or else the default."""
+        """Returns the column of this name, or else the default."""
         return self[name] if name in self else default
 
     # Arrays have no single answer to whether they are equal.
@@ -97,27 +99,30 @@ class Table(ABC):
         return np.array(self._whole(), dtype=dtype) if copy or dtype is not None else self._whole()
 
     def to_pandas(self) -> Any:
-        """A data frame of the columns. Needs pandas."""
+        """Returns a data frame of the columns. Needs pandas."""
         return needed("pandas").DataFrame(self.columns())
 
     def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
-        """The columns as Arrow's stream: ``pyarrow.table(this)``, ``polars.DataFrame(this)``. Fractions are text."""
+        """Returns the columns as an Arrow stream, for ``pyarrow.table`` and ``polars.DataFrame``.
+        Fractions become text.
+        """
         return arrow(list(self.columns().items()))
 
 
 class Frame(Table, dict[str, Array]):  # type: ignore[misc]
-    """A table that ``pandas.DataFrame(table)`` takes with its names: pandas asks for a ``dict``.
+    """A table that ``pandas.DataFrame(table)`` accepts with its column names; pandas requires a
+    ``dict``.
 
-    The columns are those of :meth:`columns`, and the ``dict`` itself stays empty, so all that would read or
-    change it is defined here.
+    The columns are those of :meth:`columns`. The ``dict`` itself stays empty, so all methods that
+    would read or change it are redefined here.
     """
 
     def values(self) -> ValuesView[Array]:  # type: ignore[override]
-        """The columns."""
+        """Returns the columns."""
         return self.columns().values()
 
     def copy(self) -> dict[str, Array]:
-        """The columns as a ``dict``."""
+        """Returns the columns as a ``dict``."""
         return self.columns()
 
     def __or__(self, other: Mapping[str, Any]) -> dict[str, Any]:  # type: ignore[override]
@@ -139,7 +144,7 @@ class Frame(Table, dict[str, Array]):  # type: ignore[misc]
 
 
 class Ended(Table):
-    """A table of the points of one orbit or of many, which end after so many ``steps``."""
+    """A table of points of one orbit or of many, which end after ``steps`` steps."""
 
     x: Array
     steps: Any
@@ -147,30 +152,34 @@ class Ended(Table):
 
     @property
     def states(self) -> Array:
-        """The points, ``x``, which a variable may be called, too."""
+        """The points, like ``x``; useful if a variable is called ``x``."""
         return self.x
 
     @property
     def ended_step(self) -> Any:
-        """The steps to the last point of each orbit, ``steps``."""
+        """The number of steps to the last point of each orbit, like ``steps``."""
         return self.steps
 
 
 class Many(Frame, Ended):  # type: ignore[misc]
-    """A table of many orbits, whose ends come as words, the place of its word for each, and its steps."""
+    """A table of many orbits. Their ends are given as a list of words, the index of each orbit's
+    word, and its steps.
+    """
 
     system: System
     start: Array
     given: dict[str, Array]
     steps: Array
-    """The steps that each made, fewer than asked where it ended early."""
+    """The number of steps of each orbit; fewer than requested if it ended early."""
     _ends: tuple[list[str], Array, Array]
 
     def _end(self, ends: tuple[list[str], Array, Array]) -> None:
         self._ends, self.steps = ends, ends[2].reshape(self.start.shape[:-1])
 
     def _over_starts(self) -> tuple[list[str], dict[str, Any]]:
-        """The dimensions of the starts, and their coordinates: numbers, first points and ``given``."""
+        """Returns the dimensions of the initial points, and their coordinates: numbers, initial
+        points and ``given``.
+        """
         shape = self.steps.shape
         dims = ["start"] if len(shape) == 1 else [f"start_axis_{k}" for k in range(len(shape))]
         numbers = {name: np.arange(size) for name, size in zip(dims, shape)}
@@ -180,7 +189,7 @@ class Many(Frame, Ended):  # type: ignore[misc]
 
     @cached_property
     def ended(self) -> Array:
-        """How each ended, in a word."""
+        """The reason for the end of each orbit, in one word."""
         ended: Array = np.array(self._ends[0], dtype=object)[self._ends[1]].reshape(self.steps.shape)
         return ended
 
@@ -190,50 +199,52 @@ class Many(Frame, Ended):  # type: ignore[misc]
 
 
 class Stepped(Ended):
-    """A table with a row after every so many steps of one orbit."""
+    """A table with a row after every ``every`` steps of one orbit."""
 
     x: Array
-    """The points or states, of which the first is the start."""
+    """The points or states, the initial one first."""
     every: int
-    """Steps from row to row."""
+    """The number of steps between rows."""
     transient: int = 0
-    """Steps to the first row."""
+    """The number of steps before the first row."""
     steps: int
-    """The steps that were made; fewer than were asked where the orbit ends."""
+    """The number of steps made; fewer than requested if the orbit ended early."""
     ended: str
-    """Why it goes no further."""
+    """The reason for the end, in one word."""
 
     @property
     def n(self) -> Array:
-        """The number of steps that leads to each row."""
+        """The number of steps from the initial point to each row."""
         return self.transient + self.every * np.arange(len(self.x))
 
 
 @spelled
 class Orbit(Stepped):
-    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps.
+    """The points of one orbit: row ``x[k]`` is the point after ``n[k]`` steps.
 
-    ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
-    beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where exact numbers
-    tell that it has no value (det A = 0). Of a lifted field it is ``"range"`` where a root would be negative, and
-    ``"reembed"`` where symmetric projection does not converge; ``why`` has the words. ``ended_step`` is the number
-    of steps to the last point.
+    ``ended`` is ``"complete"`` if all steps were made. It is ``"range"`` if the next point is
+    beyond the range of floats, as at poles in floats, and ``"pole"`` if in exact numbers it has no
+    value (det A = 0). For a lifted field it is ``"range"`` if a root would be negative, and
+    ``"reembed"`` if the symmetric projection does not converge; ``why`` explains this.
+    ``ended_step`` is the number of steps to the last point.
     """
 
     system: System
     """The field, with its parameters."""
     eps: float | Fraction
-    """Half the time step; of an exact orbit the fraction."""
+    """Half the time step; a fraction for an exact orbit."""
     x: Array
-    """The points, of shape (rows, variables); the first is the start, or the point after the transient."""
+    """The points, of shape (rows, variables); the first is the initial point, or the point after the transient."""
     x_low: Array | None = None
-    """What the points lack, where they are double-doubles: these are ``x + x_low``."""
+    """The low parts of double-doubles: the points are ``x + x_low``. Otherwise ``None``."""
     why: str | None = None
-    """The end in words, where a lifted field ends the orbit."""
+    """An explanation of the end, for a lifted field."""
     _order: int | None = None
     # The order, if the steps are those of Kahan's map in floats and on a quadratic field.
     derivatives: dict[str, Array]
-    """The derivatives of ``x``, each of its shape, by the names of ``derivatives=``; see ``System.orbit``."""
+    """The derivatives of ``x``, by the names in ``derivatives=``, each with the shape of ``x``; see
+    ``System.orbit``.
+    """
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
@@ -245,7 +256,7 @@ class Orbit(Stepped):
 
     @property
     def t(self) -> Array:
-        """The time of each row, 2 eps n; of equations with ``t`` from ``t0`` on."""
+        """The time of each row, 2 eps n. For equations that contain ``t``, it begins at ``t0``."""
         n = self.n.astype(object) if isinstance(self.eps, Fraction) else self.n
         times: Array = 2 * self.eps * n
         start = self.system._time[0]
@@ -255,12 +266,13 @@ class Orbit(Stepped):
 
     @cached_property
     def integrals(self) -> dict[str, Array]:
-        """The claimed integrals on each row, by name; of those claimed ``when`` a condition holds, the ones
-        whose condition the parameters and eps meet.
+        """The claimed integrals of each row, by name.
 
-        A claim is about Kahan's map at this eps. Compositions (``order`` above 2) and other methods
-        do not keep it: they follow the flow, and their integrals are the claims at eps = 0, not a
-        number where these have no value.
+        Claims with a condition ``when`` are included if the parameters and eps meet it.
+
+        Claims are about Kahan's map at this eps. Compositions (``order`` above 2) and other methods
+        do not preserve these integrals: they follow the flow, and their integrals are the claims at
+        eps = 0, NaN where these have no value.
         """
         given = self._integrals
         in_all = self.x if self._in_all is None else self._in_all
@@ -268,14 +280,17 @@ class Orbit(Stepped):
         return Named(found, "claimed integral", "`s.discover().claimed` has those found")
 
     def gradient(self, weights: Any, by: str | Sequence[str] | None = None, *, progress: bool = False) -> dict[str, float]:
-        """The gradient of a scalar L of the orbit: its derivatives by the start, the parameters and eps.
+        """Returns the gradient of a scalar L of the orbit with respect to the initial point, the
+        parameters and eps.
 
-        ``weights``, of the shape of ``x``, are the derivatives of L by ``x``: ``2*(o.x - data)`` where L is
-        the sum of squares of ``o.x - data``. ``by`` names parameters, variables (the derivative by that coordinate of the
-        start) and ``"eps"``; the result has a number for each of these, by default for all.
+        ``weights`` are the derivatives of L with respect to ``x``, in the shape of ``x``: ``2*(o.x
+        - data)`` if L is the sum of squares of ``o.x - data``. ``by`` names parameters, variables
+        (for that coordinate of the initial point) and ``"eps"``, by default all. The result has a
+        number for each.
 
-        One sweep back over the orbit yields all of them, in a time that hardly grows with the number of parameters.
-        Steps are computed again, in float64, from checkpoints; memory grows with the square root of the number of steps.
+        One backward sweep over the orbit computes all of them; the time hardly grows with the
+        number of parameters. The steps are recomputed in float64 from checkpoints, so memory grows
+        with the square root of the number of steps.
 
         >>> import kahan
         >>> pond = kahan.System("xdot = a*x - b*x*y; ydot = c*x*y - d*y;", a=1, b=1, c=1, d=1)
@@ -303,7 +318,7 @@ class Orbit(Stepped):
         return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
 
     def columns(self) -> dict[str, Array]:
-        """n, t, the variables and the integrals, by name; of double-doubles ``x_low`` behind ``x``, too."""
+        """Returns n, t, the variables and the integrals by name; for double-doubles also ``x_low`` after ``x``."""
         columns = {"n": self.n, "t": self.t}
         for k, name in enumerate(self.system.variables):
             columns[name] = self.x[:, k]
@@ -312,7 +327,9 @@ class Orbit(Stepped):
         return columns | self.integrals
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the columns over the coordinate ``t``, with ``n`` beside it. Needs xarray."""
+        """Returns an ``xarray.Dataset`` of the columns over the coordinate ``t``, with ``n`` as a
+        second one. Needs xarray.
+        """
         columns = self.columns()
         del columns["t"]
         beside = {"n": ("t", columns.pop("n"))} if "n" not in self.system.variables else {}
@@ -320,10 +337,12 @@ class Orbit(Stepped):
                                         {"t": self.t, **beside}, {"field": self.system.text, "eps": float(self.eps)})
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the orbit over two or three columns, as ``"t", "H"``; by default the first three variables.
+        """Draws the orbit over two or three columns, as ``"t", "H"``; by default the first three
+        variables.
 
-        Points are dots over two axes, and joined where one is the time or there are three. Needs
-        matplotlib. ``style`` goes to ``Axes.plot`` and may have its short names, as ``lw`` and ``ms``; returns the axes.
+        With two axes, points are dots; with three, or if one is the time, they are joined by lines.
+        Needs matplotlib. ``style`` is passed to ``Axes.plot``, and short names such as ``lw`` and
+        ``ms`` are accepted. Returns the axes.
         """
         from ._plot import orbit
 
@@ -331,30 +350,32 @@ class Orbit(Stepped):
 
 
 class FloatOrbit(Frame, Orbit):  # type: ignore[misc]
-    """An orbit in floats or double-doubles; Arrow takes fractions as text, but not out of a ``dict``."""
+    """An orbit in floats or double-doubles. (Arrow takes fractions as text, but not from a ``dict``.)"""
 
 
 @spelled
 class Ensemble(Many):
-    """Many trajectories: where they began and ended, and what was observed of them, an entry a trajectory.
+    """Many trajectories: their first and last points and observables, an entry for each trajectory.
 
-    ``ended`` says of each how it ended, as ``Orbit.ended`` says of one: ``"complete"``, ``"range"``, or
-    ``"escaped"`` beyond a bound that was asked for. Where one ended early its point and what was
-    observed are NaN, but for the step of its escape.
+    ``ended`` is the reason for the end of each trajectory, as in ``Orbit.ended``: ``"complete"``,
+    ``"range"``, or ``"escaped"`` beyond the bound ``escape``. If a trajectory ended early, its
+    point and observables are NaN, except the step of its escape.
     """
 
     system: System
     """The field, with its parameters."""
     start: Array
-    """The first points, of shape (trajectories, variables) or with the axes that were given, as (40, 40, variables)."""
+    """The initial points, of shape (trajectories, variables) or with the given axes, as (40, 40, variables)."""
     given: dict[str, Array]
-    """``eps`` and what was given as ``params``, by name: one number, or one a trajectory."""
+    """``eps`` and the values of ``params``, by name: one number, or one for each trajectory."""
     x: Array
-    """The last points, of the same shape: NaN where a trajectory ended early."""
+    """The last points, in the shape of ``start``; NaN if a trajectory ended early."""
     observed: dict[str, Array]
-    """The observed columns by name: a number for each start, in ``spectrum`` one for each variable."""
+    """The observables by name: a number for each trajectory; ``spectrum`` has one for each variable."""
     derivatives: dict[str, Array]
-    """The derivatives of ``x``, each of its shape, by the names of ``derivatives=``; see ``System.ensemble``."""
+    """The derivatives of ``x``, by the names in ``derivatives=``, each with the shape of ``x``; see
+    ``System.ensemble``.
+    """
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:
@@ -373,9 +394,12 @@ class Ensemble(Many):
         return f"<Ensemble of {len(self)} trajectories{self._early()}{seen}>"
 
     def columns(self) -> dict[str, Array]:
-        """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, how and
-        after how many steps each ended, and what was observed, by name; of the spectrum ``spectrum_1`` and
-        so on."""
+        """Returns all columns by name.
+
+        They are the initial points (as ``start_x``), ``eps`` and the given parameters, the last
+        points, the reason and the step of each end, and the observables. The spectrum has the
+        columns ``spectrum_1``, ``spectrum_2``, ….
+        """
         start = {f"start_{name}": values for name, values in self.system._columns(self.start).items()}
         given = {name: np.broadcast_to(values, self.steps.shape).ravel() for name, values in self.given.items()}
         ends = {"ended": self.ended.ravel(), "ended_step": self.steps.ravel()}
@@ -390,9 +414,10 @@ class Ensemble(Many):
         return self.observed[name] if name in self.observed else super().__getitem__(name).reshape(self.steps.shape)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of last points, ends and observed columns over the axes of the starts.
+        """Returns an ``xarray.Dataset`` of the last points, ends and observables over the axes of
+        the initial points.
 
-        First points, ``eps`` and parameters are coordinates. Needs xarray.
+        The initial points, ``eps`` and parameters are coordinates. Needs xarray.
         """
         dims, coordinates = self._over_starts()
         columns = {name: (dims, values.reshape(self.steps.shape)) for name, values in self.columns().items() if name not in coordinates}
@@ -402,10 +427,11 @@ class Ensemble(Many):
         return self.steps.size
 
     def plot(self, *axes: str, color: str | None = None, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws a dot a trajectory over two columns, by default the last points' first two variables.
+        """Draws each trajectory as a dot over two columns, by default the first two variables of
+        the last points.
 
-        ``color`` is a column that colours the dots. Needs matplotlib. ``style`` goes to
-        ``Axes.scatter``; returns the axes.
+        ``color`` names a column that colours the dots. Needs matplotlib. ``style`` is passed to
+        ``Axes.scatter``. Returns the axes.
         """
         from ._plot import ensemble
 
@@ -414,24 +440,26 @@ class Ensemble(Many):
 
 @spelled
 class Chart(Table):
-    """What orbits do over one or more parameters or first values: ``values[i, j]`` at ``axes``' i-th and j-th."""
+    """An observable of orbits over one or more axes: ``values[i, j]`` belongs to the i-th and j-th
+    value of ``axes``.
+    """
 
     system: System
     """The field, with its parameters."""
     axes: dict[str, Array]
-    """What is gone through, in the order of the axes of ``values``, with its values."""
+    """The names and values of the axes, in the order of the axes of ``values``."""
     color: str
-    """What is shown."""
+    """The name of the observable."""
     values: Array
-    """The numbers; not a number where an orbit ended early."""
+    """The values of the observable; NaN if an orbit ended early."""
     ended: Array
-    """How each orbit ended: ``"complete"``, ``"escaped"`` beyond ``escape``, or ``"range"``."""
+    """The reason for the end of each orbit: ``"complete"``, ``"escaped"`` beyond ``escape``, or ``"range"``."""
     ended_step: Array
-    """The steps to the last point of each orbit."""
+    """The number of steps to the last point of each orbit."""
     meaning: str
-    """What the numbers are, with their unit."""
+    """The meaning of the values, with their unit."""
     of: str
-    """Of which orbits they are."""
+    """A description of the orbits."""
 
     def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array, ended: Array, ended_step: Array,
                  meaning: str, of: str) -> None:
@@ -440,8 +468,7 @@ class Chart(Table):
 
     @property
     def escaped(self) -> Array:
-        """The step after which a variable is beyond ``escape``; not a number where none is. What is beyond
-        all numbers is beyond a size."""
+        """The step after which a variable exceeds ``escape``; NaN if none does. An overflow counts as an escape."""
         beyond: Array = np.where(self.ended == "range", self.ended_step + 1.0, np.nan)
         return np.where(self.ended == "escaped", self.ended_step, beyond)
 
@@ -456,16 +483,16 @@ class Chart(Table):
         return f"<Chart of {self.color} of {self.system.name} over {sizes}>"
 
     def columns(self) -> dict[str, Array]:
-        """What is gone through, the numbers, and how and when the orbits ended, by name; a row a cell."""
+        """Returns the axes, the values, and the reason and step of each end, by name; a row for each cell."""
         grid = np.meshgrid(*self.axes.values(), indexing="ij")
         places = {name: axis.ravel() for name, axis in zip(self.axes, grid)}
         return {**places, self.color: self.values.ravel(), "ended": self.ended.ravel(), "ended_step": self.ended_step.ravel()}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the numbers and of how and when the orbits ended, over the axes as coordinates.
+        """Returns an ``xarray.Dataset`` of the values and ends, with the axes as coordinates.
 
-        Needs xarray. ``chart.to_xarray()[chart.color].plot(x="a")`` draws two axes with ``a`` across, on a linear scale;
-        ``plot`` of the chart itself takes logarithms of SALI and of drifts.
+        Needs xarray. ``chart.to_xarray()[chart.color].plot(x="a")`` draws two axes, with ``a``
+        horizontal, on a linear scale; ``chart.plot`` takes logarithms of SALI and of drifts.
         """
         columns = {self.color: self.values, "ended": self.ended, "ended_step": self.ended_step}
         found = needed("xarray").Dataset({name: (list(self.axes), values) for name, values in columns.items()}, self.axes,
@@ -474,8 +501,10 @@ class Chart(Table):
         return found
 
     def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws one axis as a curve, two in colours, the first across; SALI and drifts as logarithms, and
-        nothing where an orbit ended early, unless the color is escape; the title counts these cells.
+        """Draws a curve for one axis, or cells in colours for two, the first one horizontal.
+
+        SALI and drifts are drawn as logarithms. Cells of orbits that ended early stay empty, unless
+        the color is escape; the title counts them.
 
         Needs matplotlib; returns the axes.
         """
@@ -486,40 +515,44 @@ class Chart(Table):
 
 @spelled
 class Section(Frame, Ended):  # type: ignore[misc]
-    """Where orbits cross a section: a row a crossing.
+    """Where orbits cross a section: a row for each crossing.
 
-    ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the map,
-    or where the formula jumps. They are no rows.
+    ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the
+    map, or where the formula jumps. They have no rows.
 
-    ``ended`` is ``"complete"`` where all steps were made, ``"stopped"`` where the orbit had as many
-    crossings before as ``crossings`` asked for, and ``"range"`` where its next point is not finite.
+    ``ended`` is ``"complete"`` if all steps were made, ``"stopped"`` if the orbit reached the
+    number ``crossings`` before that, and ``"range"`` if its next point is not finite.
     ``ended_step`` is the number of steps to the last point of the orbit.
     """
 
     system: System
     """The field, with its parameters."""
     plane: str
-    """What vanishes on the section."""
+    """The formula that vanishes on the section."""
     maxima: str | None
-    """The variable whose maxima the section has, if they were asked for."""
+    """The variable whose maxima form the section, if requested."""
     x: Array
     """The crossings, of shape (crossings, variables)."""
     t: Array
-    """Their times."""
+    """The times of the crossings."""
     n: Array
-    """The steps that they come after."""
+    """The number of steps before each crossing."""
     given: dict[str, Array]
-    """Of many orbits, for each crossing the number of its first point, ``"start"``, and what varies; else empty."""
+    """For many orbits: for each crossing, the number of its initial point, ``"start"``, and the
+    values that vary; otherwise empty.
+    """
     steps: Any
-    """The steps of the orbit; of many an array, an entry an orbit, as ``ended`` and ``jumps``."""
+    """The number of steps of the orbit. For many orbits it is an array with one entry each, and so
+    are ``ended`` and ``jumps``.
+    """
     ended: Any
-    """Why the orbit goes no further."""
+    """The reason for the end of the orbit."""
     jumps: Any
-    """How often ``plane`` changes its sign without a zero."""
+    """The number of sign changes of ``plane`` without a zero."""
     crossings: Array
-    """How many crossings each orbit has."""
+    """The number of crossings of each orbit."""
     eps: float | None
-    """Half the time step; ``None`` where it varies."""
+    """Half the time step; ``None`` if it varies."""
 
     def __init__(self, system: System, plane: str, maxima: str | None, eps: float | None, columns: list[tuple[str, Array]],
                  is_one: bool, ended: list[str], counts: list[Array]) -> None:
@@ -544,22 +577,26 @@ class Section(Frame, Ended):  # type: ignore[misc]
 
     @property
     def _place(self) -> str:
-        """The section in words."""
+        """A description of the section."""
         return f"{self.plane} = 0" if self.maxima is None else f"maxima of {self.maxima}"
 
     def columns(self) -> dict[str, Array]:
-        """What is ``given``, n, t and the variables, by name."""
+        """Returns the ``given`` values, n, t and the variables, by name."""
         counted = {name: values for name, values in (("n", self.n), ("t", self.t)) if name not in self.system.variables}
         return {**self.given, **counted, **self.system._columns(self.x)}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the columns, an entry a crossing, with what is ``given`` as coordinates. Needs xarray."""
+        """Returns an ``xarray.Dataset`` of the columns, an entry for each crossing, with the
+        ``given`` values as coordinates. Needs xarray.
+        """
         columns = {name: ("crossing", values) for name, values in self.columns().items()}
         coordinates = {name: columns.pop(name) for name in self.given}
         return needed("xarray").Dataset(columns, coordinates, {"field": self.system.text, "plane": self.plane})
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the crossings over two of the variables, each start in a colour of its own. Needs matplotlib; returns the axes."""
+        """Draws the crossings over two of the variables, each initial point in its own colour.
+        Needs matplotlib. Returns the axes.
+        """
         from ._plot import section
 
         return section(self, axes, ax, style)
@@ -567,15 +604,15 @@ class Section(Frame, Ended):  # type: ignore[misc]
 
 @spelled
 class Diagram(Section):
-    """Where orbits cross a section, over a parameter or eps: a row a crossing."""
+    """Where orbits cross a section, over a parameter or eps: a row for each crossing."""
 
     over: str
-    """What goes through values."""
+    """The parameter that varies, or eps."""
     shown: str
     """The variable that ``plot`` shows."""
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws a variable at the crossings over what goes through values. Needs matplotlib; returns the axes."""
+        """Draws a variable at the crossings over the parameter that varies. Needs matplotlib. Returns the axes."""
         from ._plot import diagram
 
         return diagram(self, axes or (self.over, self.shown), ax, style)

@@ -1,4 +1,4 @@
-"""Plots by matplotlib, which is loaded when the first one is drawn."""
+"""Plots by matplotlib, which is imported for the first plot."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _LINE: dict[str, Any] = {"linewidth": 0.7}
 
 
 def _over(found: Table, names: tuple[str, ...], usual: list[str], ax: Axes | None) -> tuple[Any, list[Any]]:
-    """Axes with these columns as labels, and the columns; the usual ones unless told, as many as fit the axes."""
+    """Returns labelled axes and the columns to draw: those in ``names``, or by default as many usual ones as fit."""
     is_flat = ax is not None and not hasattr(ax, "set_zlabel")
     names = names or tuple(usual[:2] if is_flat else usual[:3])
     if not 2 <= len(names) <= (2 if is_flat else 3):
@@ -45,7 +45,7 @@ def _over(found: Table, names: tuple[str, ...], usual: list[str], ax: Axes | Non
 
 
 def _flat(ax: Axes | None) -> Any:
-    """These axes, or those of a new figure."""
+    """Returns these axes, or those of a new figure."""
     if ax is not None:
         return ax
     needed("matplotlib", "plot")
@@ -55,7 +55,8 @@ def _flat(ax: Axes | None) -> Any:
 
 
 def _styled(usual: dict[str, Any], style: dict[str, Any]) -> dict[str, Any]:
-    """The usual style with the one asked for; short names of matplotlib, as ``lw``, stand for the long ones.
+    """Returns the usual style, updated by the given one; short names of matplotlib such as ``lw``
+    are accepted.
 
     ``s`` is the area of a dot, as in ``Axes.scatter``.
     """
@@ -67,7 +68,7 @@ def _styled(usual: dict[str, Any], style: dict[str, Any]) -> dict[str, Any]:
 
 
 def _scaled(column: str, meaning: str, values: Any) -> tuple[str, Any]:
-    """What is written beside numbers, and the numbers, as logarithms where pictures of the command have them."""
+    """Returns the label of numbers, and the numbers; as logarithms if the command's pictures use them."""
     values = np.asarray(values, dtype=float)
     is_logarithm, shown = picture_scale(column, values.ravel())
     meaning = meaning.partition(";")[0]
@@ -75,7 +76,7 @@ def _scaled(column: str, meaning: str, values: Any) -> tuple[str, Any]:
 
 
 def orbit(found: Orbit, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The points of an orbit, joined by a line where the axes have the time, or are three."""
+    """Draws the points of an orbit, joined by lines if an axis is the time or there are three axes."""
     variables = list(found.system.variables)
     axes, columns = _over(found, names, variables if len(variables) > 1 else ["t", *variables], ax)
     axes.plot(*columns, **_styled(_LINE if "t" in names or len(columns) == 3 else _DOTS, style))
@@ -84,7 +85,7 @@ def orbit(found: Orbit, names: tuple[str, ...], ax: Axes | None, style: dict[str
 
 
 def ensemble(found: Ensemble, names: tuple[str, ...], color: str | None, ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The trajectories as dots, with a bar for what colours them."""
+    """Draws the trajectories as dots, with a colour bar if they are coloured."""
     axes, columns = _over(found, names, [*found.system.variables, *found.columns()][:2], ax)
     if color is None:
         axes.scatter(*columns, **({"s": 2} | style))
@@ -95,7 +96,7 @@ def ensemble(found: Ensemble, names: tuple[str, ...], color: str | None, ax: Axe
 
 
 def series(found: Series, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The orbits, each as a line."""
+    """Draws each orbit as a line."""
     axes, columns = _over(found, names, ["t", *found.system.variables][:2], ax)
     for lines in zip(*(column.reshape(found.steps.size, -1) for column in columns)):
         axes.plot(*lines, **_styled(_LINE, style))
@@ -104,7 +105,7 @@ def series(found: Series, names: tuple[str, ...], ax: Axes | None, style: dict[s
 
 
 def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The crossings as dots, each start in a colour of its own."""
+    """Draws the crossings as dots, each initial point in its own colour."""
     others = [name for name in found.system.variables if name not in found.plane]
     axes, columns = _over(found, names, (others if len(others) > 1 else list(found.system.variables))[:2], ax)
     starts = found.given.get("start", np.zeros(len(found.x)))
@@ -117,7 +118,7 @@ def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict
 
 
 def diagram(found: Diagram, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """A column at the crossings over another one, as fine dots."""
+    """Draws one column at the crossings over another, as fine dots."""
     axes, columns = _over(found, names, [], ax)
     axes.plot(*columns, **_styled({"marker": ",", "linestyle": ""}, style))
     axes.set_title(f"{found.system.name}, {found._place}")
@@ -125,7 +126,7 @@ def diagram(found: Diagram, names: tuple[str, ...], ax: Axes | None, style: dict
 
 
 def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """A curve over one axis; over two the cells in colours, with a bar that says what they mean."""
+    """Draws a curve over one axis, or coloured cells over two, with a labelled colour bar."""
     names = list(found.axes)
     if len(names) > 2:
         raise ValueError("a picture has two axes; take a part of `values`")
@@ -146,7 +147,7 @@ def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
 
 
 def lattice(found: LatticeOrbit, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The first array in colours over sites and time; or columns, joined by a line."""
+    """Draws the first array in colours over sites and time, or two columns as a line."""
     if names:
         axes, columns = _over(found, names, [], ax)
         axes.plot(*columns, **_styled(_LINE, style))

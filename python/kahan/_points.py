@@ -1,4 +1,4 @@
-"""Points of a field, given and returned as arrays."""
+"""Conversion of points between arrays and a field."""
 
 from __future__ import annotations
 
@@ -24,39 +24,41 @@ __all__ = ["Points"]
 
 
 class Points(Formulas):
-    """A field whose points are arrays in its variables: of a lifted field in the original ones."""
+    """A field whose points are arrays of its variables; for a lifted field, the original variables."""
 
     _call: tuple[str | Entries, bool, int | None, dict[str, str]]
     _lifting: Lift | None
 
     @property
     def _system(self) -> System:
-        """The field as what answers hold."""
+        """The field, typed as the ``System`` that answers refer to."""
         return cast("System", self)
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The state variables, in order: of a lifted field the original ones, as arrays have them."""
+        """The state variables, in the order of arrays; for a lifted field, the original ones."""
         return tuple(super().variables)
 
     @cached_property
     def lifted(self) -> Lifted | None:
-        """How the field became quadratic, where it was lifted."""
+        """The lift, if the field was lifted; otherwise ``None``."""
         text = self._lift
         return None if text is None else Lifted(self._system, text)
 
     @property
     def start(self) -> tuple[Fraction, ...] | None:
-        """The first point that the text gives, ``x(0) = 1`` or ``init x=1``; ``None`` where it gives none."""
+        """The initial point in the text, ``x(0) = 1`` or ``init x=1``; ``None`` without one."""
         return None if self._start is None else tuple(Fraction(value) for value in self._start)
 
     @property
     def _names(self) -> list[str]:
-        """The names that columns of a table may have."""
+        """Returns the names that columns of a table may have."""
         return [*self.variables, *self.parameters, "eps"]
 
     def _at(self, x: Any) -> Any:
-        """A point, or points, in the order of the variables, by names if there are some; for ``None`` the start of the text."""
+        """Returns a point, or points, in the order of the variables, matched by names if there are
+        any; for ``None`` the start of the text.
+        """
         if x is None:
             start = self.start
             if start is None:
@@ -65,20 +67,20 @@ class Points(Formulas):
         return named(x, self)
 
     def _one(self, x: Any) -> Any:
-        """A point in the order of the variables; a table of one row is a point."""
+        """Returns a point in the order of the variables; a table with one row counts as a point."""
         at = self._at(x)
         is_row = at is not x and isinstance(at, np.ndarray) and at.ndim == 2 and len(at) == 1
         return at[0] if is_row else at
 
     def _in_all(self, x: Any, parameters: Sequence[Any] = ()) -> Any:
-        """Points of all variables: of a lifted field the new ones are functions of the original ones."""
+        """Returns points of all variables; the new variables of a lifted field are functions of the original ones."""
         if self._lifting is None:
             return x
         embedded = self._embedded(x, list(parameters))
         return embedded.astype(np.float32) if getattr(x, "dtype", None) == np.float32 else embedded
 
     def _out_of_all(self, x: Array, out: Array | None = None) -> Array:
-        """The points that arrays have, of points of all variables."""
+        """Returns the points in the variables of arrays, from points of all variables."""
         shown = x if self._lifting is None else x[..., self._places]
         if out is None or self._lifting is None:
             return shown
@@ -86,7 +88,7 @@ class Points(Formulas):
         return out
 
     def _has_values(self, begun: Any) -> None:
-        """Raises ``ValueError`` where a new variable of a lifted field has no value at a point, all of whose coordinates are finite."""
+        """Raises ``ValueError`` if a new variable of a lifted field has no value at a finite point."""
         if self._lifting is not None and begun.ndim == 1 and np.isfinite(begun[..., self._places]).all():
             for name, value in zip(self._all_variables, begun):
                 if not np.isfinite(value):
@@ -94,7 +96,7 @@ class Points(Formulas):
                     raise ValueError(f"x: the new variable {name}{f' = {of}' if of else ''} has no value there; choose another point")
 
     def _judge(self, x: Any, eps: float) -> None:
-        """Warns once where a lift that was chosen without a start is wrong along an orbit of all variables."""
+        """Warns once if a lift, chosen without an initial point, is inaccurate along an orbit."""
         if self._lifting is None or self._lifting[1] is not None or "_is_judged" in self.__dict__:
             return
         self.__dict__["_is_judged"] = True
@@ -103,7 +105,7 @@ class Points(Formulas):
             warnings.warn(f"{warning} (at=, lift= and reembed=True)", stacklevel=3)
 
     def _look_at_rates(self, x: Array, eps: float) -> None:
-        """Warns where steps do not resolve fast components along the first orbit at an eps."""
+        """Warns if steps do not resolve fast components along the first orbit at an eps."""
         if self.__dict__.get("_is_looked_at") == eps:
             return
         self.__dict__["_is_looked_at"] = eps
@@ -115,14 +117,15 @@ class Points(Formulas):
         return point(self._one(x))
 
     def _columns(self, x: Array) -> dict[str, Array]:
-        """The columns of points by the names of the variables."""
+        """Returns the columns of points by the names of the variables."""
         return dict(zip(self.variables, x.reshape(-1, x.shape[-1]).T))
 
     def integral_values(self, x: Any, eps: Number | None = None, *, dt: Number | None = None) -> dict[str, Array]:
-        """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
+        """Returns the claimed integrals at points, by name. ``x`` has shape (variables,) or
+        (points, variables).
 
-        Those of the map depend on eps, and some are claimed ``when`` eps and the parameters have
-        certain values.
+        Integrals of the map depend on eps. Some are claimed only ``when`` eps and the parameters
+        have certain values.
         """
         return self._integrals_in_all(self._in_all(self._at(x)), half_step(eps, dt))
 
@@ -131,9 +134,11 @@ class Points(Formulas):
         return {name: values[..., k] for k, name in enumerate(names)}
 
     def integral_functions(self, eps: Number = 0.0) -> dict[str, Callable[[Any], Any]]:
-        """The claimed integrals as functions of a point, for methods that project on their levels.
+        """Returns the claimed integrals as functions of a point, for methods that project onto
+        their level sets.
 
-        At ``eps`` = 0 they are those of the flow, as far as it has them; else those of the map.
+        At ``eps`` = 0 they are the integrals of the flow, as far as it has them; otherwise those of
+        the map.
         """
         names = self._integrals_at(np.zeros(len(self.variables)), eps)[0]
         return {name: partial(_integral_value, self, name, eps) for name in names}

@@ -1,4 +1,4 @@
-"""The progress of long work as a bar of tqdm, or a warning if tqdm is not installed."""
+"""Progress bars by tqdm, or a warning if tqdm is not installed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ __all__ = ["listener"]
 
 
 def listener(progress: bool) -> Any:
-    """A function that shows a bar of what is counted, the number done, and the number in all; ``None`` without progress."""
+    """Returns a function that updates a bar with the kind of items, the number done and the total;
+    ``None`` without progress.
+    """
     if not progress:
         return None
     try:

@@ -1,4 +1,4 @@
-"""The field as solvers for ordinary differential equations take it."""
+"""The field as a right-hand side for ODE solvers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ __all__ = ["RightSide"]
 
 @dataclass(frozen=True)
 class RightSide:
-    """f of a field as a function of the time, of points as columns, and of values of ``parameters`` in their order.
+    """The right-hand side f(t, y, ...) of a field; points are columns, and ``parameters`` are
+    further arguments in order.
 
     Only a lifted field depends on the time.
     """
@@ -30,7 +31,7 @@ class RightSide:
 
     @classmethod
     def of(cls, system: System, names: tuple[str, ...]) -> RightSide:
-        """f with these parameters as arguments, or else those without a value, or else all."""
+        """Returns f with these parameters as arguments; by default those without a value, or else all."""
         known = system.parameters
         for name in names:
             if name not in known:
@@ -51,13 +52,13 @@ class RightSide:
         return system._out_of_all(system._field_at(points, parameters=values)).T
 
     def jacobian(self, t: float, y: Any, *args: Any) -> Array:
-        """f'(y) at a point, a row a component of f."""
+        """Returns the matrix f'(y) at a point."""
         if self.system._lifting is not None:
             raise ValueError("the Jacobian of a lifted field is one of all variables: s.field_jacobian has it as a formula")
         return self.system._field_at(named(y, self.system, "y"), parameters=self._values(args), jacobian=True)
 
     def _values(self, args: tuple[Any, ...]) -> list[float | None]:
-        """The values of all parameters, ``None`` for those of the field."""
+        """Returns the values of all parameters; ``None`` for those that the field has."""
         if not args:
             return []
         if len(args) != len(self.parameters):

@@ -1,4 +1,4 @@
-"""Models in SBML, as texts with equations, values and starts."""
+"""SBML models as text with equations, values and initial values."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NUMBERED_ROOTS = 12
 
 
 def _functions(lib: Any) -> dict[int, tuple[str, Callable[..., float]]]:
-    """The functions of SBML as texts with the argument as `u`, and their values."""
+    """Returns the functions of SBML: their text with the argument `u`, and functions that evaluate them."""
     inverse = {"sec": "cos", "csc": "sin", "cot": "tan", "sech": "cosh", "csch": "sinh", "coth": "tanh"}
     found: dict[str, tuple[str, Callable[..., float]]] = {
         name: (f"{name}(u)", getattr(math, name)) for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp")
@@ -39,7 +39,7 @@ def _functions(lib: Any) -> dict[int, tuple[str, Callable[..., float]]]:
 
 
 def _rough(lib: Any) -> dict[int, Callable[..., Any]]:
-    """Functions with jumps or corners, which constants and first values may have."""
+    """Returns the functions with jumps or corners, which are allowed in constants and initial values."""
     relations = {"EQ": operator.eq, "NEQ": operator.ne, "LT": operator.lt, "LEQ": operator.le, "GT": operator.gt, "GEQ": operator.ge}
     # `a < b < c` is a relation between neighbours.
     found: dict[str, Callable[..., Any]] = {
@@ -55,13 +55,13 @@ def _rough(lib: Any) -> dict[int, Callable[..., Any]]:
 
 
 class _Reader:
-    """Reads a model: its symbols, their first values, and its formulas in the language of texts."""
+    """A reader of a model: its symbols, their initial values, and its formulas in the language of texts."""
 
     def __init__(self, lib: Any, document: Any, place: Place) -> None:
         self.lib, self.place, self.model = lib, place, document.getModel()
         self.functions, self.rough = _functions(lib), _rough(lib)
         self.known: dict[str, Any] = {}
-        """The elements that have a value, by their ids."""
+        """The elements with a value, by their ids."""
         model = self.model
         for kind in ("Compartments", "Species", "Parameters", "Reactions"):
             self.known |= {one.getId(): one for one in getattr(model, f"getListOf{kind}")()}
@@ -82,7 +82,7 @@ class _Reader:
     # Values at the beginning.
 
     def value(self, name: str) -> Fraction | float:
-        """The value of a symbol at the time 0, computed once."""
+        """Returns the value of a symbol at time 0, computed once."""
         if name not in self.values:
             if name in self.pending:
                 circle = ", ".join(self.pending[self.pending.index(name):])
@@ -132,7 +132,7 @@ class _Reader:
         return Fraction(0)
 
     def compartment(self, species: Any) -> Any:
-        """The compartment of a species; none where it has no size."""
+        """Returns the compartment of a species; ``None`` for a point without a size."""
         one = self.known[species.getCompartment()]
         is_point = one.isSetSpatialDimensions() and one.getSpatialDimensionsAsDouble() == 0
         return None if is_point and not one.isSetSize() else one
@@ -142,7 +142,7 @@ class _Reader:
         return Fraction(1) if compartment is None else self.value(compartment.getId())
 
     def number(self, node: Any, of: Any) -> Fraction | float:
-        """The value of a formula at the beginning; exact where it is rational."""
+        """Returns the initial value of a formula; exact if it is rational."""
         lib, kind = self.lib, node.getType()
         arguments = [node.getChild(k) for k in range(node.getNumChildren())]
         if node.isNumber() or kind in (lib.AST_CONSTANT_PI, lib.AST_CONSTANT_E, lib.AST_NAME_AVOGADRO):
@@ -207,7 +207,7 @@ class _Reader:
         return name
 
     def supported(self, node: Any, of: Any) -> None:
-        """Raises an error for a function that no smooth field has."""
+        """Raises an error for a function that is not smooth."""
         lib, kind = self.lib, node.getType()
         own = (lib.AST_PLUS, lib.AST_MINUS, lib.AST_TIMES, lib.AST_DIVIDE, lib.AST_POWER, lib.AST_FUNCTION_POWER,
                lib.AST_FUNCTION_ROOT, lib.AST_FUNCTION_LOG, *self.functions)
@@ -226,7 +226,7 @@ class _Reader:
         raise self.refused(of, f"`{name}` {reason}")
 
     def is_constant(self, node: Any) -> bool:
-        """Whether a formula has the same value at all times."""
+        """Returns whether a formula has the same value at all times."""
         if node.getType() == self.lib.AST_NAME_TIME:
             return False
         if node.getType() == self.lib.AST_NAME:
@@ -240,12 +240,12 @@ class _Reader:
         return all(self.is_constant(node.getChild(k)) for k in range(node.getNumChildren()))
 
     def is_free(self, name: str) -> bool:
-        """Whether a symbol is a parameter without a value."""
+        """Returns whether a symbol is a parameter without a value."""
         one = self.known[name]
         return one.getElementName() == "parameter" and not one.isSetValue() and name not in self.initial
 
     def _changed(self) -> set[str]:
-        """The symbols whose values change, or may be free."""
+        """Returns the symbols whose values change, or may be free."""
         changed = set(self.rates) | {one.getId() for one in self.model.getListOfReactions()}
         for reaction in self.model.getListOfReactions():
             for reference in (*reaction.getListOfReactants(), *reaction.getListOfProducts()):
@@ -259,7 +259,7 @@ class _Reader:
         return changed
 
     def text(self, node: Any, of: Any, outer: int = 0) -> str:
-        """A formula in the language of texts, in parentheses where what stands around it needs them."""
+        """Returns a formula in the language of texts, in parentheses if its context needs them."""
         own, written = self._text(node, of)
         return f"({written})" if own < outer else written
 
@@ -304,7 +304,7 @@ class _Reader:
         return 5, re.sub(r"\bu\b", lambda _: inner, pattern)
 
     def power(self, base: Any, exponent: Any, of: Any) -> tuple[int, str]:
-        """A power. A constant exponent that is a simple fraction is written as a number, so that the lift is small."""
+        """Returns a power. A constant exponent that is a simple fraction is written as a number, for a small lift."""
         inner = self.text(base, of, 5)
         if not self.is_constant(exponent):
             return 4, f"{inner}^({self.text(exponent, of)})"
@@ -337,7 +337,7 @@ class _Reader:
         return Refused(self.place, f"the {kind} `{name or own}`".replace(" ``", ""), reason, element.getLine(), name or own)
 
     def read(self) -> Model:
-        """The model as a text."""
+        """Returns the model as text."""
         model, out = self.model, self.out
         for name, one in self.known.items():
             is_formula = one.getElementName() == "compartment" and name in self.formulas
@@ -366,7 +366,7 @@ class _Reader:
         return out
 
     def _flows(self) -> dict[str, list[tuple[Any, int, Any]]]:
-        """For each species that reactions change: the reference, its sign, the reaction."""
+        """Returns for each species that reactions change: the reference, its sign, the reaction."""
         flows: dict[str, list[tuple[Any, int, Any]]] = {}
         for reaction in self.model.getListOfReactions():
             for sign, references in ((-1, reaction.getListOfReactants()), (1, reaction.getListOfProducts())):
@@ -387,7 +387,7 @@ class _Reader:
         return flows
 
     def _stoichiometry(self, reference: Any) -> Fraction | None:
-        """The number of a reference; none where it is a symbol that changes."""
+        """Returns the stoichiometric number of a reference; ``None`` if it is a symbol that changes."""
         name = reference.getId()
         if name in self.rates or name in self.formulas:
             return None
@@ -397,7 +397,7 @@ class _Reader:
         return Fraction(repr(value)) if isinstance(value, float) else Fraction(value)
 
     def _equation(self, name: str, flows: Iterable[tuple[Any, int, Any]]) -> str:
-        """The right side of a state: its rate rule, or the flows into it."""
+        """Returns the right-hand side of a state: its rate rule, or the sum of its reactions."""
         if name in self.rates:
             return self.text(self.rates[name].getMath(), self.rates[name])
         species, sum_text = self.known[name], ""
@@ -430,18 +430,18 @@ class _Reader:
         return sum_text
 
     def _is_one(self, compartment: str) -> bool:
-        """Whether a volume is 1 for good and no formula has its name, so that it need not be written."""
+        """Returns whether a volume is constantly 1 and no formula uses its name, so that it can be left out."""
         return compartment not in {*self.rates, *self.formulas, *self._named} and self.value(compartment) == 1
 
     def _volume_of(self, name: str) -> str:
-        """The volume whose product with a species' value is the amount; empty if the value is the amount."""
+        """Returns the volume whose product with a species' value is the amount; empty if the value is the amount."""
         species = self.known[name]
         volume = None if species.getHasOnlySubstanceUnits() else self.compartment(species)
         return "" if volume is None or self._is_one(volume.getId()) else str(volume.getId())
 
     @property
     def _named(self) -> set[str]:
-        """All names in formulas."""
+        """Returns all names in formulas."""
         if "_all_names" not in self.__dict__:
             own = [*self.rates.values(), *self.formulas.values(), *self.initial.values()]
             nodes = [one.getMath() for one in own] + [self.law(one) for one in self.model.getListOfReactions()]
@@ -450,7 +450,7 @@ class _Reader:
         return found
 
     def _meaning(self, name: str) -> str:
-        """The meaning of a symbol's value: of a species whether it is an amount or a concentration, and where."""
+        """Returns the meaning of a symbol's value: for a species, amount or concentration, and its compartment."""
         one = self.known[name]
         kind: str = one.getElementName()
         if kind != "species":
@@ -461,7 +461,7 @@ class _Reader:
         return f"{quantity} in {where}" + (", held" if is_held else "")
 
     def _units(self) -> str:
-        """The units of the model, as far as it says them."""
+        """Returns the units of the model, as far as they are given."""
         model, said = self.model, []
         for kind, getter in (("amounts", "Substance"), ("volumes", "Volume"), ("time", "Time")):
             unit = getattr(model, f"get{getter}Units")()
@@ -473,7 +473,7 @@ class _Reader:
         return "; ".join(said) or "none given"
 
     def _conserve(self, flows: Mapping[str, list[tuple[Any, int, Any]]]) -> None:
-        """Claims the totals that no reaction changes."""
+        """Claims the totals that reactions preserve."""
         columns: dict[str, dict[str, Fraction]] = {}
         for name, own in flows.items():
             species = self.known[name]
@@ -501,7 +501,7 @@ class _Reader:
 
 
 def _names(lib: Any, nodes: list[Any]) -> set[str]:
-    """The names in formulas."""
+    """Returns the names in formulas."""
     names, nodes = set(), list(nodes)
     while nodes:
         node = nodes.pop()
@@ -511,7 +511,7 @@ def _names(lib: Any, nodes: list[Any]) -> set[str]:
 
 
 def _decimal(value: float) -> Fraction | float:
-    """The decimal that Python prints for a float, where it is one."""
+    """Returns the decimal that Python prints for a finite float; other floats unchanged."""
     return Fraction(repr(float(value))) if math.isfinite(value) else value
 
 
@@ -526,7 +526,7 @@ def _power(base: Fraction | float, exponent: Fraction | float) -> Fraction | flo
 
 
 def _refuse(lib: Any, document: Any, place: Place) -> None:
-    """Raises an error for a part of a model that no field of equations has."""
+    """Raises an error for a part of a model that differential equations cannot represent."""
     for k in range(document.getNumErrors()):
         error = document.getError(k)
         if error.getSeverity() >= lib.LIBSBML_SEV_ERROR:
@@ -551,7 +551,7 @@ def _refuse(lib: Any, document: Any, place: Place) -> None:
 
 
 def sbml_model(lib: Any, document: Any, place: Place) -> Model:
-    """The model in a document of SBML; ``lib`` is libsbml."""
+    """Returns the model in an SBML document; ``lib`` is libsbml."""
     _refuse(lib, document, place)
     has_constraints = document.getModel().getNumConstraints() > 0
 

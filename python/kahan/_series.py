@@ -1,4 +1,4 @@
-"""The points of many orbits on their way, as one table or as a file."""
+"""Points along many orbits, as one table or as a file."""
 
 from __future__ import annotations
 
@@ -22,33 +22,35 @@ if TYPE_CHECKING:
 __all__ = ["Series"]
 
 _AT_ONCE = 1 << 22
-"""Numbers that are in memory at once, where a table is reduced or written while it is computed."""
+"""The largest count of numbers in memory while a table is reduced or written."""
 
 Ends = tuple[list[str], Array, Array]
 
 
 @spelled
 class Series(Many):
-    """Points of many orbits, ``x[i, k]`` that of start ``i`` after ``n[k]`` steps: one table, orbit after orbit.
+    """Points along many orbits, as one table: ``x[i, k]`` is the point of start ``i`` after
+    ``n[k]`` steps.
 
-    ``ended`` says of each how it ended, as ``Orbit.ended`` says of one, and ``steps`` after how many steps. Behind an
-    early end the points are NaN. Columns are those of the table, ``r["x"]``; ``r.by_start("x")[i, k]`` has the shape of points.
+    ``ended`` is the reason for the end of each orbit, as in ``Orbit.ended``, and ``steps`` its
+    number of steps. Points after an early end are NaN. Columns have the length of the table, orbit
+    after orbit: ``r["x"]``. ``r.by_start("x")[i, k]`` has the shape of the points.
     """
 
     system: System
     """The field, with its parameters."""
     start: Array
-    """The first points, of shape (starts, variables) or with the axes that were given."""
+    """The initial points, of shape (starts, variables) or with the given axes."""
     given: dict[str, Array]
-    """``eps`` and what was given as ``params``, by name: one number, or one a start."""
+    """``eps`` and the values of ``params``, by name: one number, or one for each start."""
     x: Array
-    """The points, of shape (starts, rows, variables); of chosen columns those variables alone that were chosen."""
+    """The points, of shape (starts, rows, variables); with chosen columns, only the chosen variables."""
     every: int
-    """Steps from row to row."""
+    """The number of steps between rows."""
     transient: int
-    """Steps to the first row."""
+    """The number of steps before the first row."""
     steps: Array
-    """The steps that each made, those of the transient among them."""
+    """The number of steps of each orbit, including the transient."""
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], asked: int, every: int, transient: int) -> None:
         self.system, self.start, self.given, self.every, self.transient = system, start, given, every, transient
@@ -56,7 +58,7 @@ class Series(Many):
 
     def filled(self, begun: Array, eps: Array, given: list[Any], call: Callable[..., Any], names: list[str] | None, to: Any,
                hear: Any) -> Series | Ensemble:
-        """This series with its points; those of ``names`` alone, or written to a file as they are computed."""
+        """Returns this series with its points, only those of ``names``, or written to a file during the computation."""
         if names is None and to is None or np.ndim(begun) != 2:
             return self._with(*call(begun, eps, parameters=given, listener=hear))
         parts = self._parts(np.asarray(begun), eps, given, call, names, hear)
@@ -78,7 +80,7 @@ class Series(Many):
 
     def _parts(self, begun: Array, eps: Array, given: list[Any], call: Callable[..., Any], names: list[str] | None,
                hear: Any) -> Iterator[Series]:
-        """The series of some starts after the other, as many as are in memory at once."""
+        """Yields series of successive starts, as many as fit in memory at once."""
         count, size = len(begun), max(1, _AT_ONCE // (self._rows * begun.shape[1]))
         start = self.start.reshape(count, -1)
         for first in range(0, max(count, 1), size):
@@ -109,20 +111,22 @@ class Series(Many):
 
     @property
     def n(self) -> Array:
-        """The number of steps that leads to each row."""
+        """The number of steps from the initial point to each row."""
         return self.transient + self.every * np.arange(self._rows)
 
     @property
     def t(self) -> Array:
-        """The time of each row, 2 eps n; of shape (starts, rows) where each start has its ``eps``."""
+        """The time of each row, 2 eps n; of shape (starts, rows) if starts differ in ``eps``."""
         eps = self.given["eps"]
         times: Array = 2 * (eps[..., None] if eps.ndim else eps) * self.n + (self.system._time[0] or 0)
         return times
 
     @cached_property
     def integrals(self) -> dict[str, Array]:
-        """The claimed integrals on each row, by name, as ``Orbit.integrals``: NaN where a claim has a condition that the
-        parameters or ``eps`` of an orbit do not meet."""
+        """The claimed integrals of each row, by name, as in ``Orbit.integrals``.
+
+        They are NaN for orbits whose parameters or ``eps`` do not meet the condition of a claim.
+        """
         rows = self._in_all
         found: dict[str, Array] = {}
         flat = {name: np.ravel(values) for name, values in self.given.items()}
@@ -139,7 +143,7 @@ class Series(Many):
                      "`s.discover().claimed` has those found")
 
     def _plain(self) -> list[str]:
-        """The columns that are known without a look at integrals."""
+        """Returns the columns other than integrals."""
         given = [name for name, values in self.given.items() if values.ndim]
         return list(dict.fromkeys(["start", *given, "n", "t", *self.system.variables]))
 
@@ -149,7 +153,7 @@ class Series(Many):
         return self._names
 
     def _flat(self, name: str) -> Array:
-        """A column of the table, a row after the other."""
+        """Returns a column of the table, one row after the other."""
         count, system = self.steps.size, self.system
         if name in self._taken:
             return self._taken[name].ravel()
@@ -171,15 +175,18 @@ class Series(Many):
         return integrals[name].ravel()
 
     def columns(self) -> dict[str, Array]:
-        """The number of the start, ``eps`` and parameters that differ, n, t, the variables and the integrals, by name; a row
-        a point, orbit after orbit. Or the columns that were chosen."""
+        """Returns the columns by name, a row for each point, orbit after orbit.
+
+        They are the number of the start, ``eps`` and parameters that differ, n, t, the variables
+        and the integrals, or only the chosen columns.
+        """
         return {name: self._flat(name) for name in self._chosen()}
 
     def __getitem__(self, name: str) -> Array:
         return self._flat(name)
 
     def by_start(self, name: str) -> Array:
-        """A column of shape (starts, rows)."""
+        """Returns a column in the shape (starts, rows)."""
         return self._flat(name).reshape(*self.steps.shape, self._rows)
 
     def __len__(self) -> int:
@@ -189,9 +196,11 @@ class Series(Many):
         return f"<Series of {self.system.name}: {self.steps.size} orbits of {self._rows} points{self._early()}>"
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the columns over the axes of the starts and ``t``, or ``n`` where each start has its ``eps``.
+        """Returns an ``xarray.Dataset`` of the columns over the starts and ``t``, or ``n`` if
+        starts differ in ``eps``.
 
-        First points, ``eps``, parameters and ends are coordinates over the starts. Needs xarray.
+        The initial points, ``eps``, parameters and ends are coordinates over the starts. Needs
+        xarray.
         """
         dims, beside = self._over_starts()
         differs = self.given["eps"].ndim > 0
@@ -202,21 +211,23 @@ class Series(Many):
         return needed("xarray").Dataset(columns, {**beside, **times, "ended": (dims, self.ended)}, {"field": self.system.text})
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the orbits over two or three columns, each as a line; by default t and the first variable. Needs matplotlib."""
+        """Draws each orbit as a line over two or three columns, by default t and the first
+        variable. Needs matplotlib.
+        """
         from ._plot import series
 
         return series(self, axes, ax, style)
 
 
 def _joined(ends: list[Ends]) -> Ends:
-    """How trajectories ended that were followed in parts."""
+    """Returns the ends of trajectories that were computed in parts."""
     words = list(dict.fromkeys(word for part, _, _ in ends for word in part))
     places = [np.array([words.index(word) for word in part], dtype=np.uint8)[own] for part, own, _ in ends]
     return words, np.concatenate(places), np.concatenate([steps for _, _, steps in ends])
 
 
 def _written(series: Series, parts: Iterator[Series], path: Path) -> Ensemble:
-    """Writes the table part by part."""
+    """Writes the table in parts."""
     ends: list[Ends] = []
     last: list[Array] = []
     with table_file(path) as write:
@@ -229,7 +240,9 @@ def _written(series: Series, parts: Iterator[Series], path: Path) -> Ensemble:
 
 @contextmanager
 def table_file(path: Path) -> Iterator[Callable[[dict[str, Array]], None]]:
-    """What appends columns to a table in a file, as a row group or a record batch; the file appears when it is complete."""
+    """Returns a writer that appends columns to a table file, as row groups or record batches; the
+    file appears when it is complete.
+    """
     if path.suffix not in (".parquet", ".arrow", ".feather"):
         raise ValueError(f"to: a table is written to F.parquet or F.arrow, not {path}")
     pyarrow = needed("pyarrow")

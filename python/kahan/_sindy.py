@@ -1,4 +1,4 @@
-"""Fields from regressions of pysindy, which need not be installed."""
+"""Fields from pysindy regressions; pysindy need not be installed."""
 
 from __future__ import annotations
 
@@ -15,12 +15,14 @@ __all__ = ["from_sindy"]
 
 
 def from_sindy(model: Any, *, lift: bool | str | None = None, **values: Any) -> System:
-    """The field of a fitted model of ``pysindy``: of ``model.coefficients()``, ``model.get_feature_names()`` and
-    ``model.feature_names``, the names of the variables.
+    """Returns the field of a fitted ``pysindy`` model.
 
-    Coefficients are taken exactly, and terms that the regression has set to 0 are left out. Raises ``ValueError`` for
-    a term that is not quadratic, unless ``lift`` is given; ``lift``, and ``values``, the point ``at`` among them, are
-    those of ``System``.
+    It reads ``model.coefficients()``, ``model.get_feature_names()``, and the names of the variables
+    in ``model.feature_names``.
+
+    Coefficients are taken exactly; terms that the regression has set to 0 are left out. Raises
+    ``ValueError`` for a term that is not quadratic, unless ``lift`` is given. ``lift``, and the
+    ``values`` with the point ``at``, are those of ``System``.
 
     >>> import kahan
     >>> import numpy as np
@@ -70,7 +72,7 @@ def _has(term: str, name: str) -> bool:
 
 
 def _powers(term: str, names: list[str]) -> list[int] | None:
-    """The variables of a product as ``x0^2 x1``, each as often as it occurs; ``None`` for other terms."""
+    """Returns the variables of a product such as ``x0^2 x1``, each as often as it occurs; ``None`` for other terms."""
     factors: list[int] = []
     for factor in [] if term == "1" else term.split(" "):
         name, _, power = factor.partition("^")
@@ -81,5 +83,5 @@ def _powers(term: str, names: list[str]) -> list[int] | None:
 
 
 def _text(term: str) -> str:
-    """A term in the language of fields: a space between factors means a product."""
+    """Returns a term in the language of fields; a space between factors means a product."""
     return re.sub(r"(?<=[\w)]) +(?=[\w(])", "*", term)

@@ -1,4 +1,4 @@
-"""Fields from SymPy and formulas to it; SymPy is loaded by whoever brings or wants its objects."""
+"""Conversion of fields and formulas from and to SymPy, which is imported only when used."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ __all__ = ["expression", "field_text"]
 
 
 def field_text(equations: Any, expands: bool = True) -> str:
-    """The text of a field in the language of ``kahan!``, its sums multiplied out or not. The equations are a mapping
-    ``{x: expression of dx/dt}``, a pair (symbols, expressions) or a list of ``Eq(x(t).diff(t), expression)``.
+    """Returns the text of a field in the language of ``kahan!``, with or without expanding sums.
 
-    Raises ``ValueError`` for what a field's exact numbers and names cannot say.
+    The equations are a mapping ``{x: expression of dx/dt}``, a pair (symbols, expressions) or a
+    list of ``Eq(x(t).diff(t), expression)``.
+
+    Raises ``ValueError`` for expressions that exact numbers and names of a field cannot represent.
     """
     sympy = needed("sympy", "sympy")
     from sympy.core.function import AppliedUndef
@@ -43,7 +45,7 @@ def field_text(equations: Any, expands: bool = True) -> str:
 
 
 def _entries(given: Any) -> list[Any]:
-    """The entries of a list, a matrix or a single thing, of sympy's."""
+    """Returns the entries of a SymPy list, matrix or single object."""
     sympy = needed("sympy", "sympy")
 
     given = sympy.sympify(given)
@@ -51,7 +53,7 @@ def _entries(given: Any) -> list[Any]:
 
 
 def _rates(equations: Any) -> list[tuple[Any, int, Any]]:
-    """Of each equation the variable as a symbol, the order of its derivative, and what that is."""
+    """Returns for each equation the variable as a symbol, the order of its derivative, and the expression."""
     sympy = needed("sympy", "sympy")
 
     if isinstance(equations, Mapping):
@@ -93,7 +95,7 @@ def _rates(equations: Any) -> list[tuple[Any, int, Any]]:
 
 
 def expression(text: str) -> Any:
-    """A formula that is written for SymPy as its expression, the names as symbols."""
+    """Returns the SymPy expression of a formula; names become symbols."""
     import re
 
     sympy = needed("sympy", "sympy")

@@ -1,4 +1,4 @@
-"""A field, and everything that is asked of it."""
+"""A field, with all its methods."""
 
 from __future__ import annotations
 
@@ -24,29 +24,30 @@ __all__ = ["Family", "System"]
 class System(Trajectories, Crossings, Questions):
     """A quadratic vector field x' = f(x) with its Kahan map.
 
-    ``field`` is the text of the equations in the language of ``kahan!`` or as one writes them, such as
-    ``x' = y, y' = -x``, or equations of SymPy: a mapping of symbols to expressions, a pair (symbols, expressions),
-    or a list of ``Eq(x(t).diff(t), …)``. ``notes`` reports unusual readings.
-    Free names are parameters, whose values are given by name: as integers, fractions or text, or as a float, which
-    means the decimal that Python prints.
-    ``sites`` writes out a chain of a family ``for i in … { … }``.
+    ``field`` is the text of the equations, in the language of ``kahan!`` or a common notation such
+    as ``x' = y, y' = -x``. It may also consist of SymPy equations: a mapping of symbols to
+    expressions, a pair (symbols, expressions), or a list of ``Eq(x(t).diff(t), …)``. ``notes``
+    reports unusual readings. Names without an equation are parameters. Their values are given by
+    name, as integers, fractions or text, or as a float, which stands for the decimal that Python
+    prints. ``sites`` is the number of sites of a chain ``for i in … { … }``.
 
-    With ``lift=True`` the equations may have functions, quotients, powers and ``t``: the field is lifted to
-    a quadratic one, which ``lifted`` describes, and formulas are those of that. Arrays in and out are in the
-    original variables, or with ``all=True`` in all but ``t``, whose value at the start is ``t0``. ``lift`` may say
-    which lift is wanted, "energy", "relations", "stable" or "smallest", and ``at`` the point of whose orbit its
-    relations are to be right.
+    With ``lift=True``, the equations may contain functions, quotients, powers and ``t``. They are
+    lifted to a quadratic field in more variables, which ``lifted`` describes; formulas are those of
+    the quadratic field. Arrays in and out are in the original variables, or with ``all=True`` in
+    all variables except ``t``. The initial time is ``t0``. ``lift`` may also select the kind of
+    lift: "energy", "relations", "stable" or "smallest". ``at`` is an initial point; the relations
+    should remain accurate along its orbit.
 
     >>> import kahan
     >>> s = kahan.System("xdot = y; ydot = a - x^2;", a="1/2")
     >>> s.variables, s.parameters
     (('x', 'y'), {'a': Fraction(1, 2)})
 
-    Raises ``FieldError`` with the place of each mistake, and ``TypeError`` for a value of what is
-    no parameter. Costs some milliseconds; the first orbit costs some more.
+    Raises ``FieldError`` with the position of each mistake, and ``TypeError`` for a value whose
+    name is not a parameter. Reading a field takes some milliseconds, and the first orbit some more.
 
-    A step is given by ``eps``, half the time step, or by ``dt`` = 2 eps, in each method that takes one.
-    ``progress=True`` of the methods that take long shows a bar of tqdm, which must be installed.
+    Methods that make steps take ``eps``, half the time step, or ``dt`` = 2 eps. With
+    ``progress=True``, methods that may take long show a bar of tqdm, which must be installed.
     """
 
     def __new__(
@@ -88,15 +89,17 @@ class System(Trajectories, Crossings, Questions):
         cls, c: Any = None, B: Any = None, Q: Any = None, names: Sequence[str] | None = None,
         parameters: Mapping[str, Any] | None = None, *, order: str = "tril", **values: Number
     ) -> System:
-        """The field ẋ = c + Bx + Q(x, x) of these arrays, dense or sparse ones of SciPy; ``None`` stands for 0.
+        """Returns the field ẋ = c + Bx + Q(x, x) of dense arrays or sparse SciPy arrays; ``None``
+        stands for 0.
 
-        ``c`` has shape (n,), ``B`` (n, n), ``Q`` (n, n, n), or (n, n·n) with the columns xⱼxₖ row by row, or
-        (n, n(n + 1)/2) with each product once: j ≥ k as operator inference has them, with ``order="triu"`` j ≤ k.
-        ``names`` are those of the variables, x1 to xn where they are not given. ``parameters`` maps names to the
-        arrays (c, B, Q) that they multiply, or to a dict of some of them; ``values`` are values of parameters.
+        ``c`` has shape (n,), ``B`` has (n, n), and ``Q`` has (n, n, n), or (n, n·n) with the
+        columns xⱼxₖ row by row, or (n, n(n + 1)/2) with each product once: j ≥ k as in operator
+        inference, or j ≤ k with ``order="triu"``. ``names`` are the names of the variables, by
+        default x1 to xn. ``parameters`` maps names to the arrays (c, B, Q) that they multiply, or
+        to a dict of some of these arrays; ``values`` are values of parameters.
 
-        Floats are taken exactly. Raises ``ValueError`` for an array of another shape and numbers that are not finite,
-        and ``FieldError`` for names that variables cannot have.
+        Floats are taken exactly. Raises ``ValueError`` for an array of another shape or with
+        numbers that are not finite, and ``FieldError`` for invalid names of variables.
 
         >>> import kahan
         >>> s = kahan.System.from_arrays(B=[[0, 1], [0, 0]], Q=[[0, 0, 0], [-1, 0, 0]], names=["x", "v"])
@@ -116,11 +119,12 @@ class System(Trajectories, Crossings, Questions):
             raise
 
     def arrays(self, *, sparse: bool = False) -> tuple[Any, Any, Any]:
-        """The arrays (c, B, Q) of the field at its parameters, as floats: ẋ = c + Bx + Q(x, x).
+        """Returns the arrays (c, B, Q) of the field at its parameters, as floats: ẋ = c + Bx + Q(x,
+        x).
 
-        ``Q`` is symmetric and has shape (n, n, n); with ``sparse=True`` B and Q are sparse arrays of SciPy, Q with
-        the columns xⱼxₖ row by row. Of a lifted field they are those of all variables. Raises ``ValueError`` for a
-        parameter without a value.
+        ``Q`` is symmetric and has shape (n, n, n). With ``sparse=True``, B and Q are sparse SciPy
+        arrays, Q with the columns xⱼxₖ row by row. For a lifted field they are in all variables.
+        Raises ``ValueError`` for a parameter without a value.
 
         >>> import kahan
         >>> kahan.System("xdot = x*y; ydot = 1 - 2*x;").arrays()[1]
@@ -134,9 +138,10 @@ class System(Trajectories, Crossings, Questions):
         return (type(self)._of, (*self._call, self._lifting))
 
     def lattice(self, sites: int, eps: Number | None = None, *, dt: Number | None = None, **values: float | Array) -> Lattice:
-        """The chain of so many sites of a family, stepped as an array; see ``Lattice``.
+        """Returns the chain with this number of sites, for steps on arrays; see ``Lattice``.
 
-        The text of a family is enough: ``kahan.System("for i in periodic { … }").lattice(1000, 0.01)``.
+        The text of the chain is enough: ``kahan.System("for i in periodic { … }").lattice(1000,
+        0.01)``.
         """
         text, _, _, own = self._call
         return Lattice(text if isinstance(text, str) else self.text, sites, eps, dt=dt, **({name: float(Fraction(value)) for name, value in own.items()} | values))
@@ -151,7 +156,8 @@ class System(Trajectories, Crossings, Questions):
         return (self.name, self.text, self.variables, *self.parameters.items())
 
     def __call__(self, *, sites: int | None = None, **parameters: Number) -> System:
-        """This field with further or other values of parameters; a chain may have another number of ``sites``.
+        """Returns this field with additional or other values of parameters; for a chain, also
+        another number of ``sites``.
 
         >>> import kahan
         >>> kahan.catalog.euler(a1=1, a2=-3, a3=1).parameters["a2"]
@@ -172,12 +178,14 @@ class System(Trajectories, Crossings, Questions):
 
     @property
     def source(self) -> str:
-        """The text of the field as given, or as made from a model file, with values, starts and comments. ``read`` reads it again."""
+        """The text of the field as given, or as made from a model file, with values, initial point
+        and comments. ``read`` accepts it.
+        """
         return self._call[0] if isinstance(self._call[0], str) else self.text
 
 
 class Family:
-    """A chain ``for i in periodic { … }`` whose sites are not counted yet: a call says how many there are.
+    """A chain ``for i in periodic { … }`` without a number of sites; a call supplies it.
 
     >>> import kahan
     >>> ring = kahan.System("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }")
@@ -188,7 +196,7 @@ class Family:
     """
 
     name: str
-    """Its name in the catalog, or its text."""
+    """The name in the catalog, or the text."""
 
     def __init__(self, name: str, is_name: bool = False) -> None:
         self.name, self._is_name = name, is_name
@@ -197,7 +205,7 @@ class Family:
         return System._of(self.name, self._is_name, sites, {name: exact(value, name) for name, value in parameters.items()})
 
     def lattice(self, sites: int, eps: Number | None = None, *, dt: Number | None = None, **values: float | Array) -> Lattice:
-        """The chain of so many sites, stepped as an array."""
+        """Returns the chain with this number of sites, for steps on arrays."""
         return Lattice(self.name, sites, eps, dt=dt, **values)
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""Totals that no reaction changes."""
+"""Totals that reactions preserve."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ __all__ = ["conserved"]
 
 
 def conserved(columns: Mapping[str, Mapping[str, Fraction]], most: int = 400) -> list[dict[str, Fraction]]:
-    """A basis of the weighted sums of species that every reaction keeps, in the order of species.
+    """Returns a basis of the weighted sums of species that every reaction preserves, in the order
+    of species.
 
     >>> from fractions import Fraction
     >>> conserved({"A": {"r": Fraction(-1)}, "B": {"r": Fraction(1)}})
@@ -41,6 +42,6 @@ def conserved(columns: Mapping[str, Mapping[str, Fraction]], most: int = 400) ->
 
 
 def _less(left: Mapping[str, Fraction], factor: Fraction, right: Mapping[str, Fraction]) -> dict[str, Fraction]:
-    """The difference left − factor·right, without zeros."""
+    """Returns left − factor·right, without zeros."""
     difference = {name: left.get(name, Fraction(0)) - factor * right.get(name, Fraction(0)) for name in {**left, **right}}
     return {name: value for name, value in difference.items() if value}

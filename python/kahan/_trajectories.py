@@ -1,4 +1,4 @@
-"""Orbits of one point and of many."""
+"""Orbits of one initial point and of many."""
 
 from __future__ import annotations
 
@@ -46,27 +46,34 @@ class Trajectories(Points):
         out: Array | None = None,
         progress: bool = False,
     ) -> Orbit:
-        """The orbit of a point: its start, and every ``every``-th point after it.
+        """Computes the orbit of a point: the initial point, and every ``every``-th point after it.
 
-        ``x`` has shape (variables,); without it the orbit begins at the ``start`` of the text. A step takes the time
-        ``dt`` = 2 eps; one of both is given. ``transient`` steps are made before the first row, which then has their
-        number and time; ``steps`` counts those behind them. ``order`` 4, 6 and 8 compose steps
-        of Kahan's map; a composition follows the flow more closely, but gives up the map's integrals
-        (see ``Orbit.integrals``). ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading
-        doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32
-        points are stepped in float32. ``compensated`` carries what rounding takes from a point into the next
-        step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
-        certified Taylor series). ``projective`` goes on at poles, through points at infinity. ``reembed``
-        projects each step of a lifted field, in f64, symmetrically onto the relations between its variables: they
-        hold exactly, and energies do not drift; a step takes 2 to 16 steps of the map.
-        ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
+        ``x`` has shape (variables,); without it, the orbit begins at the ``start`` of the text.
+        Give ``eps`` or ``dt`` = 2 eps; a step takes the time ``dt``. The first ``transient`` steps
+        have no rows; the first row has their number and time, and ``steps`` counts the steps after
+        them. ``out``, of shape (1 + steps // every, variables), receives the rows instead of a new
+        array.
 
-        ``derivatives`` has names of parameters, of variables (the derivative by their first value) and ``"eps"``:
-        ``o.derivatives["a"][k]`` is the derivative of ``o.x[k]`` by ``a``, exact up to rounding. Derivatives leave the
-        points as they are. They exist for f64 and f32, also composed or compensated, of fields that are not lifted. A
-        derivative beyond the range of floats is infinite or NaN, while the orbit goes on; by ``eps`` it is NaN at
-        eps = 0. Each name costs about one more step of the map per step. The first call also compiles for some tens of
-        milliseconds; ``s(a=2)`` shares this code with ``s``.
+        ``order`` 4, 6 and 8 are compositions of steps of Kahan's map. They follow the flow more
+        closely, but do not preserve the map's integrals (see ``Orbit.integrals``). ``scalar`` is
+        f64, f32, dd (32 digits: ``x`` has the high doubles, ``x_low`` the low ones) or exact
+        (fractions in an array of objects). Points in float32 are stepped in float32.
+        ``compensated`` adds the rounding error of each point to the next step. ``method`` is kahan,
+        or for comparison euler, rk4 or flow (the exact solution, by certified Taylor series).
+
+        ``projective`` continues through poles, by points at infinity. ``reembed`` projects each
+        step of a lifted field, in f64, symmetrically onto the relations between its variables: they
+        hold exactly, and energies do not drift. A step then takes as long as 2 to 16 steps of the
+        map.
+
+        ``derivatives`` lists names of parameters, variables (for their initial values) and
+        ``"eps"``: ``o.derivatives["a"][k]`` is the derivative of ``o.x[k]`` with respect to ``a``,
+        exact up to rounding. The points are unaffected. Derivatives exist for f64 and f32, also
+        with compositions and compensation, for fields that are not lifted. A derivative beyond the
+        range of floats is infinite or NaN, while the orbit continues; the derivative with respect
+        to ``eps`` is NaN at eps = 0. Each name costs about one more step of the map per step. The
+        first call also compiles code, for some tens of milliseconds; ``s(a=2)`` shares this code
+        with ``s``.
 
         >>> import kahan
         >>> s = kahan.System("xdot = a*x^2;", a=3)
@@ -74,10 +81,10 @@ class Trajectories(Points):
         >>> o.x[1], o.derivatives["a"][1], o.derivatives["x"][1]
         (array([0.8]), array([0.16]), array([2.56]))
 
-        An orbit ends before a point that is not finite or has no value, of a lifted field where a root would
-        be negative, and as ``"reembed"`` where the projection does not converge; ``ended`` says so, and
-        ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
-        variables in f64.
+        An orbit ends before a point that is not finite or has no value, and for a lifted field also
+        where a root would be negative or, as ``"reembed"``, where the projection does not converge.
+        ``ended`` says so, and ``x`` has the rows up to there. For three variables in f64, a step
+        takes about ten nanoseconds.
         """
         eps = half_step(eps, dt)
         steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
@@ -162,36 +169,43 @@ class Trajectories(Points):
         out: Array | None = None,
         progress: bool = False,
     ) -> Ensemble | Series:
-        """Many trajectories: their last points, and observables of their orbits; with ``every`` their points on the way.
+        """Computes many trajectories: their last points and observables, or with ``every`` the
+        points on the way.
 
-        ``points`` has shape (trajectories, variables), or more axes, (40, 40, variables), which all arrays of the
-        result keep. Or it is a table with a column for each variable: a ``DataFrame`` of pandas or polars, a table of
-        Arrow, a structured array or a dict of arrays. The table may also have columns of parameters and of ``eps``, which
-        replace these arguments; a column of another name is an error. ``params`` is a dict or a table of parameters.
-        ``eps`` and each parameter are one number, or one for each start. ``observe`` names the observables, and nothing
-        else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
-        of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
-        fli, megno, sali, rotation, escape, passed_poles (steps over a pole, a lower bound where
-        ``passed_poles_lower_bound`` is 1); see ``observe``. Tangent vectors are made orthogonal every ``renormalize``
-        steps; ``spectrum=3`` leaves it at the three largest exponents. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
-        ``escape``, if that is given. The column ``escaped`` is that step, or else the first one beyond 1e6, and
-        NaN where there is none. ``reembed`` projects the steps of a lifted field, as in ``orbit``; drift, extrema,
-        rotation and escape can be observed of them.
+        ``points`` has shape (trajectories, variables), or more axes, such as (40, 40, variables),
+        which all arrays of the result keep. Or it is a table with a column for each variable: a
+        ``DataFrame`` of pandas or polars, an Arrow table, a structured array or a dict of arrays.
+        The table may also have columns for parameters and ``eps``, which replace these arguments; a
+        column with another name is an error. ``params`` is a dict or a table of parameters. ``eps``
+        and each parameter are one number, or one for each initial point.
 
-        ``transient`` steps are made before those that are counted, shown or observed. With ``every`` the result is a
-        ``Series`` of shape (trajectories, 1 + steps // every, variables), whose rows have the bits of single orbits; with
-        ``columns`` it has these alone, as ``["t", "x", "H"]``, and takes less memory. ``to`` names a file, F.parquet or
-        F.arrow, to which the table is written while it is computed, in memory that does not grow with it; the result is
-        then the ensemble of the last points that it has. Needs pyarrow.
+        ``observe`` lists the observables: drift (of ``Orbit.integrals``), extrema, lyapunov (the
+        largest exponent, per unit of time), spectrum (all exponents in descending order, of shape
+        (trajectories, variables)), log_det (their sum), fli, megno, sali, rotation, escape,
+        passed_poles (steps over a pole; a lower bound if ``passed_poles_lower_bound`` is 1). The
+        method ``observe`` describes them. Tangent vectors are made orthogonal every ``renormalize``
+        steps; ``spectrum=3`` computes only the three largest exponents. With observables and
+        ``escape``, an orbit ends as ``"escaped"`` at the step after which a variable exceeds
+        ``escape`` in absolute value. The column ``escaped`` is that step, or without ``escape`` the
+        first step beyond 1e6, and NaN if there is none. ``reembed`` projects the steps of a lifted
+        field, as in ``orbit``; it supports drift, extrema, rotation and escape.
 
-        ``derivatives`` has names of parameters, variables and ``"eps"``, as in ``orbit``. ``r.derivatives["a"]`` has
-        shape (trajectories, variables): row k is the derivative of ``r.x[k]`` by the ``a`` of that trajectory, and NaN
-        if the trajectory ended early or a derivative is beyond the range of floats. Derivatives exclude observers and
-        ``reembed``.
+        The first ``transient`` steps are not counted, shown or observed. With ``every`` the result
+        is a ``Series`` of shape (trajectories, 1 + steps // every, variables); its rows agree bit
+        for bit with those of single orbits. With ``columns``, such as ``["t", "x", "H"]``, it has
+        only these columns and takes less memory. ``to`` names a file, F.parquet or F.arrow. The
+        table is written to it during the computation, with bounded memory, and the result is the
+        ensemble of its last points. Needs pyarrow.
 
-        Work is spread over ``threads``, by default all processors; the numbers do not depend on how
-        many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
-        after how many steps. Where one ended early its numbers are NaN.
+        ``derivatives`` lists names of parameters, variables and ``"eps"``, as in ``orbit``.
+        ``r.derivatives["a"]`` has shape (trajectories, variables): row k is the derivative of
+        ``r.x[k]`` with respect to the ``a`` of that trajectory, and NaN if the trajectory ended
+        early or a derivative is beyond the range of floats. Derivatives cannot be combined with
+        observables or ``reembed``.
+
+        The work is spread over ``threads`` threads, by default one for each processor; results do
+        not depend on their number. ``ended`` says how each trajectory ended, as ``Orbit.ended``
+        does, and ``steps`` after how many steps. If a trajectory ended early, its numbers are NaN.
         """
         if points is None:
             how = "[s.start]" if self.start else f"[[{', '.join('1' for _ in self.variables)}]]"
@@ -261,10 +275,11 @@ class Trajectories(Points):
         return Ensemble(self._system, start, inputs, x, ends, observed)
 
     def rhs(self, *parameters: str) -> RightSide:
-        """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
+        """Returns f for ODE solvers, as in ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
 
-        With ``args=(a, b)`` its parameters have these values: of those named here, in their order, or else of those
-        without a value, or else of all. Its ``jacobian`` is the argument ``jac`` of implicit solvers.
+        ``args=(a, b)`` gives values to its parameters: those named here, in this order; by default
+        those without a value, or else all. Its ``jacobian`` serves as the argument ``jac`` of
+        implicit solvers.
 
         >>> import kahan
         >>> kahan.System("xdot = y; ydot = -x;").rhs()(0.0, [1.0, 2.0])

@@ -1,4 +1,4 @@
-"""Files of XPP as texts that the package reads."""
+"""Conversion of XPP files to the text of a field."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ _WORDS = frozenset(
     sin cos tan atan atan2 sinh cosh tanh exp delay del_shft ln log log10 t pi if then else asin acos heav sign mod flr ran
     abs max min normal bessel erf sqrt poisson int sum of dt""".split()
 )
-"""Words of XPP, and names of its functions."""
+"""Keywords of XPP, and names of its functions."""
 _SKIPPED = ("#", '"', "@")
-"""How comments and options begin."""
+"""The beginnings of comments and options."""
 _STATE = re.compile(r"^\s*(\w+)\s*'\s*=|^\s*d(\w+)\s*/\s*dt\s*=", re.MULTILINE)
 _START = re.compile(r"(\w+)\s*\(0\)\s*=|^\s*(?:init|i)\s+(.*)", re.MULTILINE)
 
 
 def xpp_text(text: str) -> str:
-    """The text with one spelling for each name and a start for every state.
+    """Returns the text with one spelling for each name and an initial value for every state.
 
-    XPP ignores the case of letters, and begins at 0 without a start.
+    XPP ignores the case of letters. States without an initial value begin at 0.
 
     >>> print(xpp_text("par Eps=.1\\ninit X=1\\nx'=y\\ndY/dt=-EPS*x"), end="")
     par Eps_=.1

@@ -1,7 +1,7 @@
 """The systems of the catalog, by name: ``kahan.catalog.e6``, ``kahan.catalog.euler(a1=1, a2=-3, a3=1)``.
 
-A name that is no identifier has ``_`` for ``-``. ``dir(kahan.catalog)`` lists them. The chains among
-them are a ``Family``, which becomes a system with a number of sites: ``kahan.catalog.kdv(sites=8)``.
+In names, ``_`` stands for ``-``. ``dir(kahan.catalog)`` lists all names. Chains are a ``Family``; a
+call with a number of sites makes a system: ``kahan.catalog.kdv(sites=8)``.
 """
 
 from __future__ import annotations

@@ -23,12 +23,12 @@ use commands::{Command, GROUPS};
 use printing::{Answer, Refusal, finish, joined, warn};
 use reading::{ONE_WORD, Source};
 
-/// Kahan's method for quadratic differential equations, exactly.
+/// Kahan's method for quadratic differential equations: orbits, proofs and searches.
 ///
-/// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over
-/// the time step 2 eps. This command proves what is claimed of the maps of the catalog, shows their
-/// formulas, evaluates them and follows their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3.
-/// `eps` is half the time step.
+/// Kahan's method turns a quadratic vector field x' = f(x) into a birational map x ↦ x~, which
+/// approximates the flow over the time step 2 eps. This command shows the formulas of such maps,
+/// follows orbits, finds what the maps preserve, and proves what is claimed of them. Numbers are
+/// read exactly: 3/7, -2, 0.25, 1e-3. `eps` is half the time step.
 #[derive(Debug, Parser)]
 #[command(name = "kahan", version, after_help = EXAMPLES)]
 struct Cli {
@@ -37,27 +37,27 @@ struct Cli {
 }
 
 const BEGINNING: &str = "\
-Kahan's method turns a quadratic differential equation into a rational map over the time 2 eps.
+Kahan's method turns a quadratic differential equation into a rational map, a time step of 2 eps.
 
   kahan orbit    --field 'xdot = v; vdot = -x - x^2;' --eps 0.05 --at 0.3,0 --steps 1000
-  kahan discover --field 'xdot = v; vdot = -x - x^2;'               # what the map keeps, proved
+  kahan discover --field 'xdot = v; vdot = -x - x^2;'               # what the map preserves, proved
   kahan picture  --field 'xdot = v; vdot = -x - x^2;' --eps 0.15 --at 0.3,0 --steps 500 --out o.svg
-  kahan page     --field 'xdot = v; vdot = -x - x^2;' --out spring  # all on one page
-  kahan list                                       # fields with names, for `kahan show e6`
+  kahan page     --field 'xdot = v; vdot = -x - x^2;' --out spring  # everything on one page
+  kahan list                                       # named fields, for `kahan show e6`
   kahan verify                                     # proves every formula of a paper
 
-Write your own equations instead. `kahan --help` lists the commands, `kahan COMMAND --help` helps.
+Put in your own equations. `kahan --help` lists the commands, `kahan COMMAND --help` their options.
 ";
 
 const EXAMPLES: &str = "\
 Examples:
   kahan verify                            prove every formula of the paper
   kahan show e6                           the formulas of E6
-  kahan eval e1 --eps 1/2 --at -2,1,1/3   every object at a point
+  kahan eval e1 --eps 1/2 --at -2,1,1/3   all formulas at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
   kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
 
-`kahan COMMAND --help` shows examples, `kahan help COMMAND` says all of it.";
+`kahan COMMAND --help` lists options and examples, `kahan help COMMAND` explains them.";
 
 /// Runs the command with these arguments, of which the first is the name of the program. Prints to
 /// standard output and standard error.
@@ -124,7 +124,7 @@ fn command() -> clap::Command {
     names.fold(on_a_screen(cli.help_template(template)), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
-            let more = format!("{examples}\n`kahan help {name}` says more.");
+            let more = format!("{examples}\n`kahan help {name}` explains more.");
             found(one).after_help(more).after_long_help(examples)
         })
     })
@@ -153,8 +153,7 @@ fn meant(error: &clap::Error) -> Option<&'static str> {
     match (error.kind(), &**argument) {
         (ErrorKind::UnknownArgument, "--h" | "--step") => Some("--dt is the time step, and --eps half of it"),
         (ErrorKind::UnknownArgument, "--reembed") => Some(
-            "it projects the steps of an orbit in f64, for orbit, dynamics, section, chart and picture; what this command \
-             asks is of the map itself or of exact numbers",
+            "it projects the steps of an orbit in f64: orbit, dynamics, section, chart and picture take it",
         ),
         (ErrorKind::UnknownArgument, _) if is_number => Some(ONE_WORD),
         _ => None,

@@ -44,11 +44,11 @@ impl Which {
     #[must_use]
     pub fn meaning(self) -> &'static str {
         [
-            "The first of the others that there is",
+            "The first of the others that exists",
             "The energy lift of a mechanical system",
-            "As many relations kept exactly as can be",
+            "As many exactly preserved relations as possible",
             "Relations that do not grow along the orbit",
-            "As few new variables as can be",
+            "As few new variables as possible",
         ][self as usize]
     }
 }

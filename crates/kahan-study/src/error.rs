@@ -355,7 +355,7 @@ impl StudyError {
                 "{text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as x - 1/2"
             ),
             Self::MissingSteps => {
-                f.write_str("how far? give steps, or crossings, or both: an orbit ends where it has either")
+                f.write_str("how far? give steps, or crossings, or both: an orbit ends at the first of them")
             }
             Self::MissingStep => f.write_str("half the time step is missing"),
             Self::LongCycle { unknowns, most } => write!(

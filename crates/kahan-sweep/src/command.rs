@@ -19,36 +19,36 @@ use crate::plan::Plan;
 use crate::run::{End, Run, Shard};
 use crate::scripts;
 
-/// Runs a sweep of Kahan's maps: one plan, any number of machines, the same bytes.
+/// Computes many orbits of Kahan's maps by a plan, on one machine or many.
 ///
-/// A plan in TOML says which field, which starts, parameters and eps, what to observe, and what to
-/// write; starts may be the rows of a file, F.parquet, F.csv or F.npy. Without further options all
-/// of it is computed on all cores and joined into DIR/results.parquet. It can be interrupted: the
-/// same command goes on where it stopped.
+/// A plan is a TOML file that specifies the field, the initial points, parameters and eps, the
+/// observables, and the output. The initial points may be the rows of a file F.parquet, F.csv or
+/// F.npy. Without further options, the whole plan is computed on all cores, and the result is
+/// DIR/results.parquet. After an interruption, the same command continues where it stopped.
 ///
-/// With --shard i/n this process computes the i-th of n shards; where a launcher's environment says
-/// which task this is (Slurm, MPI, Kubernetes, Grid Engine, LSF, PBS), it is taken from there. All
-/// shards write into one folder, and --merge joins what they wrote. The bytes of the result depend
-/// on the plan alone: not on shards, threads or interruptions.
+/// With --shard i/n, this process computes the i-th of n shards. Under a launcher (Slurm, MPI,
+/// Kubernetes, Grid Engine, LSF, PBS), it takes i and n from the environment. All shards write into
+/// one folder, and --merge joins their parts. The bytes of the result depend on the plan alone, not
+/// on shards, threads or interruptions.
 ///
-/// The exit status is 0, or 1 where something is missing or does not belong together, or 2 for bad
-/// usage or a plan with mistakes, or 130 where it was interrupted.
+/// The exit status is 0 for success, 1 if parts are missing or do not belong to the plan, 2 for
+/// wrong usage or a mistake in the plan, 130 after an interruption.
 #[derive(Debug, Parser)]
 #[command(name = "kahan-sweep", version, after_help = EXAMPLES)]
 struct Cli {
-    /// The plan.
+    /// The plan, a TOML file.
     #[arg(value_name = "PLAN.toml", required_unless_present = "read")]
     plan: Option<PathBuf>,
 
-    /// The folder of the results; it is made if it is not there.
+    /// The folder of the results, created if missing.
     #[arg(long, value_name = "DIR", required_unless_present_any = ["dry_run", "scheduler", "read"])]
     out: Option<PathBuf>,
 
-    /// Which shard: i/n, the i-th of n, or `auto` for what the launcher says.
+    /// Compute shard i of n, as in 3/10; `auto` takes it from the launcher.
     #[arg(long, value_name = "I/N", conflicts_with_all = ["status", "merge", "dry_run", "scheduler"])]
     shard: Option<String>,
 
-    /// Say what is there and what is missing.
+    /// Print how many parts are done, and which are missing.
     #[arg(long, conflicts_with_all = ["merge", "dry_run", "scheduler"])]
     status: bool,
 
@@ -56,27 +56,27 @@ struct Cli {
     #[arg(long, conflicts_with_all = ["dry_run", "scheduler"])]
     merge: bool,
 
-    /// Say how many points, how long, how large, and run nothing else.
+    /// Only print the number of points, the estimated time and the size.
     #[arg(long, conflicts_with = "scheduler")]
     dry_run: bool,
 
-    /// Print the rows of a result as text, commas between the entries.
+    /// Print the rows of a result as CSV.
     #[arg(long, value_name = "F.parquet", conflicts_with_all = ["plan", "out", "shard", "status", "merge", "dry_run", "scheduler"])]
     read: Option<PathBuf>,
 
-    /// Which columns of it, and in which order; all unless told otherwise.
+    /// With --read: the columns to print, in this order; all if not given.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "read")]
     columns: Vec<String>,
 
-    /// Print a job description.
+    /// Print a job description for a scheduler.
     #[arg(long = "for", value_name = "SCHEDULER", value_enum, requires = "shards")]
     scheduler: Option<Scheduler>,
 
-    /// How many shards the job description has.
+    /// With --for: the number of shards.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     shards: Option<u64>,
 
-    /// Threads; as many as the machine has cores unless told otherwise.
+    /// The number of threads; one per core if not given.
     #[arg(long, value_name = "T", value_parser = clap::value_parser!(u64).range(1..=65_536))]
     threads: Option<u64>,
 

@@ -10,21 +10,21 @@ use kahan_paper::Paper;
 
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 
-/// Writes one page on the paper: its tables, solutions, figures and claims.
+/// Writes an HTML page about the paper: its tables, solutions, figures and claims.
 ///
 /// The page is DIR/index.html.
 ///
-/// Everything on the page is computed when it is written, in about half a minute: every claim is
-/// established and every orbit followed. The page needs no network and no script. It appears whole
-/// or not at all, in place of an older one. The exit status is 1 if a claim does not hold; the page
-/// is written all the same, and says which.
+/// Everything on the page is computed anew, in about half a minute: every claim is proved and every
+/// orbit computed. The page needs neither a network nor scripts. It replaces an older page once it
+/// is complete. If a claim does not hold, the page is still written and names it, and the exit
+/// status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   kahan atlas --out atlas
   kahan atlas --out . && xdg-open index.html")]
 pub(crate) struct Atlas {
-    /// The folder for index.html; it is made if it is not there.
+    /// The folder for index.html, created if missing.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }

@@ -21,28 +21,28 @@ use crate::reading::{self, Start, Stepping, Transient, observable, whole};
 
 use rows::Rows;
 
-/// Charts what orbits do over one or two coordinates or parameters.
+/// Charts a property of orbits over one or two variables or parameters.
 ///
-/// --over says what varies, once or twice: the first value of a variable, a parameter, or eps. All
-/// else is as --at, --param and --eps say. At each value, or pair of values, an orbit begins, in
-/// doubles, for the same number of steps, and an observer says what it does: over one range a curve
-/// shows it, over two the colour of a cell around the values. The curve has a gap, and the cell
-/// stays empty, where the orbit leaves the range of doubles or is beyond --escape, and under
-/// `escape` where it does neither; the legend counts them. The numbers do not depend on the number
-/// of threads. The file is a picture, or a table with a row an orbit: the number, how the orbit
-/// ended, and after how many steps.
+/// --over, given once or twice, names what varies: the initial value of a variable, a parameter, or
+/// eps. All else is fixed by --at, --param and --eps. For each value, or pair of values, an orbit
+/// is computed in f64, with the same number of steps for all, and an observable is measured along
+/// it. With one range, the result is a curve; with two, the colour of a cell around the values. The
+/// curve has a gap, and the cell stays empty, if the orbit overflows or exceeds --escape; with
+/// --color escape, if it does neither. The legend counts these orbits. Results do not depend on the
+/// number of threads. The file is a picture, or a table with a row per orbit: the value, how the
+/// orbit ended, and after how many steps.
 ///
-/// SALI and drift are shown as logarithms to base 10. Chaotic are the orbits where SALI is small,
-/// down to -16, and those where FLI, MEGNO or the Lyapunov exponent are large: on regular orbits
-/// SALI falls slowly if at all, FLI grows like log n, MEGNO tends to 2, and the exponent to 0.
-/// `kahan help dynamics` says what they are.
+/// SALI and drift are shown as logarithms to base 10. Chaotic orbits have a small SALI, down to
+/// -16, or a large FLI, MEGNO or Lyapunov exponent. On regular orbits SALI falls slowly or not at
+/// all, FLI grows like log n, MEGNO tends to 2, and the exponent to 0. `kahan help dynamics`
+/// defines these indicators.
 ///
-/// A range is NAME=FROM:TO:COUNT, so many values with both ends; NAME=FROM:TO:+STEP, steps from
-/// FROM as long as TO is not passed; or NAME=FROM:TO:/CELLS, the middles of so many cells.
+/// A range is NAME=FROM:TO:COUNT, COUNT values with both ends; NAME=FROM:TO:+STEP, steps from FROM
+/// up to TO at most; or NAME=FROM:TO:/CELLS, the midpoints of CELLS equal cells.
 ///
-/// With --from the numbers are those of a result of `kahan sweep`, or of a CSV file, and no orbit
-/// is followed. --over NAME goes through the values that are there, and --over with a range shows
-/// the mean of the rows in the cell around each value.
+/// With --from, the numbers are read from a result of `kahan sweep` or from a CSV file, and no
+/// orbit is computed. --over NAME uses the values in the file; --over with a range shows the mean
+/// of the rows in the cell around each value.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -54,21 +54,21 @@ pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,
 
-    /// Draw the rows of F.parquet, F.csv or a sweep's folder in place of orbits.
+    /// Draw rows of F.parquet, F.csv or a sweep's folder instead of orbits.
     #[arg(long, value_name = "F", conflicts_with_all = OF_ORBITS)]
     from: Option<PathBuf>,
 
-    /// The column of F that is shown, where it is not named as --color.
+    /// With --from: the column to show, if --color does not name it.
     #[arg(long, value_name = "NAME", requires = "from", conflicts_with = "color")]
     column: Option<String>,
 
-    /// Only the rows of F in which a column has this value.
+    /// With --from: use only the rows in which column NAME has the value V.
     #[arg(long = "where", value_name = "NAME=V", requires = "from", allow_hyphen_values = true)]
     chosen: Vec<String>,
 
-    /// What is gone through, NAME=FROM:TO:/CELLS or the like: once or twice.
+    /// What varies: NAME=FROM:TO:/CELLS and other ranges; once or twice.
     ///
-    /// The first is the abscissa.
+    /// The first range is the horizontal axis.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, required = true)]
     over: Vec<String>,
 
@@ -79,25 +79,25 @@ pub(crate) struct Chart {
     #[command(flatten)]
     before: Transient,
 
-    /// The color, or a column as rotation_x.
+    /// The observable, or a column such as rotation_x.
     #[arg(long, default_value = "sali", value_parser = Colours)]
     color: Shade,
 
-    /// End the orbit, as escaped, where a variable is larger than R in size.
+    /// End the orbit, as escaped, once a variable exceeds R in absolute value.
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
     escape: Option<f64>,
 
     #[command(flatten)]
     stepping: Stepping,
 
-    /// The file, F.svg, F.png, F.pdf or F.csv, which appears when it is complete.
+    /// The output file: F.svg, F.png, F.pdf or F.csv.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
     #[command(flatten)]
     look: SheetOptions,
 
-    /// Print one JSON object that says what the file shows.
+    /// Print one JSON object that describes the file.
     #[arg(long)]
     json: bool,
 }
@@ -181,7 +181,7 @@ impl Asking for Chart {
         let shown = match &self.from {
             _ if self.over.len() > 2 => {
                 return Err(Refusal::new(
-                    "--over: a chart goes through one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
+                    "--over: a chart has one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
                 ));
             }
             Some(from) => self.of_rows(from)?,

@@ -7,7 +7,7 @@ use kahan_systems::registry::all;
 
 use crate::printing::{Answer, Refusal, joined};
 
-/// Prints a script that lets a shell complete words: commands, options, systems.
+/// Prints a completion script for a shell: commands, options and systems.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -15,7 +15,7 @@ Examples:
   source <(kahan completions zsh)                   in ~/.zshrc, after compinit
   kahan completions fish > ~/.config/fish/completions/kahan.fish")]
 pub(crate) struct Completions {
-    /// The shell.
+    /// The shell that completes the words.
     #[arg(value_enum)]
     shell: Shell,
 }

@@ -21,18 +21,19 @@ use crate::reading::{Source, StepLength, seconds, whole};
 /// densities and Poisson brackets, drifts, structure, growth.
 ///
 /// --eps and --param fix values; all other symbols are generic. Integrals, densities, brackets and
-/// drifts (functions whose next value follows from their value) are printed last, as lines of the
-/// language of `kahan!`. Each of them is proved; `when` repeats the values that are fixed. An
-/// integral whose formula would fill pages is given by a Hirota-Kimura basis: monomials with one
-/// linear relation along every orbit, whose coefficients are integrals. Where integrals may be
-/// missing, the search goes on to higher degrees until the time is up, and a sentence says what
-/// ended it. Claims that the field brings along are not looked at.
+/// drifts are printed last, as claims in the language of `kahan!`. A drift is a function whose next
+/// value follows from its value. Each claim is proved; `when` repeats the fixed values. An integral
+/// whose formula would fill pages is given by a Hirota-Kimura basis: monomials with one linear
+/// relation along every orbit, whose coefficients are integrals. If integrals may be missing, the
+/// search continues to higher degrees until the time is up, and a sentence says why it ended.
+/// Claims that the field already has are ignored.
 ///
-/// The JSON object holds hilbert, independent_integrals, degrees, growth, growth_proved, entropy,
-/// linear_integrals, integrals, densities, brackets, drifts, bases, hamiltonian and more. `hilbert`
-/// says how many monomials of degree at most 1, 2, ... are independent on an orbit; `growth_proved`
-/// whether growth is proved exponential, by which a map of the plane has no integral; `found` has
-/// kind, name and expression of every integral, density, bracket, drift and Hamiltonian.
+/// The JSON object has the members hilbert, independent_integrals, degrees, growth, growth_proved,
+/// entropy, linear_integrals, integrals, densities, brackets, drifts, bases, hamiltonian and more.
+/// `hilbert` gives the number of monomials of degree at most 1, 2, ... that are independent on an
+/// orbit. `growth_proved` is true if exponential growth of the degrees is proved; a map of the
+/// plane then has no integral. `found` has kind, name and expression of every integral, density,
+/// bracket, drift and Hamiltonian.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -48,22 +49,22 @@ pub(crate) struct Discover {
     #[command(flatten)]
     search: Search,
 
-    /// Write the field and what was found in LaTeX.
+    /// Write the field and the findings in LaTeX.
     #[arg(long, conflicts_with_all = ["as_macro", "json"])]
     latex: bool,
 
-    /// Print the block of `kahan!` with what was found as its claims, ready to compile.
+    /// Print a `kahan!` block for Rust that has the findings as its claims.
     #[arg(long = "macro", conflicts_with = "json")]
     as_macro: bool,
 
-    /// Write the answer to this file, which appears whole or not at all.
+    /// Write the answer to this file, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
 }
 
 /// A field, and the bounds of a search.
 #[derive(Args, Debug)]
-#[command(mut_arg("eps", |eps| eps.help("Half the time step, where it is fixed; generic otherwise. `scan` takes a range, too")))]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step (dt = 2 eps); a symbol if not given. `scan` takes a range, too")))]
 pub(crate) struct Search {
     #[command(flatten)]
     pub(crate) source: Source,
@@ -71,19 +72,20 @@ pub(crate) struct Search {
     #[command(flatten)]
     pub(crate) step: StepLength,
 
-    /// The degree up to which relations on orbits are looked for.
+    /// The largest degree of the relations on orbits that are searched.
     ///
-    /// Where it is not given, the number of variables chooses: as high as some 200 monomials allow,
-    /// in `scan` some 80; and `discover` goes on to higher degrees while integrals may be missing
-    /// and there is time.
+    /// The default depends on the number of variables: the degree of about 200 monomials, for
+    /// `scan` of about 80. Without this option, `discover` continues to higher degrees while
+    /// integrals may be missing and time is left.
     #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = whole(1, u32::MAX))]
     pub(crate) degree: Option<u32>,
 
-    /// The time that the search may take.
+    /// The time limit of the search, in seconds.
     ///
-    /// Each stage has its share, orbits and their relations up to two fifths. What is not finished
-    /// then is left out, and the answer says so. `discover` takes all of it only where integrals
-    /// may be missing; --degree ends it earlier, with the same answer on every machine.
+    /// Each stage gets a share of it: orbits and their relations up to two fifths. Stages that are
+    /// not finished by then are left out, and the answer says so. `discover` uses all of the time
+    /// only if integrals may be missing. With --degree it ends earlier, and the answer is the same
+    /// on every machine.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     pub(crate) seconds: f64,
 

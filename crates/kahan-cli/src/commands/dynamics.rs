@@ -10,34 +10,36 @@ use crate::printing::layout::{paragraphs, screen_width, table};
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, observable, order, whole};
 
-/// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
+/// Measures exponents, chaos indicators and drift along an orbit: also rotation, range and escape.
 ///
-/// Nothing is stored; tangent vectors are carried by the exact Jacobian of the map. Exponents are
-/// per unit of time, of which a step takes 2 eps. What an exponent still moves by is its distance
-/// from what the first eighth to quarter of the steps gave; its value has the digits that this
-/// leaves, and in JSON all. Where 0 lies within that, the largest exponent shows no chaos so far.
-/// It follows a vector of its own, and agrees with the first of all exponents as far as both have
-/// converged. All exponents together are the mean of log |det J|. A lifted field has the exponents
-/// and indicators of its original variables.
+/// Tangent vectors are propagated by the exact Jacobian of the map, and the orbit is not stored.
+/// Lyapunov exponents are per unit of time; a step takes the time 2 eps. The error of an exponent
+/// is its distance from the estimates after the first eighth to the first quarter of the steps. The
+/// text shows the digits that are certain by this error, JSON shows all. If 0 lies within the error
+/// of the largest exponent, no chaos has been detected so far. The largest exponent has a tangent
+/// vector of its own; it agrees with the first entry of the spectrum once both have converged. The
+/// sum of all exponents is the mean of log |det J|. A lifted field has the exponents and indicators
+/// of its original variables.
 ///
-/// Three indicators tell regular orbits from chaotic ones sooner. FLI, the fast Lyapunov indicator,
-/// is the logarithm of the largest growth of a tangent vector: it grows like log n on regular
-/// orbits and like n on chaotic ones. MEGNO, the mean exponential growth of nearby orbits, tends to
-/// 2 on quasi-periodic orbits and grows on chaotic ones. SALI, the smaller alignment index, says
-/// how nearly two tangent vectors are parallel: it falls to 0 exponentially on chaotic orbits, and
-/// in two variables like a power of time on regular ones.
+/// Three indicators distinguish regular orbits from chaotic ones sooner than exponents do. FLI, the
+/// fast Lyapunov indicator, is the logarithm of the largest growth of a tangent vector: it grows
+/// like log n on regular orbits and like n on chaotic ones. MEGNO, the mean exponential growth
+/// factor of nearby orbits, tends to 2 on quasi-periodic orbits and grows on chaotic ones. SALI,
+/// the smaller alignment index, is near 0 if two tangent vectors are nearly parallel: it falls to 0
+/// exponentially on chaotic orbits; in two variables it falls like a power of time on regular ones.
 ///
-/// A rotation number counts turns a step of a variable about the middle of its extremes, in the
-/// plane of the variable and its rate, modulo 1, with an estimate of its error. Drift is relative
-/// to the first value.
+/// The rotation number of a variable is the number of turns per step, modulo 1, in the plane of the
+/// variable and its rate, around the midpoint of its range. It has an error estimate. The drift of
+/// an integral is relative to its initial value.
 ///
-/// Passed poles, which are counted where they are asked for, are the steps over a pole of the map:
-/// the reduced denominator, at the point where the step begins, has a root between 0 and eps, eps
-/// included, and of a composition that of one of its stages does. Where the map has too many terms
-/// to be written out, a negative det A counts, and the count is a lower bound.
+/// Passed poles are counted only if --observe names them. They are the steps over a pole of the
+/// map: the denominator of the reduced map, at the point where the step begins, has a root between
+/// 0 and eps, eps included. For a composition, this must hold at one of its stages. If the map has
+/// too many terms to be written out, steps with negative det A are counted, and the count is a
+/// lower bound.
 ///
-/// Steps are those of `kahan orbit` in f64. Where numbers leave the range of
-/// f64, or the orbit escapes, the answer covers the steps before, and the exit status is 1.
+/// Steps are those of `kahan orbit` in f64. If numbers overflow f64, or the orbit escapes, the
+/// results cover the steps before, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -49,39 +51,42 @@ pub(crate) struct Dynamics {
     #[command(flatten)]
     start: Start,
 
-    /// The number of steps; rotation numbers need a hundred turns or so.
+    /// The number of steps; rotation numbers need about a hundred turns.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
     steps: u64,
 
     #[command(flatten)]
     before: Transient,
 
-    /// The order of the method: 2 is Kahan's map, the others compose steps of it.
+    /// The order of the method: 2 is Kahan's map, the others are compositions of it.
     #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
-    /// Tangent vectors are made orthogonal every M steps.
+    /// Make the tangent vectors orthogonal again every M steps.
     #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     renormalize: u64,
 
-    /// Compute the K largest of all exponents only, in any number of variables.
+    /// Compute only the K largest exponents, not all of them.
     #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = whole(1, usize::MAX))]
     spectrum: Option<usize>,
 
-    /// End the orbit, as escaped, where a variable is larger than R in size.
+    /// End the orbit, as escaped, once a variable exceeds R in absolute value.
     ///
-    /// Without it the orbit goes on, and `escaped` says where a variable is larger than 1e6.
+    /// Without this option the orbit continues, and `escaped` reports the first step at which a
+    /// variable exceeds 1e6.
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
     escape: Option<f64>,
 
     #[command(flatten)]
     stepping: Stepping,
 
-    /// What is observed, in this order; nothing else is computed.
+    /// The observables to compute, in this order, separated by commas.
+    ///
+    /// The default is all of them except final and passed_poles.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observable::usual().iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
     observe: Vec<Observable>,
 
-    /// Print one JSON object; what has no value is null.
+    /// Print one JSON object; missing values are null.
     #[arg(long)]
     json: bool,
 }

@@ -13,11 +13,10 @@ use crate::printing::layout::{beside, labelled, matrix, screen_width};
 use crate::printing::{Answer, Refusal, joined};
 use crate::reading::{Start, scalar};
 
-/// Evaluates every object of a system at a point: field, matrices, Jacobian, claims.
+/// Evaluates all formulas of a system at a point: field, matrices, map, Jacobian, claims.
 ///
 /// A value that is undefined at the point is null. At a pole of the map (det A = 0, unless the
-/// factor that vanishes was divided out) the rest is printed all the same, and the exit status is
-/// 1.
+/// factor that vanishes cancels in the map) all other values are printed, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -30,11 +29,11 @@ pub(crate) struct Eval {
     #[command(flatten)]
     start: Start,
 
-    /// The kind of number.
+    /// The number type.
     #[arg(long, value_parser = scalar(), default_value = "exact")]
     scalar: ScalarKind,
 
-    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
+    /// Print one JSON object: exact numbers as strings p/q, floats as numbers (dd: 32 digits).
     #[arg(long)]
     json: bool,
 }

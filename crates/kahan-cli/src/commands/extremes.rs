@@ -8,38 +8,37 @@ use crate::printing::layout::{headed, labelled, paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{Source, whole};
 
-/// Tries steps at the extremes and judges each by exact arithmetic.
+/// Tests steps with extreme inputs, and compares each with exact arithmetic.
 ///
-/// The judge starts from the very floats that a step was given. It compares with the reduced map,
-/// or, where the closed form is beyond the budget of terms, solves A x' = b in balls of growing
-/// precision. Every field runs in its own number of variables, up to eight, as its compiled code
-/// does.
+/// The exact step starts from the same floats as the tested step. It evaluates the reduced map, or
+/// solves A x' = b in ball arithmetic of growing precision if the map has too many terms. Every
+/// field runs in its own number of variables, up to eight, like its compiled code.
 ///
-/// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed
-/// magnitudes, and ordinary; besides a few with subnormal, infinite and NaN inputs, and a few large
-/// steps, with |eps f'| from 1 to 1000, for which elimination with partial pivoting (lu) is judged
-/// besides the tiers. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in f32 over
-/// the like part of its range. Poles are found by bisection in exact arithmetic and left by
-/// relative distances of 2^-k, down to the nearest float. A parameter that is not given is drawn
-/// for each trial: of ordinary size, but for some of the points of mixed magnitudes, and some below
-/// the normal range.
+/// The points are random, drawn by --seed in four equal groups: near poles, near removable poles,
+/// of mixed magnitudes, and ordinary. A few further points have subnormal, infinite or NaN inputs,
+/// and a few have large steps, with |eps f'| from 1 to 1000; for these, elimination with partial
+/// pivoting (lu) is tested as well. In f64, eps ranges over 1e-300 to 1e300 and x over 1e-150 to
+/// 1e150, in f32 over the corresponding part of its range. Poles are located by bisection in exact
+/// arithmetic; the points have relative distances 2^-k from them, down to the nearest float.
+/// Parameters without a value are drawn for each trial: most are of ordinary size, some of mixed
+/// magnitudes, and some below the normal range.
 ///
-/// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off
-/// by more than 1e-3 of the exact one's largest component. `try_step` is the stable tier: silently
-/// wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for
-/// dd), or not finite, or at a pole. A flag is an answer that `try_step` refuses to give. It must
-/// not refuse in f64 and f32 where the condition number of the step in (x, eps) is below 1e12
-/// (f32: 1e4) and every component of the exact result is a normal float; in dd it may.
+/// `step` is the fast tier, in dd the accurate one. Its result is silently wrong if it is finite
+/// and off by more than 1e-3 of the exact result's largest component. `try_step` is the stable
+/// tier. It is silently wrong if it returns Ok with a result that is off by more than 64 u of that
+/// component (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), is not finite, or is at a pole. A
+/// trial is flagged if `try_step` returns an error. In f64 and f32 this is unjustified if the
+/// condition number of the step in (x, eps) is below 1e12 (f32: 1e4) and every component of the
+/// exact result is a normal float; in dd every flag is justified.
 ///
-/// A trial is one step, for which any eps is as good as another. In long runs it matters how many
-/// bits eps has: see `kahan trade --help`.
+/// A trial is a single step, for which the number of bits of eps is of no importance. It is
+/// important in long runs: see `kahan help trade`.
 ///
-/// The exit status is 1 if the stable tier is silently wrong anywhere, or refuses where it must
-/// not.
+/// The exit status is 1 if the stable tier is silently wrong or flagged without justification.
 #[derive(Args, Debug)]
 #[command(after_help = "\
-Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). Every system is
-interpreted, with the bits that its compiled code has.
+Without a SYSTEM, it tests the systems of the paper and the Volterra lattice with three sites
+(volterra). All run in an interpreter, whose results agree bit for bit with compiled code.
 
 Examples:
   kahan extremes
@@ -50,41 +49,41 @@ pub(crate) struct Extremes {
     #[command(flatten)]
     source: Source,
 
-    /// The number of trials of each scalar, besides three thirty-second parts with special inputs.
+    /// The number of trials per number type; special inputs add 3/32 of it.
     #[arg(long, value_name = "N", default_value = "40000", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     trials: u64,
 
-    /// Besides, so many random fields of two to six variables, which the seed draws, too.
+    /// Also test N random fields of two to six variables, drawn by --seed.
     ///
-    /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense
-    /// ones; interpreted, and listed below the table. They share the trials with the systems.
+    /// Some are sparse, with constant and linear terms, parameters, and divisors that contain
+    /// parameters; some are dense. They are interpreted, and listed below the table. They share the
+    /// trials with the systems.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = whole(0, usize::MAX))]
     random_fields: usize,
 
-    /// Besides, so many random fields of odd tempers, of one to eight variables in turn.
+    /// Also test N random fields with extreme coefficients, of one to eight variables.
     ///
-    /// Their literals lie anywhere from 2^-1070 to 2^1020, coefficients nearly cancel, parameters
-    /// and their differences are divisors; parameters are drawn from the whole range of the scalar.
-    /// Each has trials of its own.
+    /// Their numbers lie anywhere from 2^-1070 to 2^1020, coefficients nearly cancel, and
+    /// parameters and their differences are divisors. Parameters are drawn from the whole range of
+    /// the number type. Each field has trials of its own.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = whole(0, usize::MAX))]
     odd_fields: usize,
 
-    /// The number of trials of each scalar that each field of odd temper has; every twentieth field
-    /// has ten times as many.
+    /// The number of trials per number type of each of the --odd-fields; every twentieth field has
+    /// ten times as many.
     #[arg(long, value_name = "N", default_value = "300", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     odd_trials: u64,
 
-    /// Another seed draws other points; the same seed draws the same, on any number of threads.
+    /// The seed of the random points; equal seeds draw equal points, on any number of threads.
     #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = whole(0, u64::MAX))]
     seed: u64,
 
     /// Print one JSON object.
     ///
-    /// It holds system, systems, trials, seed, seconds, random_fields (name, text), odd_fields (how
-    /// many), cells (regime,
-    /// tier, scalar, trials, max_error_u, flagged, unjustified_flags, silently_wrong), broken
-    /// (name, text, silently_wrong, unjustified_flags, first; of the systems that break the
-    /// promise), failures.
+    /// It holds system, systems, trials, seed, seconds, random_fields (name, text), odd_fields
+    /// (their number), cells (regime, tier, scalar, trials, max_error_u, flagged,
+    /// unjustified_flags, silently_wrong), broken (name, text, silently_wrong, unjustified_flags,
+    /// first; only systems with such results), failures.
     #[arg(long)]
     json: bool,
 }
@@ -113,21 +112,21 @@ const LABELS: usize = 15;
 
 fn text(judged: &Judged) -> String {
     let headings =
-        ["regime", "tier", "scalar", "trials", "largest error", "flagged", "without right", "silently wrong"];
+        ["regime", "tier", "scalar", "trials", "largest error", "flagged", "unjustified", "silently wrong"];
     let cells = table(&headed(headings, judged.tally.cells.iter().map(row)), 3);
     let mut lines = labelled("systems", &judged.systems.join(", "), LABELS);
     let removable = match judged.removable.as_slice() {
-        [] => "none; their quarter went to the poles".to_owned(),
+        [] => "none; their trials went to the poles".to_owned(),
         systems => systems.join(", "),
     };
     lines.extend(labelled("removable poles", &removable, LABELS));
     lines.extend(judged.random_fields.iter().map(|(name, equations)| format!("{name}: {equations}")));
     if judged.odd_fields > 0 {
-        lines.push(format!("besides {} random fields of odd tempers, all of them judged", judged.odd_fields));
+        lines.push(format!("{} random fields with extreme coefficients were tested as well", judged.odd_fields));
     }
     for (name, Broken { text, silently_wrong, unjustified, first }) in &judged.tally.broken {
         lines.push(format!(
-            "{name}, {silently_wrong} silently wrong, {unjustified} flagged without right: {text}"
+            "{name}, {silently_wrong} silently wrong, {unjustified} unjustified flags: {text}"
         ));
         lines.push(format!("  {}", first.text));
     }
@@ -140,7 +139,7 @@ fn complaint(judged: &Judged) -> Option<String> {
     let examples = joined(judged.tally.failures.iter().map(|failure| &failure.text), "; ");
     (wrong + flags > 0).then(|| {
         format!(
-            "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first of each: {examples}"
+            "the stable tier breaks its promise: {wrong} silently wrong, {flags} unjustified flags. The first of each: {examples}"
         )
     })
 }

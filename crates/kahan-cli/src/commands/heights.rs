@@ -16,17 +16,18 @@ use crate::reading::{Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
 ///
-/// They grow slowly where the map is integrable, exponentially where not.
+/// Heights grow slowly if the map is integrable, exponentially if it is not.
 ///
-/// The logarithmic height of p/q in lowest terms is log max(|p|, |q|), the natural logarithm; it is
-/// printed for every variable at every step. From the finite differences of the heights follows the
-/// growth: bounded, logarithmic, linear, quadratic, exponential or undecided; the entropy is
-/// log(h_n/h_{n-1}) at the last step for the largest variable, 0 unless growth is exponential.
-/// Parameters are put in after the map is reduced.
+/// The logarithmic height of p/q in lowest terms is the natural logarithm log max(|p|, |q|). It is
+/// printed for every variable at every step. The finite differences of the heights determine the
+/// growth: bounded, logarithmic, linear, quadratic, exponential or undecided. The entropy is
+/// log(h_n/h_{n-1}) at the last step for the largest variable, and 0 unless the growth is
+/// exponential. Parameters are inserted after the map is reduced to lowest terms.
 ///
-/// Exact orbits grow, so there are two bounds, --digits and --seconds. Where one of them ends
-/// the orbit, what is known is printed with a note, and the exit status is 0. At a pole of the map
-/// (det A = 0) what is known is printed too, the pole is reported, and the exit status is 1.
+/// The fractions of an exact orbit become long, so --digits and --seconds limit them. If a limit
+/// ends the orbit, the results so far are printed with a note, and the exit status is 0. At a pole
+/// of the map (det A = 0) the results so far are printed, the pole is reported, and the exit status
+/// is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -42,11 +43,11 @@ pub(crate) struct Heights {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, u64::MAX))]
     steps: u64,
 
-    /// The greatest number of decimal digits of a numerator or denominator.
+    /// The largest number of decimal digits of a numerator or denominator.
     #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     digits: u64,
 
-    /// The time that the orbit may take. A step that is likely to end later is not begun.
+    /// The time limit, in seconds. A step that would probably exceed it is not begun.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 
@@ -55,7 +56,7 @@ pub(crate) struct Heights {
     #[arg(long)]
     json: bool,
 
-    /// Write every height to this file too, a line a step; it appears when it is complete.
+    /// Also write all heights to this file, a row per step; it appears when complete.
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 }
@@ -122,7 +123,7 @@ fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
         }
     };
     let (done, wanted) = (found.steps(), asked.steps);
-    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; a larger {option} goes further"))
+    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; increase {option} to continue"))
 }
 
 fn complaint(found: &HeightsFound) -> Option<String> {

@@ -16,12 +16,15 @@ use crate::reading::{Source, StepLength};
 
 /// Lifts a field to a quadratic one: functions, quotients and powers become new variables.
 ///
-/// It prints the quadratic block, the function and the first value of each new variable, and the
-/// fate of each relation between them: kept exactly, with the formula that the map keeps;
-/// bounded; decays; drifts linearly; grows at a rate. Of a mechanical system, x' = p, p' = -grad
-/// V(x), it is the lift whose map keeps an energy. Otherwise relations that are kept exactly come
-/// first, then those that do not grow along the orbit from --at, over 100 units of time. --lift on
-/// other commands does all this unseen: `kahan orbit --lift …`.
+/// The output is the quadratic field, the definition and the initial value of each new variable,
+/// and the relations between the variables with what Kahan's map does to each: preserved exactly,
+/// with the formula that the map preserves; or its error stays bounded, decays, drifts linearly or
+/// grows, with the rate.
+///
+/// A mechanical system x' = p, p' = -grad V(x) gets the lift whose map preserves an energy.
+/// Otherwise lifts with exactly preserved relations are preferred, then lifts whose relations have
+/// errors that do not grow along the orbit from --at over 100 units of time. Other commands lift a
+/// field by --lift, as in `kahan orbit --lift …`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -32,19 +35,19 @@ Examples:
   kahan lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --out relations.svg
   kahan lift --field 'struct Pendulum { g } xdot = v; vdot = -g*sin(x);' --macro
   kahan orbit --lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --eps 0.05 --steps 100")]
-#[command(mut_arg("eps", |eps| eps.help("Half the time step of that orbit; 0.01 if it is not given")))]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step of that orbit (dt = 2 eps), 0.01 if not given")))]
 pub(crate) struct Lift {
     #[command(flatten)]
     source: Source,
 
-    /// The point whose orbit the relations are watched along, in the original variables.
+    /// The initial point of the orbit that tests the relations, in the original variables.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Option<String>,
 
     #[command(flatten)]
     step: StepLength,
 
-    /// Print the quadratic block of `kahan!`, ready to paste, with what its map keeps as claims.
+    /// Print the lifted field as a `kahan!` block for Rust, with the preserved formulas as claims.
     #[arg(long = "macro")]
     as_macro: bool,
 
@@ -73,7 +76,7 @@ impl Lift {
         }
         let found = study.lift_found(eps.map(|eps| eps.to_f64()))?;
         let Some(found) = found else {
-            return Err(Refusal::new("--sites: a chain is lifted as its equations are; write them out"));
+            return Err(Refusal::new("--sites: a chain `for i in … { … }` cannot be lifted; write out its equations"));
         };
         if let Some(out) = &self.out {
             let look = Look::on(self.look.sheet(usual()));

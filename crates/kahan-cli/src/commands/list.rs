@@ -8,7 +8,8 @@ use crate::printing::{Answer, Refusal};
 
 /// Lists the systems of the catalog.
 ///
-/// Names with variables `x[i]` are families, which take --sites N.
+/// Each row has the name that other commands take. Systems with variables `x[i]` are chains of any
+/// length; they take --sites N.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:\n  kahan list\n  kahan list --json")]
 pub(crate) struct List {

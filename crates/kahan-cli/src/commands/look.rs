@@ -23,15 +23,15 @@ fn screen(theme: Theme) -> &'static str {
 /// What a picture is drawn on.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct SheetOptions {
-    /// Width and height in pixels; on paper 300 of them are an inch.
+    /// Width and height in pixels; with --paper, 300 pixels are an inch.
     #[arg(long, value_name = "WxH", value_parser = pixels)]
     size: Option<(u32, u32)>,
 
-    /// light, dark, or as the viewer has it.
+    /// light, dark, or viewer (follows the viewer's setting).
     #[arg(long, value_parser = one_of(&SCREENS, |theme| screen(theme).into()), default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
-    /// For print: black on white in thin lines, as wide as a column.
+    /// Draw for print: thin black lines on white, one text column wide.
     #[arg(long, conflicts_with = "theme")]
     paper: bool,
 }

@@ -18,19 +18,21 @@ use super::line::Asking;
 use crate::printing::{Answer, Npy, Refusal, Sink};
 use crate::reading::{Start, Stepping, Transient, one_of, order, scalar, whole};
 
-/// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
+/// Prints an orbit of a system's map as CSV: step n, time t = 2 eps n, variables, integrals.
 ///
-/// Where --at is a file of several rows, each is the first point of an orbit: the table has orbit
-/// after orbit, and a first column `start` says which, 0, 1, and so on. With --over each start has
-/// an orbit for each value, which stands in a column behind it. An orbit that ends early ends
-/// alone.
+/// If --at is a file with several rows, each row is an initial point. The table lists one orbit
+/// after the other, and its first column `start` holds the number of the row, from 0. --over
+/// computes an orbit for each initial point and each value; the value stands in a column of its
+/// own. An orbit that ends early does not end the others.
 ///
-/// The integrals are those of the block without `when`, and those `when` what holds for the orbit.
-/// A cell is empty where an integral is undefined, or beyond the range of the scalar. Floats are
-/// written so that they read back exactly, dd with 32 digits, and the steps are those of the
-/// compiled library, bit for bit; parameters are put in after the map is reduced. At a pole (det A
-/// = 0), or where floats overflow, the orbit ends: the rows up to there are kept, the place is
-/// reported, and the exit status is 1; with --projective it goes on. A negative eps steps back.
+/// The integrals are the field's claims without the condition `when`, and those whose condition the
+/// parameters and eps fulfil. A cell is empty where an integral is undefined or overflows. Floats
+/// have enough digits to be read back exactly (dd: 32), and the steps agree bit for bit with those
+/// of the Rust library. Parameters are inserted after the map is reduced to lowest terms.
+///
+/// At a pole (det A = 0), or where floats overflow, the orbit ends: the rows so far are printed, a
+/// message names the step, and the exit status is 1. With --projective the orbit continues through
+/// the pole. A negative eps steps back in time.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -45,81 +47,83 @@ pub(crate) struct Orbit {
     #[command(flatten)]
     start: Start,
 
-    /// How a chain of --sites begins: F.npy, F.csv or formulas of the site i.
+    /// Initial values of a chain: F.npy, F.csv or formulas in the site i.
     ///
-    /// The number of sites may be any. A formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)',
-    /// several separated by `;`: there are i from 0 to n - 1, pi, the parameters of the chain, and
-    /// sin, cos, tanh, sech, exp, sqrt and more. A file has a row a site, a column an array. Values
-    /// of --param may then be formulas or files, too. Beyond 200 variables the rows show the range
-    /// of each array.
+    /// The chain may have any number of sites. Give a formula for each array, as in 'x = 1 +
+    /// 1/2*cos(2*pi*i/n)', separated by `;`. Formulas may use i (0 to n - 1), n, pi, the parameters
+    /// of the chain, and functions such as sin, cos, tanh, sech, exp and sqrt. A file has a row per
+    /// site and a column per array. Values of --param may be formulas or files as well. For more
+    /// than 200 variables, the rows show the range of each array.
     #[arg(id = "begin", long = "start", value_name = "S", conflicts_with_all = ["at", "reembed"], requires = "sites")]
     begin: Option<String>,
 
-    /// An orbit for each value of a parameter, eps or coordinate, NAME=FROM:TO:N.
+    /// One orbit for each value of a parameter, eps or variable: NAME=FROM:TO:N.
     ///
-    /// May be repeated: all combinations are followed, the last range running fastest.
+    /// If it is repeated, all combinations of values are computed, and the last range changes
+    /// fastest.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "begin")]
     over: Vec<String>,
 
-    /// The number of steps; 0 prints the first point.
+    /// The number of steps; 0 prints the initial point only.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, MOST))]
     steps: u64,
 
     #[command(flatten)]
     before: Transient,
 
-    /// The kind of number.
+    /// The number type.
     #[arg(long, value_parser = scalar(), default_value = "f64")]
     scalar: ScalarKind,
 
     /// The order of the method.
     ///
-    /// Order 2 is Kahan's map; orders 4, 6 and 8, over floats only, compose 5, 9 and 17 steps of it
-    /// into one. A composition keeps no integral that depends on eps, so the columns are those of
-    /// the flow, the claims at eps = 0, which then oscillate about a value.
+    /// Order 2 is Kahan's map. Orders 4, 6 and 8 are compositions of 5, 9 and 17 of its steps, in
+    /// floats only. They do not preserve integrals that depend on eps. Their columns therefore show
+    /// the integrals of the flow (the claims at eps = 0), which oscillate.
     #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
-    /// What a step is; each takes the time 2 eps.
+    /// The method of a step; each method advances the time by 2 eps.
     ///
-    /// Other methods are there to compare Kahan's map with. `euler` and `rk4` are explicit steps on
-    /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables. The
-    /// integrals of all three are those of the flow, the claims at eps = 0.
+    /// The other methods serve for comparison with Kahan's map. `euler` and `rk4` are explicit
+    /// methods. `flow` is the exact solution, by Taylor series in double-double arithmetic, for up
+    /// to 8 variables. For all three, the integrals are those of the flow (the claims at eps = 0).
     #[arg(long, value_name = "M", value_parser = one_of(&Method::ALL, |of| PossibleValue::new(of.name()).help(of.meaning())), default_value = "kahan")]
     method: Method,
 
-    /// Go on at poles, through points at infinity.
+    /// Continue through poles, by points at infinity.
     ///
-    /// It goes on, too, where the map brings a whole curve to one point: the orbit is that of the
-    /// iterates as rational maps of projective space. An infinite
-    /// coordinate is written as inf, and in JSON as null. A coordinate beside it that is not
-    /// infinite has no value of its own there, and is empty or null, as integrals are. Near poles
-    /// floats are computed in hundreds of digits, so that the way back loses none. The orbit ends
-    /// where the map has no value whatever the direction. Up to 8 variables.
+    /// The orbit is computed in projective space, and also continues where the map sends a whole
+    /// curve to one point. An infinite coordinate is written as inf, and as null in JSON. At such a
+    /// point, coordinates that are not infinite have no value: they are left empty or null, and so
+    /// are integrals. Near poles, floats are computed with hundreds of digits, so that no accuracy
+    /// is lost. The orbit ends where the limit depends on the direction of approach. Up to 8
+    /// variables.
     #[arg(long, conflicts_with_all = ["begin", "reembed"])]
     projective: bool,
 
     #[command(flatten)]
     stepping: Stepping,
 
-    /// Print every K-th point only: n = 0, K, 2K, ….
+    /// Print only every K-th point: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
     every: u64,
 
-    /// Write the table to F.csv, or to F.npy the states of a chain.
+    /// Write the table to F.csv, or the states of a chain to F.npy.
     ///
-    /// The file appears when it is complete. With --start, F.npy gets an array that has a row a
-    /// point, of the sites, or of the sites and the arrays; the table is printed all the same.
+    /// The file appears when it is complete. F.npy needs --start. Its array has a row per point,
+    /// with the sites, or the sites and the arrays, as further dimensions. The table is then
+    /// printed as well.
     #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object; exact numbers are strings p/q, floats are numbers.
+    /// Print one JSON object: exact numbers as strings p/q, floats as numbers.
     ///
-    /// Numbers of dd have 32 digits. With --out the rows are in the file only. `note` says that
-    /// steps do not resolve fast components, where that is so at half of 16 points of the orbit.
+    /// Numbers of dd have 32 digits. With --out, the rows are in the file only. `note` warns if the
+    /// steps do not resolve fast components at half of 16 sampled points.
     ///
-    /// `runs_as` tells whether floats ran as machine code or
-    /// were interpreted, as on other processors and in fields too large for a straight line.
+    /// `runs_as` tells whether floats were computed by machine code or by an interpreter. The
+    /// interpreter runs on processors without support, and for very large fields.
     #[arg(long)]
     json: bool,
 }

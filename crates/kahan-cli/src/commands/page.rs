@@ -21,22 +21,22 @@ use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{Block, Source, StepLength, point, seconds};
 use figures::{Asked, Field, Subject, command};
 
-/// Writes one page on one field: formulas, findings with proofs, figures, settings.
+/// Writes an HTML page about a field: formulas, findings with proofs, figures, settings.
 ///
-/// The page is DIR/index.html. It shows the field, A, b, the map and its Jacobian; what
-/// `kahan discover` finds; what becomes of singularities, and heights of an exact orbit; orbits, a
-/// section, exponents, a chart of stability; and the cheapest settings of `kahan trade`. Under each
-/// figure stands the command that makes it again. What is not given is chosen: eps as the rates of
-/// the field allow, and a first point whose orbit stays. Formulas and findings have the values of
-/// --param. The catalog's other parameters are generic there, and have its values in the figures;
-/// a field of your own needs a value for each parameter.
+/// The page is DIR/index.html. It shows the field, A, b, the map and its Jacobian; the findings of
+/// `kahan discover`; singularities, and the heights of an exact orbit; orbits, a section, Lyapunov
+/// exponents, a stability chart; and the cheapest settings of `kahan trade`. Below each figure
+/// stands the command that reproduces it. Without --eps and --at, eps is chosen by the rates of the
+/// field, and the initial point so that its orbit stays bounded. Formulas and findings use the
+/// values of --param. Other parameters of a catalog system are generic there, and have the
+/// catalog's values in the figures. A field of your own needs a value for each parameter.
 ///
-/// The page of a lifted field begins with the equations as written, the new variables, and the
-/// relations with the error of each along the orbit. Without a first point the lift is chosen along
-/// an orbit to see.
+/// The page of a lifted field begins with the original equations, the new variables, and the
+/// relations with the error of each along the orbit. Without an initial point, the lift is chosen
+/// along an orbit that the page selects.
 ///
-/// The page needs no network and no script. It appears whole or not at all, in place of an older
-/// one. What cannot be made is left out, and the page says why.
+/// The page needs neither a network nor scripts. It replaces an older page once it is complete. If
+/// a part cannot be made, it is left out, and the page says why.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -44,7 +44,7 @@ Examples:
   kahan page --field 'xdot = y; ydot = 6*x^2 - a;' --param a=1 --seconds 5 --out weierstrass
   kahan page --lift --field 'xdot = v; vdot = -sin(x);' --seconds 5 --out pendulum
   kahan page lorenz --eps 1/500 --at 1,1,1 --seconds 5 --out lorenz")]
-#[command(mut_arg("eps", |eps| eps.help("Half the time step of the figures")))]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step of the figures (dt = 2 eps); chosen if not given")))]
 pub(crate) struct Page {
     #[command(flatten)]
     source: Source,
@@ -52,15 +52,15 @@ pub(crate) struct Page {
     #[command(flatten)]
     step: StepLength,
 
-    /// The first point of the figures, its coordinates separated by commas.
+    /// The initial point of the figures, separated by commas; chosen if not given.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Option<String>,
 
-    /// About the time that it may take.
+    /// The approximate time limit, in seconds.
     #[arg(long, value_name = "S", default_value = "40", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 
-    /// The folder for index.html; it is made if it is not there.
+    /// The folder for index.html, created if missing.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }

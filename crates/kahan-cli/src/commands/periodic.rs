@@ -18,28 +18,29 @@ use crate::printing::layout::{headed, paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, csv, joined};
 use crate::reading::{Start, one_of, over, whole};
 
-/// Finds a periodic point near a first one: its multipliers, and how it changes.
+/// Finds a periodic point near a given point: its stability, and how it changes with a parameter.
 ///
-/// Newton's method with the exact Jacobian takes all points of the cycle as unknowns; where cycles
-/// come in families, as those of integrable maps do, it goes to the nearest. Multipliers are the
-/// eigenvalues of the derivative of the map over the period; `family` counts the directions that it
-/// leaves as they are. Where the points are fractions of a few digits, the cycle is proved exactly,
-/// and its stability is decided by the exact characteristic polynomial of that derivative.
+/// Newton's method with the exact Jacobian solves for all points of the cycle at once. If cycles
+/// come in families, as those of integrable maps do, it converges to a nearby one. Multipliers are
+/// the eigenvalues of the derivative of the map over one period; `family` counts the directions in
+/// which neighbouring points have the same period. If the points are fractions with few digits, the
+/// cycle is proved exactly, and the exact characteristic polynomial of that derivative decides its
+/// stability.
 ///
-/// Cycles of period 1 are the steady states of the field. They are the same for each eps, which
-/// need not be given; the eigenvalues of the derivative f' of the field are told, too. Linear
-/// integrals of the field, as the total of a closed population, keep their values at the first
-/// point, and multipliers are those along their common level; --hold none holds nothing.
+/// Cycles of period 1 are the steady states of the field. They do not depend on eps, which may be
+/// left out; the eigenvalues of the derivative f' are shown as well. Linear integrals of the field,
+/// such as the total of a closed population, keep their values at the initial point, and
+/// multipliers are those within their common level set; with --hold none, nothing is kept.
 ///
-/// --over follows the cycle along a range of eps or of a parameter, round folds. The table has a
-/// row at each value, again behind a fold, and one at each change, where multipliers go through the
-/// unit circle. --out writes all points of these cycles as CSV, or draws the branch. The exit status
-/// is 1 where no cycle is found.
+/// --over follows the cycle along a range of eps or of a parameter, also around folds. The table
+/// has a row at each value (again after a fold), and a row at each change, where multipliers cross
+/// the unit circle. --out writes all points of these cycles as CSV, or draws the branch. The exit
+/// status is 1 if no cycle is found.
 ///
-/// --free eps looks for a limit cycle of the flow: K steps close up, and eps is found with them.
-/// Periods, multipliers and changes are extrapolated from K, 2K and 4K steps, of a lifted field 8K,
-/// too. The cycle is looked for near --at, and near where its orbit comes back close to itself
-/// after --transient steps: after about the time 2*eps*K, or without --period after any.
+/// --free eps finds a limit cycle of the flow: a cycle of K steps for which eps is unknown as well.
+/// Period, multipliers and changes are extrapolated from K, 2K and 4K steps, for a lifted field
+/// also 8K. The search starts at --at, and at points of its orbit, after --transient steps, that
+/// nearly return after about the time 2*eps*K, or without --period after any time.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -53,24 +54,24 @@ pub(crate) struct Periodic {
     #[command(flatten)]
     start: Start,
 
-    /// A multiple of the period; the smallest period is told. With --free eps: the steps K of a
-    /// cycle.
+    /// A multiple of the period in steps; the smallest period is found. With --free eps: the number
+    /// K of steps of a cycle.
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS))]
     period: usize,
 
-    /// The unknown besides the points: eps, of a cycle of the flow.
+    /// The unknown besides the points: eps, for a limit cycle of the flow.
     #[arg(long, value_name = "WHAT", value_parser = one_of(&[Free::Eps], |_| PossibleValue::new("eps").help("half the time step")), hide_possible_values = true)]
     free: Option<Free>,
 
-    /// With --free: the steps before an orbit is looked at that comes back close to itself.
+    /// With --free: make N steps before looking for a point where the orbit nearly returns.
     #[arg(long, value_name = "N", default_value = "0", requires = "free", value_parser = whole(0, u64::MAX))]
     transient: u64,
 
-    /// What changes, a parameter or eps: NAME=FROM:TO:COUNT, or :+STEP.
+    /// The parameter or eps that changes: NAME=FROM:TO:COUNT, or :+STEP.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
-    /// Which integrals keep their values at the first point.
+    /// The integrals that keep their values at the initial point.
     #[arg(long, value_name = "WHICH", default_value = "linear", value_parser = one_of(&Hold::ALL, |one| one.name().into()))]
     hold: Hold,
 
@@ -85,8 +86,8 @@ pub(crate) struct Periodic {
     /// Print one JSON object.
     ///
     /// Its members: period, points, residual, multipliers, eigenvalues, stability, family, held,
-    /// exact, flow, branch: its points are the rows, its turns their changes, and cut is whether it
-    /// ends before the range.
+    /// exact, flow, branch. A branch has `points` (its rows), `turns` (its changes), and `cut`
+    /// (whether it ends before the range does).
     #[arg(long)]
     json: bool,
 }

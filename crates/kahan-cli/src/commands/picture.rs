@@ -20,21 +20,21 @@ use crate::reading::{Source, StepLength, Stepping, number, over, point, seconds,
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
 
-/// Draws orbits, what they tend to over a parameter, or heights.
+/// Draws orbits, sections, orbit diagrams or heights.
 ///
-/// Orbits are those of doubles, heights those of exact orbits. Three variables or more are drawn in
-/// space, the first three of them where --axes names no others; near points are larger. An orbit
-/// ends at a pole and where doubles overflow. The axes leave out points that lie far from nearly
-/// all others, unless --window says where they end; what is left out is counted.
+/// Orbits are computed in f64, heights from exact orbits. With three or more variables, the picture
+/// shows the first three in space, or those that --axes names; near points are drawn larger. An
+/// orbit ends at a pole or an overflow. The axes leave out points that lie far from nearly all
+/// others; a note counts these. --window sets the ends of an axis.
 ///
-/// A section (--plane) shows where orbits cross it with growing formula, refined as `kahan section`
-/// does it. An orbit diagram (--over) starts anew at each value, and shows the first of --axes as
-/// it is after the transient: at each step, or with --plane or --maxima at the crossings. Heights
-/// that grow like a power of n are drawn over log n, and those that grow exponentially over n:
-/// either way they come near a straight line.
+/// A section (--plane) shows where orbits cross the surface on which a formula vanishes, with the
+/// formula growing, as in `kahan section`. An orbit diagram (--over) starts at the initial point
+/// for each value, and shows the first of --axes after the transient: at each step, or with --plane
+/// or --maxima at the crossings. Heights that grow like a power of n are drawn over log n, and
+/// those that grow exponentially over n: in both cases the curve is nearly a straight line.
 ///
-/// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
-/// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
+/// An SVG follows the light or dark setting of its viewer, and its text is legible at the width of
+/// a telephone. PNG and PDF need a build with the features `png` and `pdf`.
 #[derive(Args, Debug)]
 #[command(help_template = TEMPLATE, after_help = "\
 Examples:
@@ -46,32 +46,33 @@ pub(crate) struct Picture {
     #[command(flatten)]
     step: StepLength,
 
-    /// A first point, or the ends of a line, A..B, with --starts; once for each.
+    /// An initial point, or with --starts the ends of a line, A..B; repeatable.
     ///
-    /// Or a file of first points, F.csv or F.npy, that has a row for each. A text that gives first
-    /// values needs none.
+    /// A file F.csv or F.npy may contain an initial point in each row. The option may be left out
+    /// if the equations give initial values.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Vec<String>,
 
-    /// So many first points for each --at: along its line, or random ones around it.
+    /// The number of initial points per --at: along its line, or random around it.
     ///
-    /// Random ones are at most --radius away in each coordinate, and follow --seed.
+    /// Without this option, each --at is one initial point. Random points differ from --at by at
+    /// most --radius in each coordinate, and are drawn by --seed.
     #[arg(long, value_name = "K", value_parser = whole(1, MOST_STARTS))]
     starts: Option<usize>,
 
-    /// How far a random start is from --at, in each coordinate.
+    /// The largest distance of random starts, per coordinate.
     #[arg(long, value_name = "R", default_value = "1/10")]
     radius: String,
 
-    /// The seed that random starts follow.
+    /// The seed of the random starts.
     #[arg(long, value_name = "S", default_value = "1")]
     seed: u64,
 
-    /// The number of steps of each orbit; of a section the most.
+    /// The number of steps of each orbit; for a section, the largest number.
     #[arg(long, value_name = "N", value_parser = whole(0, u64::MAX), required_unless_present_any = ["crossings", "plane", "maxima"])]
     steps: Option<u64>,
 
-    /// The file, F.svg, F.png or F.pdf, which appears when it is complete.
+    /// The output file: F.svg, F.png or F.pdf.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
@@ -83,49 +84,49 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     axes: Vec<String>,
 
-    /// What vanishes on a section: z - 27.
+    /// The formula that vanishes on a section, as in z - 27.
     #[arg(long, value_name = "EXPR", allow_hyphen_values = true)]
     plane: Option<String>,
 
-    /// A parameter, or eps, that goes through a range: NAME=FROM:TO:+STEP.
+    /// A parameter or eps, and its range: NAME=FROM:TO:+STEP.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
-    /// Steps of an orbit diagram before what it shows.
+    /// With --over: the number of steps before the shown ones.
     #[arg(long, value_name = "N", default_value = "1000", value_parser = whole(0, u64::MAX), requires = "over")]
     transient: u64,
 
-    /// The maxima of a variable, in place of --plane.
+    /// The section of the maxima of variable X, instead of --plane.
     #[arg(long, value_name = "X", conflicts_with = "plane")]
     maxima: Option<String>,
 
-    /// Crossings of each orbit, with --plane or --maxima; 100 without --steps.
+    /// The number of crossings of each orbit of a section; 100 without --steps.
     #[arg(long, value_name = "K", value_parser = whole(1, u64::MAX))]
     crossings: Option<u64>,
 
-    /// With --over: each orbit begins where the one before it came to.
+    /// With --over: begin each orbit at the last point of the one before it.
     #[arg(long, requires = "over")]
     carry: bool,
 
     #[command(flatten)]
     stepping: Stepping,
 
-    /// Joins the points of an orbit by lines.
+    /// Join the points of an orbit by lines.
     #[arg(long)]
     lines: bool,
 
-    /// Where an axis begins and ends: NAME=LOW:HIGH; once for each.
+    /// The ends of an axis: NAME=LOW:HIGH; repeat it for each axis.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     window: Vec<String>,
 
     #[command(flatten)]
     look: SheetOptions,
 
-    /// The time that it may take; then it shows what there is.
+    /// Stop after S seconds and draw the points so far.
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds)]
     seconds: f64,
 
-    /// Print one JSON object that says what the file shows.
+    /// Print one JSON object that describes the file.
     #[arg(long)]
     json: bool,
 }
@@ -273,7 +274,7 @@ impl Picture {
                 "--plane and --maxima make a section; leave them out, or leave --kind out"
             }
             (_, None, _) if self.crossings.is_some() => {
-                "--crossings counts those of a section; add --plane EXPR or --maxima X, or give --steps N"
+                "--crossings counts the crossings of a section; add --plane EXPR or --maxima X, or give --steps N"
             }
             (None | Some(Kind::OrbitsOver), _, Some(_)) => return Ok(Kind::OrbitsOver),
             (Some(_), _, Some(_)) => "--over makes an orbit diagram; leave it out, or leave --kind out",

@@ -9,19 +9,20 @@ use crate::printing::layout::{paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{Source, StepLength, seconds, whole};
 
-/// Follows what a map sends to infinity or blows down: whether it comes back, and when.
+/// Tests whether the singularities of a map are confined: follows them, step by step.
 ///
-/// The curves (in three variables surfaces) are the factors of the map's common denominator and of
-/// its Jacobian determinant, and the points at infinity where they are blown down. A curve is blown
-/// down where its image has a lower dimension: then its points can no longer be told apart. The
-/// singularity is confined after k steps if the image after k steps is a curve (surface) again;
-/// where k is 1, nothing is lost. Each curve is moved by delta and followed modulo two primes; what
-/// is not given (--eps, --param) is generic. A polynomial that would fill a page is counted; JSON
-/// has it.
+/// The curves (surfaces in three variables) to follow are the factors of the map's common
+/// denominator and of its Jacobian determinant, and the line (plane) at infinity if the map blows
+/// it down. A curve is blown down if its image has a lower dimension, so that its points can no
+/// longer be told apart. The singularity is confined after k steps if the image after k steps is a
+/// curve (surface) again; if k is 1, nothing is lost. Each curve is moved by delta and followed
+/// modulo two primes. Parameters and eps are generic unless --param and --eps give them. A
+/// polynomial that would fill a page is given by its number of terms; JSON has it in full.
 ///
-/// Confinement alone proves nothing: the map of Henon and Heiles confines, and its degrees grow
-/// exponentially. So the degrees of iterates stand below, as measured and as the patterns imply
-/// them. Nor does its absence: maps that can be made linear need not confine.
+/// Confinement alone proves nothing: the map of Henon and Heiles has confined singularities, and
+/// its degrees grow exponentially. The degrees of the iterates are therefore printed below, as
+/// measured and as the patterns imply them. A lack of confinement proves nothing either: maps that
+/// can be made linear need not be confined.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -29,7 +30,7 @@ Examples:
   kahan poles lv --eps 1
   kahan poles e9 --param xi=-1 --steps 6 --json
   kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'")]
-#[command(mut_arg("eps", |eps| eps.help("Half the time step, where it is fixed; generic otherwise")))]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step (dt = 2 eps); a symbol if not given")))]
 pub(crate) struct Poles {
     #[command(flatten)]
     source: Source,
@@ -37,11 +38,11 @@ pub(crate) struct Poles {
     #[command(flatten)]
     step: StepLength,
 
-    /// How many steps each curve is followed.
+    /// The number of steps for which each curve is followed.
     #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = whole(1, LONGEST))]
     steps: usize,
 
-    /// The time that the search may take; what is not finished then is undecided.
+    /// The time limit, in seconds; curves not finished by then are undecided.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 
@@ -72,7 +73,7 @@ fn text(answer: &PolesFound) -> String {
     let is_undecided = found.patterns.iter().any(|pattern| pattern.confined.is_none());
     let notes = [
         (!found.is_complete, "the Jacobian determinant is too long to factor, so curves may be missing"),
-        (is_undecided, "what is undecided may be decided in more --seconds or fewer --steps"),
+        (is_undecided, "more --seconds or fewer --steps may decide the undecided ones"),
     ];
     let mut degrees = vec![
         format!("degrees of the iterates of {name}"),

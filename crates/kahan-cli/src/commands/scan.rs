@@ -10,19 +10,18 @@ use crate::printing::layout::{paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::axis;
 
-/// Finds special values of parameters and of eps, on a grid.
+/// Searches a grid for special values of parameters and of eps.
 ///
-/// At every point of the grid it takes the degrees of some iterates and the Hilbert function of an
-/// orbit, and counts the algebraic integrals that the orbit shows. Special are the points where
-/// something else is seen than at generic values; they are printed. A range is FROM:TO:COUNT, so
-/// many values with both ends; FROM:TO:+STEP, steps from FROM as long as TO is not passed; or
-/// FROM:TO:/CELLS, the middles of so many cells. What has a single value is fixed, and what is not
-/// given is generic.
+/// At every point of the grid, it computes the degrees of some iterates and the Hilbert function of
+/// an orbit, and from it the number of algebraic integrals. Points whose results differ from those
+/// of generic values are special, and are printed. A range is FROM:TO:COUNT, COUNT values with both
+/// ends; FROM:TO:+STEP, steps from FROM up to TO at most; or FROM:TO:/CELLS, the midpoints of CELLS
+/// equal cells. A parameter with a single value is fixed, and one without a value is generic.
 ///
-/// With two ranges or more it looks for relations as well, as c = -a - b or a1*a2 = a5*a6: all
-/// points of the grid on them are special. In the time that is left formulas are looked for there,
-/// and printed as claims `when` the relation holds, each proved; where none is, the relation is
-/// only seen.
+/// With two ranges or more, it also searches for relations such as c = -a - b or a1*a2 = a5*a6 on
+/// which all points of the grid are special. In the remaining time it searches for formulas there.
+/// Each is proved, and printed as a claim `when` the relation holds. A relation without such a
+/// formula is observed only, not proved.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 The JSON object holds every point: system, names, generic, points, special, relations, out_of_time, seconds.
@@ -113,7 +112,7 @@ fn text(answer: &ScanFound) -> String {
     )];
     lines.extend(found.out_of_time.then(|| {
         let left = total - looked;
-        format!("note: time ran out before {left} of {total} points; a larger --seconds goes further")
+        format!("note: time ran out before {left} of {total} points; increase --seconds to continue")
     }));
     let relations = found.relations.iter().map(relation_lines);
     paragraphs([table(&rows, found.names.len()), lines].into_iter().chain(relations))

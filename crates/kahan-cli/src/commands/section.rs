@@ -14,16 +14,18 @@ use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, one_of, order, o
 
 /// Prints where orbits cross a section, as CSV: step n, time t, variables.
 ///
-/// The section is where a formula of the variables, of the claimed integrals, parameters and eps
-/// vanishes. A crossing lies between two points of the orbit; it is refined on the curve that the
-/// map draws from the first to the second as eps grows from 0, which is as far from the flow as a
-/// step is: t is that of the crossing, and n the step that it comes after. A sign change without a
-/// zero, as at a pole of the formula or of the map, is a jump: a note counts them, and they are no
-/// rows. Steps are those of `kahan orbit` in f64. Where numbers leave the range of f64, the
-/// crossings up to there are kept, and the exit status is 1.
+/// The section is the surface on which a formula vanishes. The formula may contain variables,
+/// claimed integrals, parameters and eps. A crossing lies between two points of the orbit. Its
+/// place is refined on the curve that the map traces from the first of them to the second as eps
+/// grows from 0; this curve is as close to the flow as the step is. The time t is that of the
+/// crossing, n the number of the step before it. A sign change without a zero, as at a pole of the
+/// formula or of the map, is a jump. Jumps are not printed; a note counts them. Steps are those of
+/// `kahan orbit` in f64. If numbers overflow f64, the crossings so far are printed, and the exit
+/// status is 1.
 ///
-/// Of several orbits, from a file of first points or over --over, the rows begin with the number of
-/// the first point, start, and with what varies. Each has the crossings that it has alone.
+/// With several initial points, or with --over, each row begins with the number of its initial
+/// point, `start`, and the values that vary. The crossings of an orbit are the same as in a run of
+/// its own.
 #[derive(Args, Debug)]
 #[command(mut_group("step", |step| step.required(false)))]
 #[command(after_help = "\
@@ -36,21 +38,21 @@ pub(crate) struct Section {
     #[command(flatten)]
     start: Start,
 
-    /// The most steps of an orbit; --crossings alone allows 10000 for each.
+    /// The largest number of steps; if only --crossings is given, 10000 for each.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
     steps: Option<u64>,
 
-    /// What vanishes on the section: z - 27, or x^2 + y^2 - 1.
+    /// The formula that vanishes on the section: z - 27, or x^2 + y^2 - 1.
     #[arg(long, value_name = "EXPR", allow_hyphen_values = true, required_unless_present = "maxima")]
     plane: Option<String>,
 
-    /// Where a variable is largest, in place of --plane.
+    /// The section of the maxima of variable X, instead of --plane.
     ///
     /// There its derivative falls through 0.
     #[arg(long, value_name = "X", conflicts_with_all = ["plane", "direction"])]
     maxima: Option<String>,
 
-    /// Which sign changes count: rising, falling or both.
+    /// The sign changes that count: rising, falling or both.
     #[arg(long, value_name = "WAY", hide_possible_values = true, value_parser = one_of(&Direction::ALL, |one| one.name().into()), default_value = "rising")]
     direction: Direction,
 
@@ -61,15 +63,15 @@ pub(crate) struct Section {
     #[command(flatten)]
     before: Transient,
 
-    /// The order of the method, and of the times of crossings: 2, 4, 6 or 8.
+    /// The order of the steps and of the crossing times: 2, 4, 6 or 8.
     #[arg(long, value_name = "P", hide_possible_values = true, default_value = "2", value_parser = order())]
     order: u32,
 
-    /// Orbits over a first value, a parameter or eps: NAME=FROM:TO:COUNT.
+    /// Orbits for each value of a variable, parameter or eps: NAME=FROM:TO:COUNT.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Vec<String>,
 
-    /// Begin each orbit over --over where the one before it came to.
+    /// With --over: begin each orbit at the last point of the one before it.
     #[arg(long, requires = "over")]
     carry: bool,
 
@@ -80,7 +82,7 @@ pub(crate) struct Section {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: times and points, or rows of several orbits.
+    /// Print one JSON object: times and points, or the rows of several orbits.
     #[arg(long)]
     json: bool,
 }

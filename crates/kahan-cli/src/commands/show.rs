@@ -15,10 +15,13 @@ use crate::reading::{Block, Source};
 
 /// Shows the formulas of a system: field, f', A, b, bilinear form, det A, map, Jacobian, claims.
 ///
-/// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks
-/// the second argument of the bilinear form Q(x,x'). For a field whose map is beyond the budget of
-/// terms, det A is shown as a determinant. With --plan: what the generated code computes, in
-/// straight lines, and what that costs. Of more than 500 variables only the block is shown.
+/// The map is printed as x~ = x + 2 eps n/d in lowest terms, where eps is half the time step.
+/// A(x,eps) is the matrix I - eps f'(x), Q(x,x') the symmetric bilinear form of the quadratic
+/// terms; the prime marks its second argument. If the map would have too many terms, det A is shown
+/// as a determinant instead.
+///
+/// --plan shows the operations of the generated code, one per line, and their costs. For more than
+/// 500 variables, only the equations are shown.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -27,8 +30,8 @@ Examples:
   kahan show e9 --param xi=1
   kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y;' --macro
   kahan show --file field.txt --json
-  kahan show e3 --expand                      what the macro makes of it
-  kahan show e3 --plan                        operations, bytes and the step in straight lines
+  kahan show e3 --expand                      the generated Rust code
+  kahan show e3 --plan                        operations and bytes of the code, step by step
   kahan show --field 'xdot = y; ydot = x^2 - a;' --param a=1 --plan")]
 pub(crate) struct Show {
     #[command(flatten)]
@@ -38,25 +41,24 @@ pub(crate) struct Show {
     #[arg(long, conflicts_with = "as_macro")]
     latex: bool,
 
-    /// Write a Python script that makes the formulas SymPy's.
+    /// Write a Python script that defines the formulas in SymPy.
     #[arg(long, conflicts_with_all = ["latex", "as_macro"])]
     sympy: bool,
 
-    /// Write the map's Jacobian out, entry by entry.
+    /// Show every entry of the map's Jacobian.
     #[arg(long, conflicts_with_all = ["as_macro", "plan", "expand"])]
     jacobian: bool,
 
-    /// Print the block of `kahan!`, ready to paste.
+    /// Print a `kahan!` block to paste into a Rust program.
     #[arg(long = "macro")]
     as_macro: bool,
 
-    /// Show the operations, the machine code and the compile time of everything that is generated,
-    /// and the step's plan.
+    /// Show counts of operations, bytes of machine code and compile times of the generated code,
+    /// and the operations of a step.
     #[arg(long, conflicts_with_all = ["as_macro", "latex", "sympy"])]
     plan: bool,
 
-    /// Print the Rust that the macro makes of the block; without a header, as the value of a
-    /// variable.
+    /// Print the Rust code that the macro generates; without a header, as the value of a variable.
     #[arg(long, conflicts_with_all = ["as_macro", "latex", "sympy", "plan"])]
     expand: bool,
 

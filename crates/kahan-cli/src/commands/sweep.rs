@@ -7,13 +7,13 @@ use clap::Args;
 use crate::printing::{Answer, Refusal};
 use crate::reading::{not_started, sweeper};
 
-/// Runs a plan of many orbits, on one machine or many: the program kahan-sweep does it.
+/// Runs a plan of many orbits, on one machine or many: calls the program kahan-sweep.
 ///
-/// A plan in TOML says which field, which starts, parameters and eps, what to observe, what to
-/// write. The result is one file of Parquet, whose bytes depend on the plan alone. kahan-sweep is a
-/// program of its own, so that its libraries weigh on nobody else: `cargo install --profile sweep
-/// --path crates/kahan-sweep` installs it. What stands behind `sweep` is handed on to it, and
-/// `kahan-sweep --help` says what that may be.
+/// A plan is a TOML file that specifies the field, the initial points, parameters and eps, the
+/// observables, and the output. The result is one Parquet file; its bytes depend on the plan alone.
+/// kahan-sweep is a separate program, so that its large libraries are needed only by those who use
+/// it. Install it by `cargo install --profile sweep --path crates/kahan-sweep`. All arguments after
+/// `sweep` are passed on to it, and `kahan-sweep --help` lists them.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -21,7 +21,7 @@ Examples:
   kahan sweep plan.toml --out results
   kahan sweep plan.toml --out results --shard 3/10")]
 pub(crate) struct Sweep {
-    /// The plan, and options of kahan-sweep.
+    /// The plan and the options of kahan-sweep.
     #[arg(value_name = "ARGUMENTS", trailing_var_arg = true, allow_hyphen_values = true)]
     arguments: Vec<OsString>,
 }

@@ -19,42 +19,46 @@ use crate::printing::layout::{paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Block, Source, number, one_of, point, seconds};
 
-/// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
+/// Measures what accuracy costs: finds the cheapest settings that meet a tolerance.
 ///
-/// It measures on this machine. A setting is a scalar (f32; f32 with every step computed through
-/// f64; f64; dd, 32 digits), an order (2 is Kahan's map, 4, 6 and 8 its compositions), whether the
-/// state carries its rounding error (compensated), and eps. Its price is nanoseconds per unit of
-/// simulated time. Two needs:
+/// All times are measured on this machine. A setting consists of a scalar type (f32; f32 with every
+/// step computed in f64; f64; dd with 32 digits), an order (2 is Kahan's map; 4, 6 and 8 are its
+/// compositions), whether the state carries its rounding error (compensated), and eps. Its price is
+/// in nanoseconds per unit of simulated time. There are two needs:
 ///
 /// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory
-/// over the whole horizon, at the times of the steps and with the last point standing for the
-/// horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is
-/// a Taylor series in 32 digits that agrees with a second method (the closed solution, where the
-/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; a setting
-/// serves where its error and that difference together are within the tolerance. Where they do not
-/// agree, or the solution escapes to infinity within the horizon, the command refuses.
+/// over the whole horizon, measured at the times of the steps, in the maximum norm, relative to the
+/// trajectory's largest coordinate. The last point stands for the horizon. The reference trajectory
+/// is a Taylor series with 32 digits. It must agree to a hundredth of the tolerance with a second
+/// method: the closed solution, if the catalog has one, or else a composition of order 8. A setting
+/// meets the tolerance if its error plus that difference does. The command refuses if the two
+/// methods do not agree, or if the solution escapes to infinity within the horizon.
 ///
 /// integrals: to keep the claimed integrals (those without `when`). The error is the largest change
-/// over the horizon relative to the value at the beginning, evaluated in 32 digits at the eps of
-/// the orbit: of the map's own integrals at order 2, of the flow's (the claims at eps = 0) for
-/// compositions, which have none of their own. The trajectory may be far off then.
+/// over the horizon, relative to the initial value, evaluated with 32 digits at the eps of the
+/// orbit. At order 2 these are the map's own integrals. Compositions have none of their own; for
+/// them the integrals of the flow (the claims at eps = 0) are measured. The orbit may be far from
+/// the trajectory.
 ///
-/// An orbit that follows a trajectory ends at the horizon, as nearly as its rounded eps allows; one
-/// that keeps integrals ends at the step nearest to the horizon. In the table, `return` is how far
-/// from the first point an orbit comes home that goes all its steps forward and back.
+/// With need trajectory, an orbit ends at the horizon, up to the rounding of eps; with need
+/// integrals, at the step nearest to the horizon. In the table, `return` is the distance from the
+/// initial point after all steps forward and back.
 ///
-/// The command measures settings from coarse to fine until one serves, and skips those that are
-/// bound to cost more than it.
-/// The table shows the front, which no other setting beats in price and error together; --json has
-/// all. To keep integrals every eps has few bits (17, and 8 in f32), so that its powers are exact:
-/// keep it as it is printed. It matters in long runs at order 2, from some 1e5 steps on, where the
-/// step multiplies eps with itself or with parameters (the Euler top's does): with an eps that
-/// makes these products rounded, what the map conserves drifts linearly, compensated or not. At
-/// higher orders the stages round theirs anyway. What is timed is machine code with the operations
-/// of the macro's code in the same order; compiled into a program of yours the macro's takes 0.9 to
-/// 1.5 times as long, and in f32 up to twice, so f32 is taken to be no cheaper than f64. Where
-/// there is no machine code, E6 is timed and its prices are scaled by what the two steps are
-/// counted to cost. Where no setting meets the tolerance the exit status is 1.
+/// Settings are measured from coarse to fine until one meets the tolerance. Settings that are
+/// certain to cost more than this one are skipped. The table shows the Pareto front, the settings
+/// that no other setting beats in both price and error; --json has all. The exit status is 1 if no
+/// setting meets the tolerance.
+///
+/// With need integrals, every eps has few bits (17, or 8 in f32), so that its powers are exact: use
+/// it as printed. This matters at order 2 in runs of about 1e5 steps or more, if the step
+/// multiplies eps by itself or by parameters, as that of the Euler top does. If these products are
+/// rounded, the conserved quantities drift linearly, compensated or not. At higher orders the
+/// stages round their eps in any case.
+///
+/// The timed code is machine code with the same operations, in the same order, as the code of the
+/// macro. Compiled into your program, the macro's code takes 0.9 to 1.5 times as long, and up to
+/// twice in f32; f32 is therefore taken to be no cheaper than f64. On processors without machine
+/// code, E6 is timed, and its prices are scaled by the counted costs of the two steps.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -66,37 +70,37 @@ pub(crate) struct Trade {
     #[command(flatten)]
     source: Source,
 
-    /// The first point, its coordinates separated by commas: 1,-2/3,0.5.
+    /// The initial point, coordinates separated by commas: 1,-2/3,0.5.
     ///
-    /// A text that gives first values needs none.
+    /// The option may be left out if the equations give initial values.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Option<String>,
 
-    /// The time to be simulated: 100, 5/2.
+    /// The time span to simulate, as in 100 or 5/2.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     horizon: String,
 
-    /// What the orbit is for.
+    /// The purpose of the orbit.
     #[arg(long, value_parser = one_of(&[Need::Trajectory, Need::Integrals], need), default_value = "trajectory")]
     need: Need,
 
-    /// The largest error that is accepted.
+    /// The largest relative error that is accepted.
     #[arg(long, value_name = "TOL", default_value = "1e-8", allow_hyphen_values = true)]
     tolerance: String,
 
-    /// The time that it may take, the reference first; a setting that is likely to end later is not
-    /// begun.
+    /// The time limit, in seconds, with the reference; a setting that would probably exceed it is
+    /// not begun.
     #[arg(long, value_name = "S", default_value = "10", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 
-    /// Draw price against error into this file, F.svg, F.png or F.pdf.
+    /// Draw price against error into this file: F.svg, F.png or F.pdf.
     #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
 
     #[command(flatten)]
     look: SheetOptions,
 
-    /// Print one JSON object: settings, choice, and what stands behind them.
+    /// Print one JSON object: settings, choice, reference and more.
     #[arg(long)]
     json: bool,
 }

@@ -10,11 +10,11 @@ use crate::reading::Source;
 
 /// Proves the formulas of the paper, or the claims of a field.
 ///
-/// A SYSTEM alone stands for the paper's formulas that are about it. Rational formulas are expanded
-/// over the rational numbers and tested modulo primes; what is not rational is compared in 256-bit
-/// arithmetic; what the paper misprints is refuted as printed and established as corrected. With a
-/// field of your own, or with --param, the claims of that block are proved. The exit status is 1 if
-/// a claim does not hold.
+/// With a SYSTEM alone, the paper's formulas about this system are proved. Rational formulas are
+/// expanded over the rational numbers and tested modulo primes. Other formulas are compared in
+/// 256-bit arithmetic. A formula that the paper misprints is disproved as printed and proved as
+/// corrected. With a field of your own, or with --param, the claims of that field are proved. The
+/// exit status is 1 if a claim does not hold.
 #[derive(Args, Debug)]
 #[command(mut_arg("all", |all| all.help(ALL).conflicts_with("mutate")))]
 #[command(after_help = "\
@@ -32,12 +32,13 @@ pub(crate) struct Verify {
     #[command(flatten)]
     source: Source,
 
-    /// The same as SYSTEM; `general` for what holds for every field.
+    /// Like SYSTEM; `general` proves the formulas that hold for every field.
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
     about: Option<String>,
 
-    /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if
-    /// one survives. Of a field of your own the claims must hold to begin with.
+    /// Test the proofs: change one coefficient or sign of every claim, which must then fail. The
+    /// exit status is 1 if a changed claim passes. The claims of a field of your own must hold at
+    /// first.
     #[arg(long)]
     mutate: bool,
 
@@ -83,7 +84,7 @@ impl Verify {
     }
 }
 
-const ALL: &str = "Show every claim with its statement, its source and its time";
+const ALL: &str = "Show every claim with its statement, its source and the time of its proof";
 
 const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;`, `drift NAME = … by …;` or `bracket NAME { … }`";
 

@@ -91,7 +91,7 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
     match state.iter().position(|value| !value.is_finite()) {
         Some(place) => {
             let (array, site, value) = (&arrays[place % arrays.len()], place / arrays.len(), state[place]);
-            Err(Refusal::new(format!("--start: {array}[{site}] is {value}, and a state is of numbers")))
+            Err(Refusal::new(format!("--start: {array}[{site}] is {value}; a state needs finite numbers")))
         }
         None => Ok(state),
     }

@@ -138,7 +138,7 @@ fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
         || indices.len() != data.len()
         || !indices.iter().all(|index| index.fract() == 0.0 && (0.0..width as f64).contains(index))
     {
-        return Err(format!("has a sparse {name} that is no array by rows"));
+        return Err(format!("has a sparse {name} that is not in row format (csr)"));
     }
     let row = |at: usize| ends.partition_point(|end| *end <= at as f64) - 1;
     let entries = data.into_iter().zip(indices).enumerate();

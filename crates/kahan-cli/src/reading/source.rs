@@ -22,54 +22,58 @@ pub(crate) const ONE_WORD: &str = "a value is one word, as in --at 1,0.5,0.3 and
 /// The system that a command is about.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct Source {
-    /// A system of the catalog, as `kahan list` names them: euler, lv, e1 to e9, …
+    /// A system of the catalog, named as `kahan list` shows: euler, lv, e1 to e9, ….
     #[arg(value_name = "SYSTEM")]
     pub(super) system: Option<String>,
 
-    /// A field as one writes it: 'xdot = a*y; ydot = -x;', or x' = a*y, y' = -x.
+    /// The equations as text: 'xdot = a*y; ydot = -x;', or x' = a*y, y' = -x.
     ///
-    /// Without a header its free names are parameters, and a note says which. docs/how-to/texts.md
-    /// says what is read.
+    /// Names that have no equation become parameters. A note lists them, unless a header declares
+    /// them. docs/how-to/texts.md lists all notations that are accepted.
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
-    /// A file of such text, calls of `kahan!` or arrays; `-` is standard input.
+    /// Read equations, `kahan!` blocks or arrays from FILE; `-`: standard input.
     ///
-    /// Arrays are those of F.npz: c, B and Q.
+    /// Arrays are read from F.npz. They are named c, B and Q, for the field c + B x + Q(x,x).
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// Which block of a Rust file, by struct, variable or line.
+    /// Choose a block of a Rust file: struct, variable or line.
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
-    /// The sites of a family `for i in … { … }`, with variables x0, x1, ….
+    /// The number of sites of a chain `for i in … { … }`, x0, x1, ….
     ///
-    /// The command writes the chain out, up to 200 variables; `orbit` with --start steps any
-    /// number.
+    /// The chain is written out with one variable per site, up to 200 variables. With --start,
+    /// `orbit` takes any number of sites.
     #[arg(long, value_name = "N", value_parser = whole(1, usize::MAX))]
     pub(super) sites: Option<usize>,
 
-    /// The value of a parameter; once for each.
+    /// Set a parameter, as in --param a=1/2; repeat it for each parameter.
     ///
-    /// `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after.
-    /// `discover` leaves the others generic. `scan` takes a range in the place of V.
+    /// `show` and `verify` insert the value before the map is reduced to lowest terms, `eval` and
+    /// `orbit` after that. `discover` treats parameters without a value as symbols. `scan` also
+    /// takes a range in place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     pub(super) parameters: Vec<String>,
 
-    /// Lift what has functions, quotients, powers or t to a quadratic field.
+    /// Rewrite functions, quotients, powers and t as a quadratic field.
     ///
-    /// Points are given and shown in the original variables; `kahan lift` shows the new ones, and
-    /// says what becomes of the relations. Without WHICH, it is the energy lift of a mechanical
-    /// system; else a lift whose relations are kept exactly, or do not grow along the orbit.
+    /// Each of them becomes a new variable with an equation of its own: the field is lifted. Points
+    /// are given and shown in the original variables. `kahan lift` shows the new variables and what
+    /// happens to the relations between them. WHICH is energy, relations, stable, smallest or
+    /// automatic. Without WHICH, a mechanical system gets the lift whose map preserves an energy.
+    /// Other fields get a lift whose relations the map preserves exactly, or else one whose
+    /// relations have errors that do not grow along the orbit.
     #[arg(long, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "automatic", hide_possible_values = true, value_parser = which())]
     pub(super) lift: Option<Which>,
 
-    /// With --lift: show the new variables, too.
+    /// With --lift: show the new variables as well.
     #[arg(long)]
     all: bool,
 
-    /// With --lift: the time at the start, 0 if it is not given.
+    /// With --lift: the initial time t, 0 if not given.
     #[arg(long, value_name = "T", requires = "lift", allow_hyphen_values = true)]
     t0: Option<String>,
 }
@@ -82,11 +86,11 @@ fn which() -> impl TypedValueParser<Value = Which> {
 #[derive(Args, Clone, Debug, Default)]
 #[group(id = "step", multiple = false)]
 pub(crate) struct StepLength {
-    /// Half the time step: 1/2, -0.25, 1e-3.
+    /// Half the time step (dt = 2 eps): 1/2, -0.25, 1e-3.
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     eps: Option<String>,
 
-    /// The time step, 2 eps, in place of --eps.
+    /// The time step dt = 2 eps, instead of --eps.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     dt: Option<String>,
 }
@@ -120,11 +124,12 @@ pub(crate) struct Start {
     #[command(flatten)]
     pub(super) step: StepLength,
 
-    /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
+    /// The (initial) point, coordinates separated by commas: 1,-2/3,0.5.
     ///
-    /// Or a file, F.csv or F.npy, that has the point as a row. Names above it, `x,y` or `# x,y`,
-    /// say which column is which variable; a column of another name is refused. `orbit` takes
-    /// several rows. A text that gives first values, `x(0) = 1` or `init x=1`, needs none.
+    /// A file F.csv or F.npy may contain the point as a row. A header `x,y` or `# x,y` names the
+    /// variable of each column; a column with another name is refused. `orbit` accepts several
+    /// rows. The option may be left out if the equations give initial values, `x(0) = 1` or `init
+    /// x=1`.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(super) at: Option<String>,
 }
@@ -135,8 +140,8 @@ pub(crate) struct Stepping {
     /// Project each step of a lifted field onto its relations.
     ///
     /// The projection is symmetric: energies do not drift, and a composition keeps its order. A
-    /// step costs 2 to 16 steps of the map, in f64. Where its iteration does not converge the orbit
-    /// ends.
+    /// step takes as long as 2 to 16 steps of the map, and is computed in f64. The orbit ends at a
+    /// step where the projection does not converge.
     #[arg(long)]
     pub(crate) reembed: bool,
 }
@@ -144,9 +149,10 @@ pub(crate) struct Stepping {
 /// Steps that are made and not shown.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Transient {
-    /// Make N steps before those that are shown or observed.
+    /// Make N steps before the first point that is shown or observed.
     ///
-    /// The first row has their number and time, and --steps counts the steps behind them.
+    /// The first row has step number N and its time. --steps counts only the steps after that.
+    /// Without this option N is 0.
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true, allow_hyphen_values = true, value_parser = whole(0, MOST_OBSERVED))]
     pub(crate) transient: u64,
 }
@@ -230,7 +236,7 @@ impl Source {
         let Some((option, name)) = given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) else {
             return Ok(());
         };
-        Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
+        Err(Refusal::new(format!("--over already varies {name}; leave {option} out")))
     }
 
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
@@ -261,7 +267,7 @@ impl Source {
                 Ok(Some(block))
             }
             (Some(word), ..) => Err(Refusal::new(format!(
-                "one field at a time: `{word}` is read as a SYSTEM, and there is --field or --file besides; {ONE_WORD}"
+                "one field at a time: `{word}` is read as a SYSTEM, and --field or --file is given as well; {ONE_WORD}"
             ))),
             _ => Err(Refusal::new("one field at a time: give --field or --file")),
         }

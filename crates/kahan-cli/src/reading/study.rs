@@ -132,7 +132,7 @@ impl From<StudyError> for Refusal {
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
                  --plane 'x - 1/2'"
             ),
-            StudyError::MissingSteps => "how far? give --steps N, or --crossings K, or both: an orbit ends where it has either".to_owned(),
+            StudyError::MissingSteps => "how far? give --steps N, or --crossings K, or both: an orbit ends at the first of them".to_owned(),
             StudyError::MissingStep => format!("{error}: add --eps E, as in --eps 0.1, or --dt T, the time step, 2 eps"),
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"

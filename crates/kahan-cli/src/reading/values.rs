@@ -65,7 +65,7 @@ pub(crate) fn order() -> impl TypedValueParser<Value = u32> {
 pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
     let (name, range) = text.split_once('=').ok_or_else(|| {
         Refusal::new(format!(
-            "--over: `{text}` does not say of what; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
+            "--over: `{text}` names no parameter or variable; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
         ))
     })?;
     axis(name.trim(), range, &format!("--over {}", name.trim()))

@@ -158,7 +158,7 @@ fn what_is_no_field_is_refused_with_its_reason() {
                 "(3,)",
                 &[0.0, 1.0, 1.0],
             ),
-            "has a sparse B that is no array by rows",
+            "has a sparse B that is not in row format (csr)",
         ),
     ] {
         let said = file.refusal();

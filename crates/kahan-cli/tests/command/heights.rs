@@ -69,7 +69,7 @@ fn a_bound_ends_the_orbit_with_a_note_and_without_an_error() {
     let (table, error) = run(0, &[&LV[..], &["--steps", "60", "--digits", "1000"]].concat());
     assert_eq!(error, "");
     assert!(table.contains("stopped after 8 of 60 steps"), "{table}");
-    assert!(table.contains("--digits 1000 ") && table.contains("a larger --digits"), "{table}");
+    assert!(table.contains("--digits 1000 ") && table.contains("increase --digits"), "{table}");
     let object = object(0, &[&LV[..], &["--steps", "60", "--digits", "1000", "--json"]].concat());
     assert_eq!(object["stopped"], "digits");
     assert_eq!(object["steps"], 8);

@@ -135,7 +135,7 @@ observables! {
             ("lyapunov", "largest Lyapunov exponent, per unit of time"),
             ("lyapunov_error", "how far the exponent has converged, per unit of time"),
         ]).of_tangent_vectors().usual().colour("largest exponent per unit of t");
-    Spectrum, "All Lyapunov exponents in descending order, or the first of them, per unit of time.",
+    Spectrum, "All Lyapunov exponents, or the K largest, per unit of time.",
         Spectrum<Carrier<'a, T>> = {
             let exponents = asked.exponents.min(Step::dimension(carrier));
             Spectrum::new(carrier.clone(), exponents, asked.renormalize)
@@ -144,24 +144,24 @@ observables! {
         About::new("spectrum", Of::Numbers, &[
             ("spectrum_{}", "Lyapunov exponent, the largest first, per unit of time"),
         ]).of_tangent_vectors().usual();
-    LogDet, "The mean of log |det ∂x̃/∂x|, the sum of all exponents.",
+    LogDet, "The mean of log |det ∂x̃/∂x| per unit of time, the sum of all exponents.",
         MeanLogDet<Carrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => Seen::Number(one.report()),
         About::new("log_det", Of::Orbit, &[
             ("mean_log_det", "sum of all Lyapunov exponents, per unit of time"),
         ]).of_tangent_vectors().usual().colour("sum of all exponents per unit of t");
-    Fli, "The fast Lyapunov indicator.",
+    Fli, "FLI, the fast Lyapunov indicator.",
         Fli<Carrier<'a, T>> = Fli::new(carrier.clone()), one => Seen::Number(one.report()),
         About::new("fli", Of::Orbit, &[("fli", "fast Lyapunov indicator")])
             .of_tangent_vectors().usual().colour("FLI");
-    Megno, "The mean of MEGNO.",
+    Megno, "The mean of MEGNO, the mean exponential growth factor of nearby orbits.",
         Megno<Carrier<'a, T>> = Megno::new(carrier.clone()), one => Seen::Number(one.report().mean),
         About::new("megno", Of::Orbit, &[("megno", "mean exponential growth factor of nearby orbits")])
             .of_tangent_vectors().usual().colour("mean MEGNO");
-    Sali, "The smaller alignment index.",
+    Sali, "SALI, the smaller alignment index of two tangent vectors.",
         Sali<Carrier<'a, T>> = Sali::new(carrier.clone()), one => Seen::Number(one.report()),
         About::new("sali", Of::Orbit, &[("sali", "smaller alignment index")])
             .of_tangent_vectors().usual().colour("SALI").logarithmic();
-    Rotation, "Turns a step of each variable about the middle of its extremes.",
+    Rotation, "The rotation number of each variable, in turns per step.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
             // The second pass replaces this placeholder.
@@ -171,7 +171,7 @@ observables! {
             ("rotation_{}", "turns a step, modulo 1"),
             ("rotation_{}_error", "turns a step that may be wrong"),
         ]).usual();
-    Drift, "The drift of the claimed integrals, relative to their first values.",
+    Drift, "The largest change of each claimed integral, relative to its first value.",
         IntegralDrift<'a, T> = IntegralDrift::of(at), one => Seen::Drift(one.report()),
         About::new("drift", Of::Integrals, &[
             ("drift_{}", "largest change of the integral, relative to its first value"),
@@ -184,7 +184,7 @@ observables! {
         About::new("extrema", Of::Variables, &[
             ("least_{}", "least value"), ("greatest_{}", "greatest value"),
         ]).usual();
-    Escape, "The step after which a variable is beyond a size.",
+    Escape, "The step after which a variable is larger than a bound.",
         Escape<B> = {
             let size = asked.escape.unwrap_or(Observing::USUAL_SIZE);
             Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
@@ -192,7 +192,7 @@ observables! {
         About::new("escape", Of::Orbit, &[
             ("escaped", "step after which a variable is beyond `escape`; not a number where none is"),
         ]).usual().colour("step of the escape");
-    PassedPoles, "The number of steps over a pole of the map.",
+    PassedPoles, "The number of steps that pass over a pole of the map.",
         PassedPoles<'a, T> = PassedPoles::of(at), one => Seen::Passed(one.report()),
         About::new("passed_poles", Of::Orbit, &[
             ("passed_poles", "steps over a pole: the reduced denominator has a root in (0, ε]"),

@@ -302,7 +302,7 @@ impl Shown {
 /// Describes orbits that ended early, or for which no time was left.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
     if is_cut {
-        let cut = "time ran out, and the picture shows what there was; a larger --seconds goes further";
+        let cut = "time ran out, and the picture shows the points so far; increase --seconds to draw all";
         return vec![cut.to_owned()];
     }
     let ended = (ended > 0)

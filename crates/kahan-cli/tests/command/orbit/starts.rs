@@ -273,7 +273,7 @@ fn ranges_give_an_orbit_for_each_value_and_start() {
     for (more, said) in [
         (&["--over", "c=0:1:2"][..], "--over: "),
         (&["--over", "y=0:1:2", "--over", "y=0:1:2"], "--over: "),
-        (&["--over", "a=0:1:2"], "--over goes through values of a; leave --param a out"),
+        (&["--over", "a=0:1:2"], "--over already varies a; leave --param a out"),
         (&["--over", "y"], "write NAME=FROM:TO:COUNT"),
     ] {
         let refused = running::refusal(&[&["orbit"], &line.concat()[..], more].concat());
