@@ -66,7 +66,7 @@ enum What {
     Drift,
     /// The picture and the tables of `docs/reference/speed.md`, measured and written into it
     Readme,
-    /// What a block costs while compiling, against the state kept in benches/before.tsv
+    /// Measures the cost of a block at compile time, against the state in benches/before.tsv
     Compile {
         /// A checkout to measure in place of this one
         #[arg(long)]

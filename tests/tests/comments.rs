@@ -13,11 +13,11 @@ const OPENINGS: [&str; 14] = [
     "How", "Who",
 ];
 
-/// The greatest width of a line with a comment, in characters.
+/// The greatest width of a line of prose, in characters; tables and examples may be wider.
 const WIDTH: usize = 100;
 
-/// The greatest number of lines in a module's head, without blank lines and examples. A crate's
-/// root may explain the crate at length.
+/// The greatest number of lines before the first section, table or example of a module's head,
+/// without blank lines. A crate's root may explain the crate at length.
 const HEAD: usize = 8;
 
 /// Folders with builds, the code of others, and generated code.
@@ -40,7 +40,7 @@ fn opens_with(text: &str, opening: &str) -> bool {
 /// Returns the violations of the rules in a file, each as the number of a line and its fault.
 fn violations(text: &str, is_root: bool) -> Vec<(usize, String)> {
     let mut found = Vec::new();
-    let mut inside = false;
+    let (mut inside, mut example) = (false, false);
     for (number, line) in (1..).zip(text.lines()) {
         let comment = comment(line);
         if let Some(text) = comment {
@@ -48,19 +48,17 @@ fn violations(text: &str, is_root: bool) -> Vec<(usize, String)> {
             found.extend(
                 opening.filter(|_| !inside).map(|opening| (number, format!("opens with {opening:?}"))),
             );
+            example ^= text.starts_with("```");
             let width = line.chars().count();
-            found.extend((width > WIDTH).then(|| (number, format!("{width} characters wide"))));
+            let is_prose = !example && !text.starts_with('|');
+            found.extend((width > WIDTH && is_prose).then(|| (number, format!("{width} characters wide"))));
         }
         inside = comment.is_some();
+        example &= inside;
     }
-    let head = text.lines().take_while(|line| line.is_empty() || line.starts_with("//!"));
-    let mut example = false;
-    let lines = head.filter(|line| {
-        let fence = line.starts_with("//! ```");
-        example ^= fence;
-        !example && !fence && line.len() > "//!".len()
-    });
-    let lines = lines.count();
+    let head = text.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim);
+    let prose = head.take_while(|line| !["#", "|", "```"].iter().any(|other| line.starts_with(other)));
+    let lines = prose.filter(|line| !line.is_empty()).count();
     found.extend((lines > HEAD && !is_root).then(|| (1, format!("the module's head has {lines} lines"))));
     found
 }

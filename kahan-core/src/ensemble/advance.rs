@@ -180,7 +180,7 @@ where
     work(first, columns)
 }
 
-/// The same range of groups of every column.
+/// One range of groups, taken from every column.
 pub(crate) type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
 /// Splits the columns into two halves of whole tiles; `Err` if two tasks would not pay.

@@ -1,6 +1,6 @@
 //! Ensembles against single steps, bit for bit.
 //!
-//! 1. `levels`: every level, system, float type and awkward length against plain steps in its arithmetic.
+//! 1. `levels`: every level, system, float type and awkward length against plain steps.
 //! 2. `neighbours`: infinities and NaNs do not spread; index and threads change nothing.
 //! 3. `maps`: one map per trajectory gives the bits of ensembles with that map.
 //! 4. `contents`: points, columns and grids are returned as given.

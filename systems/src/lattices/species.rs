@@ -6,7 +6,7 @@ kahan! {
     /// Species that each grow at a rate of their own and compete with themselves and, by `mu`, with
     /// their neighbours.
     pub struct Species {
-        /// How much a neighbour counts beside a species' own kind.
+        /// The weight of a neighbour, where a species' own kind has weight 1.
         mu,
         /// The rate of growth of each species.
         r

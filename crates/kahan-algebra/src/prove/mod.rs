@@ -41,7 +41,7 @@ pub enum Verdict {
     Vacuous,
     /// The claim divides by zero identically.
     Undefined,
-    /// Where the conditions hold, det A vanishes identically: the map does not exist.
+    /// det A vanishes identically under the claim's conditions, so the map does not exist.
     NoMap,
     /// The degree is too high for a reasonable number of points.
     TooLarge,

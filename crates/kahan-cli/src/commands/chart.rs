@@ -66,7 +66,7 @@ pub(crate) struct Chart {
     #[arg(long = "where", value_name = "NAME=V", requires = "from", allow_hyphen_values = true)]
     chosen: Vec<String>,
 
-    /// What varies: NAME=FROM:TO:/CELLS and other ranges; once or twice.
+    /// The range to vary: NAME=FROM:TO:/CELLS or another form; once or twice.
     ///
     /// The first range is the horizontal axis.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, required = true)]

@@ -20,7 +20,7 @@ fn screen(theme: Theme) -> &'static str {
     }
 }
 
-/// What a picture is drawn on.
+/// The size, theme and paper of a picture.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct SheetOptions {
     /// Width and height in pixels; with --paper, 300 pixels are an inch.

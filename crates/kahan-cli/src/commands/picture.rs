@@ -140,11 +140,11 @@ const TEMPLATE: &str =
 enum Kind {
     /// Orbits in the plane or in space.
     Portrait,
-    /// How the heights of an exact orbit grow.
+    /// Growth of the heights of an exact orbit.
     Heights,
-    /// Where orbits cross a plane, or the level of any function.
+    /// Crossings of a plane, or of a level of any function.
     Section,
-    /// What orbits tend to, over a parameter or eps.
+    /// Limits of orbits, over a parameter or eps.
     OrbitsOver,
 }
 

@@ -134,7 +134,7 @@ pub(crate) struct Start {
     pub(super) at: Option<String>,
 }
 
-/// How each step of a lifted field is made.
+/// The options for the steps of a lifted field.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Stepping {
     /// Project each step of a lifted field onto its relations.

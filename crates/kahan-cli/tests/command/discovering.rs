@@ -92,7 +92,8 @@ fn printed_lines_go_into_a_block_as_they_stand() {
             reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
             lines.len()
         );
-        // New integrals can follow the catalog's claims without equal names. A block has one density.
+        // New integrals can follow the catalog's claims without equal names. A block has one
+        // density.
         let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));

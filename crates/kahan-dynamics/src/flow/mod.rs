@@ -219,7 +219,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 }
 
-/// Distances from a flow at increasing times, without searching for the piece, and without allocation.
+/// Distances from a flow at increasing times, without searching for the piece, and without
+/// allocation.
 #[derive(Debug)]
 pub(crate) struct Along<'a, T, const N: usize> {
     flow: &'a Flow<T>,

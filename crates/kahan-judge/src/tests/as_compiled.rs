@@ -67,7 +67,7 @@ impl Tried {
             Some(sites) => format!(
                 "let mut next: Vec<T> = input.take({});
                  let eps = input.take(1)[0];
-                 // Where there is no map, there is no step.
+                 // A map that does not exist makes no step.
                  let tried = {value}.at(eps, {sites}).ok().and_then(|mut map| map.try_step(&mut next).ok());
                  output.put(tried.map(|()| next));",
                 variables * sites

@@ -221,7 +221,7 @@ pub struct OrbitHead {
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// How float steps are executed: `machine code` or `interpreted`.
+    /// The execution of float steps: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
     /// Whether the orbit continues through poles.
