@@ -1,6 +1,8 @@
 //! Integrals of Kahan's map that follow from integrals of the flow by linear algebra over rational
 //! functions of the parameters. Absent: orbits, primes and searches (`kahan-discover`).
 //!
+//! # Theorems
+//!
 //! Let x̃ be the image of x and f(x,x̃) the polarised field: x̃ − x = 2ε f(x,x̃). A *form* is an
 //! affine function of x. Two theorems hold in any dimension; [`Rule`] states special cases.
 //!

@@ -6,6 +6,8 @@
 //! - `J = (w - m3 d)/D1`,
 //! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`.
 //!
+//! # Limit
+//!
 //! At eps = 0 these are functions of the energy, m·p, p·p and m3. The density is `1/(D1 F)`, with
 //! the denominator F of C. `kahan discover` prints H with multiples of m3, and 1/(1/C + eps^4)
 //! instead of C.

@@ -6,6 +6,8 @@
 //!    example of the packed README.
 //! 4. Check that cargo read no file of the repository.
 //!
+//! # Usage
+//!
 //! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this; usual test runs skip
 //! it, because it compiles everything again. `cargo package --workspace` checks that every crate
 //! compiles.

@@ -1,5 +1,7 @@
 //! Two bounds on the error of one step in floats, over the catalog.
 //!
+//! # Bounds
+//!
 //! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component errs by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of
 //!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable. The half ulp rounds x +
 //!   increment. The increment differs by a few roundings from 2ε times the polarised field, whose

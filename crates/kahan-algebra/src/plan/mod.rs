@@ -3,7 +3,11 @@
 //! A plan is a [`Program`](kahan_program::Program) with exact constants. The emitter turns it into
 //! Rust; [`evaluate`](kahan_program::Program::evaluate) runs it in any
 //! [`Arithmetic`](kahan_program::Arithmetic). For most plans `horner` nests polynomials. A step is
-//! computed billions of times, so five modules optimise its plan, each using only earlier ones:
+//! computed billions of times, so five modules optimise its plan.
+//!
+//! # Modules
+//!
+//! Each uses only earlier ones.
 //!
 //! 1. `step` separates prepared constants from the kernel, and rewrites the kernel.
 //! 2. `writing` turns a polynomial into operations: nesting, distribution of ε, reuse.

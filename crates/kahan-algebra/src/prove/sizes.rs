@@ -1,5 +1,7 @@
 //! The number of points that proves a claim, from bounds on the degree and size of its residuals.
 //!
+//! # Proof
+//!
 //! Let F/G be a residual as formed by the evaluation, with integer polynomials F and G in states,
 //! parameters and ε. For a false claim some F ≠ 0. A point is a random prime p between 2⁶⁰ and 2⁶¹
 //! with random residues. A false claim passes only if

@@ -5,6 +5,8 @@
 //!
 //! > |v| ≤ m and |v̂ − v| ≤ γₖ·m, γₖ = (1+u)ᵏ − 1.
 //!
+//! # Rules
+//!
 //! The magnitude is the formula with every term made positive; values and magnitudes share
 //! registers. The count depends only on the formula, so it is known at compile time. The rules are:
 //!
