@@ -25,7 +25,7 @@ pub mod dense {
 #[cfg(feature = "std")]
 pub use crate::ensemble::{
     lanes::{InLanes, Lanes, OverLanes},
-    twice::Twice,
+    register_pair::RegisterPair,
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
@@ -36,7 +36,7 @@ pub use crate::supernodes::{PanelWorkspace, Supernodes};
 /// The solver of chains read at run time, for `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod chain {
-    pub use crate::lattice::{Gathered, Menu, SiteLine};
+    pub use crate::lattice::{Gathered, SiteLine, StencilMenu};
 }
 #[cfg(feature = "std")]
 pub use crate::lattice::{Boundary, LatticeMap, LatticeScalar, Sizes, Stencil};

@@ -30,9 +30,9 @@ const SHORTEST: u32 = 4;
 #[derive(Clone, Debug)]
 pub struct Supernodes {
     panels: Vec<Panel>,
-    reductions: Vec<Reduction>,
-    tasks: Vec<Task>,
-    runs: Vec<Run>,
+    reductions: Vec<PanelReduction>,
+    tasks: Vec<RowReduction>,
+    runs: Vec<ColumnRun>,
     /// For each entry of A, its column within its panel.
     columns: Vec<u32>,
     /// Lists of panel columns, one per entry of a pivot row.
@@ -50,7 +50,7 @@ struct Panel {
 
 /// The reduction of a panel's rows by the pivots of a panel.
 #[derive(Clone, Debug)]
-struct Reduction {
+struct PanelReduction {
     /// The row after the last pivot.
     end: usize,
     /// The panel column after that of the last pivot.
@@ -64,7 +64,7 @@ struct Reduction {
 
 /// The reduction of one or [`ROWS`] rows by consecutive pivots.
 #[derive(Clone, Debug)]
-struct Task {
+struct RowReduction {
     /// The rows within the panel; only the first counts if `is_alone`.
     rows: [u32; ROWS],
     is_alone: bool,
@@ -76,7 +76,7 @@ struct Task {
 
 /// Consecutive panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
-struct Run {
+struct ColumnRun {
     /// The number of entries of the last pivot row between the diagonal and this run.
     before: u32,
     column: u32,
@@ -161,7 +161,7 @@ impl Supernodes {
                 let column = places[column as usize];
                 match self.runs[first_run..].last_mut().filter(|run| run.column + run.length == column) {
                     Some(run) => run.length += 1,
-                    None => self.runs.push(Run { before, column, length: 1 }),
+                    None => self.runs.push(ColumnRun { before, column, length: 1 }),
                 }
             }
             self.runs[first_run..].sort_by_key(|run| run.length < SHORTEST);
@@ -176,7 +176,7 @@ impl Supernodes {
             }
             let tasks = self.push_tasks(couplings, &rows, &of_pivots, is_narrow);
             let behind = places[last] as usize + 1;
-            self.reductions.push(Reduction { end: of_pivots.end, behind, tasks, runs, list });
+            self.reductions.push(PanelReduction { end: of_pivots.end, behind, tasks, runs, list });
         }
         let reductions = first_reduction..self.reductions.len();
         self.panels.push(Panel { rows, width: columns.len(), reductions });
@@ -240,7 +240,13 @@ impl Supernodes {
     fn push_alone(&mut self, r: usize, pivots: Range<usize>, is_last: bool) {
         self.push_pivots([r, 0, 0, 0], true, pivots);
         if is_last {
-            self.tasks.push(Task { rows: [r as u32, 0, 0, 0], is_alone: true, is_last, first: 0, count: 0 });
+            self.tasks.push(RowReduction {
+                rows: [r as u32, 0, 0, 0],
+                is_alone: true,
+                is_last,
+                first: 0,
+                count: 0,
+            });
         }
     }
 
@@ -248,7 +254,7 @@ impl Supernodes {
         for first in pivots.clone().step_by(PIVOTS) {
             let count = PIVOTS.min(pivots.end - first) as u32;
             let rows = rows.map(|r| r as u32);
-            self.tasks.push(Task { rows, is_alone, is_last: false, first: first as u32, count });
+            self.tasks.push(RowReduction { rows, is_alone, is_last: false, first: first as u32, count });
         }
     }
 
@@ -363,7 +369,13 @@ impl<T: InLanes> Work<'_, T> {
 
     /// Reduces a row one pivot at a time, in the columns of a list.
     #[inline(always)]
-    fn has_reduced_along(&mut self, task: &Task, reduction: &Reduction, list: usize, width: usize) -> bool {
+    fn has_reduced_along(
+        &mut self,
+        task: &RowReduction,
+        reduction: &PanelReduction,
+        list: usize,
+        width: usize,
+    ) -> bool {
         let (r, first) = (task.rows[0] as usize, task.first as usize);
         for pivot in first..first + task.count as usize {
             let place = r * width + reduction.behind + pivot - reduction.end;
@@ -457,8 +469,8 @@ impl<T: InLanes> Work<'_, T> {
     #[inline(always)]
     fn has_reduced<L: Lanes<T>, const R: usize>(
         &mut self,
-        task: &Task,
-        reduction: &Reduction,
+        task: &RowReduction,
+        reduction: &PanelReduction,
         width: usize,
     ) -> bool {
         let (first, count) = (task.first as usize, task.count as usize);
@@ -482,7 +494,7 @@ impl<T: InLanes> Work<'_, T> {
                 }
             }
         }
-        let mut run = Run { before: 0, column: column as u32, length: left as u32 };
+        let mut run = ColumnRun { before: 0, column: column as u32, length: left as u32 };
         let mut next = reduction.runs.start;
         loop {
             self.subtract::<L, R>(places, count, &run);
@@ -520,7 +532,7 @@ impl<T: InLanes> Work<'_, T> {
 
     /// Subtracts the multiples of `count` pivot rows from R rows, which start at `places`.
     #[inline(always)]
-    fn subtract<L: Lanes<T>, const R: usize>(&mut self, places: [usize; R], count: usize, run: &Run) {
+    fn subtract<L: Lanes<T>, const R: usize>(&mut self, places: [usize; R], count: usize, run: &ColumnRun) {
         let (mut before, mut column) = (run.before as usize, run.column as usize);
         let end = column + run.length as usize;
         while column + 2 * L::WIDTH <= end {

@@ -1,7 +1,7 @@
 //! The interface of any map at its ε, compared with the methods of each map.
 
 use kahan_core::observe::{
-    AtMost, Direction, Drift, Escape, Extrema, Observer, Section, TangentMap, first_crossing,
+    Direction, Drift, Escape, Extrema, FirstCrossings, Observer, Section, TangentMap, first_crossing,
 };
 use kahan_core::prelude::*;
 use kahan_core::{Compensated, Increments, Level, Orbit, Step, Tangent, Workspace};
@@ -142,8 +142,8 @@ fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, st
     let [mut x, mut v, mut w] = [0, 1, 2].map(|k| columns(start).column(k).into_owned());
     for _ in 0..STEPS {
         let next = map.next(&x, &mut Workspace::new()).unwrap();
-        map.carry_to(x.as_slice(), next.as_slice(), &mut v);
-        map.carry_to(x.as_slice(), next.as_slice(), &mut w);
+        map.push_forward_to(x.as_slice(), next.as_slice(), &mut v);
+        map.push_forward_to(x.as_slice(), next.as_slice(), &mut w);
         x = next;
     }
     assert_eq!(columns(&carried), SMatrix::<f64, 3, 3>::from_columns(&[x, v, w]));
@@ -297,9 +297,9 @@ fn escapes_and_crossings_can_end_a_run() {
     assert_eq!(ended, Some(first));
     assert_eq!(extremes, map.orbit(start).observe(first, Extrema::of(|x: &[f64]| x[0])));
     let crossings = |sink| Section::new(&map, |x: &[f64]| x[0], Direction::Both, sink);
-    let found = map.orbit(start).observe(1000, crossings(AtMost::new(2))).points;
+    let found = map.orbit(start).observe(1000, crossings(FirstCrossings::new(2))).points;
     let mut orbit = map.orbit(start);
-    let section = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(2).ending());
+    let section = Section::new(&map, |x: &[f64]| x[0], Direction::Both, FirstCrossings::new(2).ending());
     let ended = orbit.observe(1000, section).points;
     assert!(found.all > 2 && ended.all == 2 && ended.kept == found.kept);
     assert_eq!(orbit.next(), map.orbit(start).nth(ended.kept[1].step as usize + 2));

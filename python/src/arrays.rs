@@ -3,7 +3,7 @@
 //! Arrays of `float64` and `float32` in C order are used in place. NumPy first copies lists,
 //! integers and other layouts.
 
-use kahan_study::columns::{Others, Wanted};
+use kahan_study::columns::{ExpectedColumns, OtherColumns};
 use kahan_study::numbers::number;
 use numpy::{
     Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods,
@@ -113,8 +113,8 @@ pub(crate) fn places(
     varies: bool,
     name: &str,
 ) -> PyResult<Places> {
-    let others = if varies { Others::Used } else { Others::Refused };
-    let found = Wanted { states, least, parameters, others }.places(names);
+    let others = if varies { OtherColumns::Used } else { OtherColumns::Refused };
+    let found = ExpectedColumns { states, least, parameters, others }.places(names);
     let found = found.map_err(|why| PyValueError::new_err(format!("{name}: the table {why}")))?;
     Ok((found.states, found.others))
 }

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::doubles;
-use crate::beside::{Listener, apart, beside};
+use crate::background::{Listener, run_detached, run_watched};
 use crate::errors::of_study;
 use crate::field::{Field, question};
 
@@ -75,7 +75,7 @@ impl Relation {
         let (numbers, width) = (orbits.as_slice()?, self.0.monomials.len());
         let mut values = Vec::with_capacity(count * width);
         let mut conditions = Vec::with_capacity(count);
-        let solved = beside(py, Some(1), &Listener(None), |caller| {
+        let solved = run_watched(py, Some(1), &Listener(None), |caller| {
             let orbits = numbers.chunks_exact((points * variables).max(1));
             for orbit in orbits.take_while(|_| !caller.wants_no_more()) {
                 let orbit: Vec<Vec<f64>> =
@@ -125,7 +125,7 @@ impl Field {
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<(String, Vec<Relation>)> {
         let (asked, study) = (question(asked)?, self.study().clone());
-        let found = apart(py, None, &Listener(listener), move |caller| study.ask(&asked, caller))?;
+        let found = run_detached(py, None, &Listener(listener), move |caller| study.ask(&asked, caller))?;
         let Answer::Discover(found) = found.map_err(|error| of_study(py, &error))? else {
             return Err(PyValueError::new_err("this question discovers nothing"));
         };

@@ -5,14 +5,14 @@ use std::num::NonZeroU64;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use kahan_runtime::{By, DimensionError, End, Followed, MapAt, threads};
-use kahan_study::{Observable, Observe, Paces, Study, Watch};
+use kahan_runtime::{DimensionError, End, Followed, MapAt, Sensitivity, threads};
+use kahan_study::{Observable, Observe, RowSchedule, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Floats, doubles, floats, out as writable};
-use crate::beside::{Caller, Listener, beside};
+use crate::background::{Caller, Listener, run_watched};
 use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
@@ -42,7 +42,7 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
-        let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
+        let asked = EnsembleOptions { eps, steps, parameters, order, threads, listener: Listener(listener) };
         match floats(points, "points")? {
             Floats::Double(points) => self.advanced(&points, &asked, out),
             Floats::Single(points) => self.advanced(&points, &asked, out),
@@ -79,7 +79,7 @@ impl Field {
             let name = if renormalize == 0 { "renormalize" } else { "spectrum" };
             return Err(PyValueError::new_err(format!("{name} must be 1 or more")));
         }
-        let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
+        let asked = EnsembleOptions { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
         let observe = Observe { transient, renormalize, spectrum, escape, reembed, ..Observe::of(of, steps) };
@@ -87,7 +87,7 @@ impl Field {
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
         let (count, from) = (points.shape()[0], points.as_slice()?);
-        let seen = beside(py, asked.threads, &asked.listener, |caller| {
+        let seen = run_watched(py, asked.threads, &asked.listener, |caller| {
             many.observed(from, self.study(), &observe, caller)
         })?;
         let seen = seen.map_err(|error| of_dimension(&error))?;
@@ -100,7 +100,7 @@ impl Field {
 }
 
 /// The options of an ensemble.
-pub(crate) struct Asked<'a, 'py> {
+pub(crate) struct EnsembleOptions<'a, 'py> {
     pub(crate) eps: &'a Bound<'py, PyAny>,
     pub(crate) steps: u64,
     pub(crate) parameters: Vec<Option<Bound<'py, PyAny>>>,
@@ -115,8 +115,8 @@ impl Field {
         &self,
         py: Python<'_>,
         shape: &[usize],
-        asked: &Asked<'_, '_>,
-    ) -> PyResult<Many<T>> {
+        asked: &EnsembleOptions<'_, '_>,
+    ) -> PyResult<Trajectories<T>> {
         if shape.len() != 2 || shape[1] != self.dimension() {
             return Err(self.wrong_points("points", &["trajectories"], shape));
         }
@@ -134,13 +134,13 @@ impl Field {
                 values.push(T::near(own.to_f64()));
             }
         }
-        Ok(Many { at, eps, constants: values, steps: asked.steps, trajectories: shape[0] })
+        Ok(Trajectories { at, eps, constants: values, steps: asked.steps, trajectories: shape[0] })
     }
 
     fn advanced<'py, T: Float>(
         &self,
         points: &Bound<'py, PyArrayDyn<T>>,
-        asked: &Asked<'_, 'py>,
+        asked: &EnsembleOptions<'_, 'py>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let py = points.py();
@@ -149,7 +149,7 @@ impl Field {
         let from = points.as_slice()?;
         let run = |to: &mut [T]| {
             to.copy_from_slice(from);
-            beside(py, asked.threads, &asked.listener, |caller| {
+            run_watched(py, asked.threads, &asked.listener, |caller| {
                 let mut ends = many.advance(to, self.dimension(), caller)?.concat();
                 many.end_lifted(from, to, &mut ends, self.study(), caller)?;
                 Ok(ends)
@@ -172,7 +172,7 @@ impl Field {
 }
 
 /// Many trajectories of one field.
-pub(crate) struct Many<T: Float> {
+pub(crate) struct Trajectories<T: Float> {
     pub(crate) at: MapAt<T>,
     pub(crate) eps: Vec<T>,
     /// For each parameter one value, or one for each trajectory; empty if all values are the map's.
@@ -181,18 +181,18 @@ pub(crate) struct Many<T: Float> {
     trajectories: usize,
 }
 
-impl<T: Float> Many<T> {
+impl<T: Float> Trajectories<T> {
     /// Returns the trajectories with derivative vectors added to each point.
-    pub(crate) fn sensitivities(&self, by: &[By]) -> Self {
+    pub(crate) fn sensitivities(&self, by: &[Sensitivity]) -> Self {
         let (at, mut constants) = (self.at.sensitivities(by), self.constants.clone());
-        if by.contains(&By::Epsilon) {
+        if by.contains(&Sensitivity::Epsilon) {
             let missing = constants.len()..self.at.map().parameters().len();
             let own = |k: usize| vec![T::near(self.at.map().parameters()[k].to_f64())];
             constants.extend(missing.map(own));
             // With derivatives by ε the last parameter is 1/ε.
             constants.push(self.eps.iter().map(|eps| T::one() / *eps).collect());
         }
-        Many { at, eps: self.eps.clone(), constants, ..*self }
+        Trajectories { at, eps: self.eps.clone(), constants, ..*self }
     }
 
     /// Reports that `trajectories` trajectories made `steps` more steps.
@@ -229,11 +229,11 @@ impl<T: Float> Many<T> {
         caller: &Caller,
     ) -> Result<(), DimensionError> {
         let Some(step) = study.lifted_step(&self.at) else { return Ok(()) };
-        let last = Paces { transient: self.steps, steps: 0, every: NonZeroU64::MIN };
+        let last = RowSchedule { transient: self.steps, steps: 0, every: NonZeroU64::MIN };
         let width = study.variables().len();
         let rows = from.chunks_exact(width).zip(to.chunks_exact_mut(width)).zip(ends);
         for (k, ((from, to), end)) in rows.enumerate().filter(|(_, ((_, to), _))| step.is_beyond(to)) {
-            *end = self.alone(k, from, to, study, (&last, false), caller)?;
+            *end = self.observe_one(k, from, to, study, (&last, false), caller)?;
         }
         Ok(())
     }
@@ -246,15 +246,15 @@ impl<T: Float> Many<T> {
         first: usize,
         caller: &Caller,
     ) -> Result<Vec<End>, DimensionError> {
-        let mut piece = Piece::of(self, rows, width, first, caller);
+        let mut piece = ThreadColumns::of(self, rows, width, first, caller);
         piece.advance(self.steps)?;
         piece.put(rows.chunks_exact_mut(width));
         piece.ends()
     }
 }
 
-pub(crate) struct Piece<'a, T: Float> {
-    many: &'a Many<T>,
+pub(crate) struct ThreadColumns<'a, T: Float> {
+    many: &'a Trajectories<T>,
     columns: Vec<Vec<T>>,
     eps: &'a [T],
     parameters: Vec<&'a [T]>,
@@ -266,9 +266,15 @@ pub(crate) struct Piece<'a, T: Float> {
     untold: u64,
 }
 
-impl<'a, T: Float> Piece<'a, T> {
+impl<'a, T: Float> ThreadColumns<'a, T> {
     /// Loads trajectories that begin at these rows; the first one has the number `first`.
-    pub(crate) fn of(many: &'a Many<T>, rows: &[T], width: usize, first: usize, caller: &'a Caller) -> Self {
+    pub(crate) fn of(
+        many: &'a Trajectories<T>,
+        rows: &[T],
+        width: usize,
+        first: usize,
+        caller: &'a Caller,
+    ) -> Self {
         let count = rows.len() / width;
         let mut columns = vec![vec![T::zero(); count]; width];
         for (k, row) in rows.chunks_exact(width).enumerate() {
@@ -279,7 +285,7 @@ impl<'a, T: Float> Piece<'a, T> {
         };
         let eps = &many.eps[own(&many.eps)];
         let parameters = many.constants.iter().map(|values| &values[own(values)]).collect();
-        Piece { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
+        ThreadColumns { many, columns, eps, parameters, caller, ends: Vec::new(), made: 0, untold: 0 }
     }
 
     pub(crate) fn advance(&mut self, steps: u64) -> Result<(), DimensionError> {
@@ -336,7 +342,7 @@ impl<'a, T: Float> Piece<'a, T> {
     }
 }
 
-impl Many<f64> {
+impl Trajectories<f64> {
     fn observed(
         &self,
         rows: &[f64],

@@ -7,14 +7,14 @@ use kahan_algebra::rational::Rational;
 use kahan_judge::Extremes;
 use kahan_runtime::{Coefficients, Map, MapAt};
 use kahan_study::numbers::number;
-use kahan_study::{Lifting, Question, Study, StudyError, Subject, Systems, Which};
+use kahan_study::{LiftCriterion, Lifting, Question, Study, StudyError, Subject, Systems};
 use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Eps, Places, doubles, places};
-use crate::beside::{Listener, apart};
+use crate::background::{Listener, run_detached};
 use crate::errors::{of_dimension, of_study};
 use crate::orbit::wrong_shape;
 
@@ -22,11 +22,11 @@ use crate::orbit::wrong_shape;
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Field {
     study: Study,
-    last: Mutex<Last>,
+    last: Mutex<MapCache>,
 }
 
 #[derive(Default)]
-pub(crate) struct Last {
+pub(crate) struct MapCache {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
@@ -41,7 +41,7 @@ pub(crate) trait Float:
     /// Rounds a double, Python's float.
     fn near(number: f64) -> Self;
     /// Returns the cache entry for this precision.
-    fn last(last: &mut Last) -> &mut Option<MapAt<Self>>;
+    fn last(last: &mut MapCache) -> &mut Option<MapAt<Self>>;
 }
 
 impl Float for f64 {
@@ -49,7 +49,7 @@ impl Float for f64 {
         number
     }
 
-    fn last(last: &mut Last) -> &mut Option<MapAt<f64>> {
+    fn last(last: &mut MapCache) -> &mut Option<MapAt<f64>> {
         &mut last.double
     }
 }
@@ -59,7 +59,7 @@ impl Float for f32 {
         number as f32
     }
 
-    fn last(last: &mut Last) -> &mut Option<MapAt<f32>> {
+    fn last(last: &mut MapCache) -> &mut Option<MapAt<f32>> {
         &mut last.single
     }
 }
@@ -172,9 +172,9 @@ impl Field {
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
-    let known = Which::ALL.iter().find(|one| one.name() == which);
+    let known = LiftCriterion::ALL.iter().find(|one| one.name() == which);
     let which = *known.ok_or_else(|| {
-        let names: Vec<&str> = Which::ALL.iter().map(|one| one.name()).collect();
+        let names: Vec<&str> = LiftCriterion::ALL.iter().map(|one| one.name()).collect();
         PyValueError::new_err(format!("lift: there is no `{which}`; there are True and {}", names.join(", ")))
     })?;
     let read = |what: &str, value: &str| {
@@ -187,7 +187,7 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
 }
 
 #[derive(FromPyObject)]
-enum Given<'py> {
+enum FieldSource<'py> {
     /// A text.
     Text(String),
     /// Coefficients: states, parameters, and the columns of `kahan._coefficients.Entries`.
@@ -198,12 +198,12 @@ enum Given<'py> {
 type Columns<'py> = (Indices<'py>, Indices<'py>, Indices<'py>, Indices<'py>, PyReadonlyArray1<'py, f64>);
 type Indices<'py> = PyReadonlyArray1<'py, i64>;
 
-impl Given<'_> {
+impl FieldSource<'_> {
     fn subject(&self, py: Python<'_>, is_name: bool) -> PyResult<Subject> {
         let (states, parameters, columns) = match self {
-            Given::Text(text) if is_name => return Ok(Subject::named(text.as_str())),
-            Given::Text(text) => return Ok(Subject::text(text.as_str())),
-            Given::Coefficients(states, parameters, columns) => (states, parameters, columns),
+            FieldSource::Text(text) if is_name => return Ok(Subject::named(text.as_str())),
+            FieldSource::Text(text) => return Ok(Subject::text(text.as_str())),
+            FieldSource::Coefficients(states, parameters, columns) => (states, parameters, columns),
         };
         let names = Coefficients::new(states, parameters);
         let mut field = names.map_err(|error| of_study(py, &StudyError::Field(error)))?;
@@ -234,7 +234,7 @@ impl Field {
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
     fn new(
         py: Python<'_>,
-        text: Given<'_>,
+        text: FieldSource<'_>,
         is_name: bool,
         sites: Option<usize>,
         parameters: Vec<(String, String)>,
@@ -256,7 +256,7 @@ impl Field {
         let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let subject =
             parameters.into_iter().fold(subject, |subject, (name, value)| subject.with(name, value));
-        let study = apart(py, Some(1), &Listener(None), move |_| {
+        let study = run_detached(py, Some(1), &Listener(None), move |_| {
             let study = subject.study(&Systems)?;
             study.proved()?;
             Ok(study)
@@ -388,7 +388,7 @@ impl Field {
         let x = doubles(x, "x")?;
         let Some(mut rates) = self.study.rates(eps.0) else { return Ok(None) };
         let stride = rates.stride(x.shape()[0] as u64) as usize;
-        x.as_slice()?.chunks_exact(rates.variables().max(1)).step_by(stride).for_each(|x| rates.look(x));
+        x.as_slice()?.chunks_exact(rates.variables().max(1)).step_by(stride).for_each(|x| rates.inspect(x));
         Ok(rates.note())
     }
 
@@ -422,7 +422,7 @@ impl Field {
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<String> {
         let (question, study) = (question(asked)?, self.study.clone());
-        let answer = apart(py, threads, &Listener(listener), move |caller| {
+        let answer = run_detached(py, threads, &Listener(listener), move |caller| {
             let answer = study.ask(&question, caller)?;
             Ok(serde_json::to_string(&answer).expect("answers are JSON"))
         })?;
@@ -439,7 +439,7 @@ impl Field {
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<String> {
         let (asked, study) = (Extremes { trials, seed, ..Extremes::default() }, self.study.clone());
-        let judged = apart(py, None, &Listener(listener), move |caller| asked.of(&[study], caller))?;
+        let judged = run_detached(py, None, &Listener(listener), move |caller| asked.of(&[study], caller))?;
         let judged = judged.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(serde_json::to_string(&judged).expect("answers are JSON"))
     }

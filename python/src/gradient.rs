@@ -6,7 +6,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::doubles;
-use crate::beside::{Listener, beside};
+use crate::background::{Listener, run_watched};
 use crate::errors::of_dimension;
 use crate::field::Field;
 use crate::orbit::{composition, stride};
@@ -32,7 +32,7 @@ impl Field {
         let every = stride(every)?;
         let steps = every.get().saturating_mul((weights.shape()[0] as u64).saturating_sub(1));
         let (start, weights) = (x.as_slice()?, weights.as_slice()?);
-        let found = beside(py, Some(1), &Listener(listener), |caller| {
+        let found = run_watched(py, Some(1), &Listener(listener), |caller| {
             at.gradient(start, every, weights, |made| caller.made(made, steps.saturating_mul(2)))
         })?
         .map_err(|error| of_dimension(&error))?;

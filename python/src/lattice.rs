@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Eps, Places, doubles, named, places};
-use crate::beside::{Listener, beside};
+use crate::background::{Listener, run_watched};
 use crate::errors::{of_dimension, of_study};
 
 /// Returns whether a text describes a family, whose number of sites is open.
@@ -86,7 +86,7 @@ impl Chain {
         let (py, own) = (state.py(), slf.get());
         let state = doubles(&named(state, slf, "state")?, "state")?;
         let mut x = own.state(&state)?;
-        let followed = beside(py, Some(1), &Listener(listener), |caller| {
+        let followed = run_watched(py, Some(1), &Listener(listener), |caller| {
             let at = own.at.lock().unwrap_or_else(PoisonError::into_inner);
             at.follow(&mut x, steps, |made| caller.made(made, steps))
         })?;

@@ -6,8 +6,8 @@
 
 mod arrays;
 mod arrow;
+mod background;
 mod basis;
-mod beside;
 mod ensemble;
 mod errors;
 mod field;

@@ -4,13 +4,13 @@ use std::num::NonZeroU64;
 
 use kahan_core::{Composition, Increments, SingularStep, Step};
 use kahan_runtime::{DimensionError, End, Follow, Followed, RuntimeFloat};
-use kahan_study::{LiftedStep, Paces, Study};
+use kahan_study::{LiftedStep, RowSchedule, Study};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::arrays::{Eps, Floats, doubles, floats, half_step, named, out as writable};
-use crate::beside::{Listener, beside, beside_if_long};
+use crate::background::{Listener, run_watched, run_watched_if_long};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
@@ -62,8 +62,16 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Rows<'py>> {
-        let asked =
-            Asked { eps, steps, transient, every, order, compensated, reembed, listener: Listener(listener) };
+        let asked = OrbitOptions {
+            eps,
+            steps,
+            transient,
+            every,
+            order,
+            compensated,
+            reembed,
+            listener: Listener(listener),
+        };
         match floats(x, "x")? {
             Floats::Double(x) => self.rows(&x, &asked, out),
             Floats::Single(x) => self.rows(&x, &asked, out),
@@ -128,7 +136,7 @@ enum NoStep {
     Singular(usize, SingularStep),
 }
 
-struct Asked<'py> {
+struct OrbitOptions<'py> {
     eps: f64,
     steps: u64,
     transient: u64,
@@ -223,7 +231,7 @@ impl Field {
         };
         let run = |next: &mut [T]| {
             let stepped = if points.len() > MOMENT {
-                beside(py, Some(1), &Listener(None), |caller| step(next, &|| caller.wants_no_more()))?
+                run_watched(py, Some(1), &Listener(None), |caller| step(next, &|| caller.wants_no_more()))?
             } else {
                 step(next, &|| false)
             };
@@ -247,7 +255,7 @@ impl Field {
     fn rows<'py, T: Float>(
         &self,
         x: &Bound<'py, PyArrayDyn<T>>,
-        asked: &Asked<'py>,
+        asked: &OrbitOptions<'py>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Rows<'py>> {
         let py = x.py();
@@ -294,7 +302,7 @@ fn follow_lifted<'py, S>(
     step: &LiftedStep<'_, S>,
     x: Vec<S::Scalar>,
     study: &Study,
-    asked: &Asked<'py>,
+    asked: &OrbitOptions<'py>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Rows<'py>>
 where
@@ -314,17 +322,17 @@ fn follow<'py, S>(
     py: Python<'py>,
     at: &S,
     mut x: Vec<S::Scalar>,
-    asked: &Asked<'py>,
+    asked: &OrbitOptions<'py>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Orbit<'py, S::Scalar>>
 where
     S: Follow<Scalar: Float> + Sync,
 {
-    let paces = Paces { transient: asked.transient, steps: asked.steps, every: stride(asked.every)? };
+    let paces = RowSchedule { transient: asked.transient, steps: asked.steps, every: stride(asked.every)? };
     let (rows, width, in_all) = (room(&paces)?, x.len(), paces.in_all());
     let mut run = |all: &mut [S::Scalar]| -> PyResult<Followed<usize>> {
         let numbers = in_all.saturating_mul(width as u64);
-        beside_if_long(py, numbers, &asked.listener, |caller| {
+        run_watched_if_long(py, numbers, &asked.listener, |caller| {
             paces.follow(at, &mut x, all, |made| caller.made(made, in_all))
         })?
         .map_err(|error| of_dimension(&error))
@@ -357,20 +365,20 @@ pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
 }
 
 /// Returns the number of rows of an orbit, if it fits an index.
-pub(crate) fn room(paces: &Paces) -> PyResult<usize> {
+pub(crate) fn room(paces: &RowSchedule) -> PyResult<usize> {
     let rows = usize::try_from(paces.rows()).ok().filter(|rows| *rows < usize::MAX);
     rows.ok_or_else(|| too_long(paces))
 }
 
 /// Allocates zeros for rows, if memory suffices.
-pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &Paces) -> PyResult<Vec<T>> {
+pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &RowSchedule) -> PyResult<Vec<T>> {
     let (length, mut all) = (length.ok_or_else(|| too_long(paces))?, Vec::new());
     all.try_reserve_exact(length).map_err(|_| too_long(paces))?;
     all.resize(length, T::zero());
     Ok(all)
 }
 
-fn too_long(paces: &Paces) -> PyErr {
+fn too_long(paces: &RowSchedule) -> PyErr {
     let points = paces.steps / paces.every;
     PyMemoryError::new_err(format!("{points} points do not fit into memory; choose every, or fewer steps"))
 }

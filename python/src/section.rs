@@ -2,12 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use kahan_study::{Column, Crossed, Kept, Question, Rows, Table, Values};
+use kahan_study::{Column, Crossed, Question, Rows, StoredColumn, Table, Values};
 use numpy::IntoPyArray;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::beside::{Caller, Listener, beside};
+use crate::background::{Caller, Listener, run_watched};
 use crate::errors::of_study;
 use crate::field::Field;
 use crate::table::array;
@@ -38,12 +38,12 @@ impl Field {
         let listener = Listener(listener);
         let (orbits, rows) = match part {
             None => {
-                let found = beside(py, threads, &listener, |caller| asked.ask(study, caller))?;
+                let found = run_watched(py, threads, &listener, |caller| asked.ask(study, caller))?;
                 found.map(|found| (found.orbits, found.rows))
             }
             Some(part) => {
                 let columns = asked.columns(study).map_err(|error| of_study(py, &error))?;
-                let (found, rows, raised) = beside(py, threads, &listener, |caller| {
+                let (found, rows, raised) = run_watched(py, threads, &listener, |caller| {
                     let mut parts = Parts { caller, rows: Table::default(), part, raised: None };
                     let found = asked.find(study, &mut parts, caller);
                     (found, parts.rows, parts.raised)
@@ -104,7 +104,7 @@ impl Rows for Parts<'_> {
 fn in_arrays(py: Python<'_>, rows: Table) -> PyResult<Columns<'_>> {
     let mut values = rows.values.into_iter();
     let columns = rows.columns.into_iter().map(|column| {
-        let kept = values.next().unwrap_or(Kept::F64(Vec::new()));
+        let kept = values.next().unwrap_or(StoredColumn::F64(Vec::new()));
         Ok((column.name, column.meaning, array(py, kept)?))
     });
     columns.collect()

@@ -7,13 +7,13 @@ use std::num::NonZeroU64;
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Increments, Step, Workspace};
-use kahan_runtime::By;
+use kahan_runtime::Sensitivity;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
-use crate::beside::{Listener, beside, beside_if_long};
+use crate::background::{Listener, run_watched, run_watched_if_long};
 use crate::ensemble;
 use crate::errors::of_dimension;
 use crate::field::{Field, Float};
@@ -39,7 +39,7 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
         let vectors = self.vectors(&by);
-        let asked = Asked { eps, every, order, compensated, listener: Listener(listener) };
+        let asked = SensitivityOptions { eps, every, order, compensated, listener: Listener(listener) };
         let derivatives = match floats(rows, "rows")? {
             Floats::Double(rows) => self.along(&rows, &vectors, &asked),
             Floats::Single(rows) => self.along(&rows, &vectors, &asked),
@@ -64,7 +64,14 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
         let vectors = self.vectors(&by);
-        let asked = ensemble::Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
+        let asked = ensemble::SensitivityOptions {
+            eps,
+            steps,
+            parameters,
+            order,
+            threads,
+            listener: Listener(listener),
+        };
         let derivatives = match floats(points, "points")? {
             Floats::Double(points) => self.at_the_end(&points, &vectors, &asked),
             Floats::Single(points) => self.at_the_end(&points, &vectors, &asked),
@@ -73,7 +80,7 @@ impl Field {
     }
 }
 
-struct Asked<'py> {
+struct SensitivityOptions<'py> {
     eps: f64,
     every: NonZeroU64,
     order: u32,
@@ -84,7 +91,7 @@ struct Asked<'py> {
 /// The derivative vectors propagated with a point.
 struct Vectors {
     names: Vec<String>,
-    by: Vec<By>,
+    by: Vec<Sensitivity>,
     /// The index of the variable, for a derivative by an initial value.
     starts: Vec<Option<usize>>,
     variables: usize,
@@ -117,9 +124,9 @@ impl Field {
         let parameters = study.parameters().iter().enumerate();
         let variables = study.variables().iter().enumerate();
         let known = parameters
-            .map(|(k, name)| (name.clone(), By::Parameter(k), None))
-            .chain([("eps".to_owned(), By::Epsilon, None)])
-            .chain(variables.map(|(k, name)| (name.clone(), By::Start, Some(k))));
+            .map(|(k, name)| (name.clone(), Sensitivity::Parameter(k), None))
+            .chain([("eps".to_owned(), Sensitivity::Epsilon, None)])
+            .chain(variables.map(|(k, name)| (name.clone(), Sensitivity::Start, Some(k))));
         let mut vectors =
             Vectors { names: Vec::new(), by: Vec::new(), starts: Vec::new(), variables: self.dimension() };
         for (name, by, start) in known.filter(|(name, ..)| asked.contains(name)) {
@@ -134,7 +141,7 @@ impl Field {
         &self,
         rows: &PyReadonlyArrayDyn<'py, T>,
         vectors: &Vectors,
-        asked: &Asked<'py>,
+        asked: &SensitivityOptions<'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let py = rows.py();
         let at = self.at::<T>(py, asked.eps)?.composed(composition(asked.order)?).sensitivities(&vectors.by);
@@ -151,7 +158,7 @@ impl Field {
         &self,
         points: &PyReadonlyArrayDyn<'py, T>,
         vectors: &Vectors,
-        asked: &ensemble::Asked<'_, 'py>,
+        asked: &ensemble::SensitivityOptions<'_, 'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (py, shape) = (points.py(), points.shape());
         let many = self.many::<T>(py, shape, asked)?.sensitivities(&vectors.by);
@@ -161,7 +168,7 @@ impl Field {
         let starts = points.as_slice()?.chunks_exact(n);
         let mut states: Vec<T> = starts.flat_map(|point| point.iter().chain(&first).copied()).collect();
         let run = |caller: &_| many.advance(&mut states, width, caller);
-        beside(py, asked.threads, &asked.listener, run)?.map_err(|error| of_dimension(&error))?;
+        run_watched(py, asked.threads, &asked.listener, run)?.map_err(|error| of_dimension(&error))?;
         let mut derivatives = vec![T::zero(); count * (width - n)];
         for (row, state) in states.chunks_exact(width).enumerate() {
             vectors.put(&state[n..], &mut derivatives, row, count);
@@ -176,7 +183,7 @@ fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,
     vectors: &Vectors,
-    asked: &Asked<'py>,
+    asked: &SensitivityOptions<'py>,
 ) -> PyResult<Bound<'py, PyAny>>
 where
     S: Step<Scalar: Float> + Sync,
@@ -200,7 +207,7 @@ where
     let (every, behind) = (asked.every.get(), n * (1 + count));
     let steps = every.saturating_mul(rows as u64);
     let numbers = steps.saturating_mul(state.len() as u64);
-    beside_if_long(py, numbers, &asked.listener, |caller| {
+    run_watched_if_long(py, numbers, &asked.listener, |caller| {
         let mut room = Workspace::new();
         for (row, point) in given.chunks_exact(width).enumerate() {
             vectors.put(&state[n..behind], &mut derivatives, row, rows);

@@ -7,13 +7,13 @@
 use std::sync::{Mutex, PoisonError};
 
 use kahan_runtime::{DimensionError, End, threads};
-use kahan_study::{Paces, Study, Watch};
+use kahan_study::{RowSchedule, Study, Watch};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
-use crate::beside::{Caller, Listener, beside};
-use crate::ensemble::{Asked, Ends, Many, Piece, ends};
+use crate::background::{Caller, Listener, run_watched};
+use crate::ensemble::{Ends, EnsembleOptions, ThreadColumns, Trajectories, ends};
 use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::{room, stride, zeros};
@@ -43,8 +43,9 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let in_all = transient.saturating_add(steps);
-        let asked = Asked { eps, steps: in_all, parameters, order, threads, listener: Listener(listener) };
-        let paces = Paces { transient, steps, every: stride(every)? };
+        let asked =
+            EnsembleOptions { eps, steps: in_all, parameters, order, threads, listener: Listener(listener) };
+        let paces = RowSchedule { transient, steps, every: stride(every)? };
         match floats(points, "points")? {
             Floats::Double(points) => self.shown(&points, &asked, &paces, reembed),
             Floats::Single(points) => self.shown(&points, &asked, &paces, reembed),
@@ -56,8 +57,8 @@ impl Field {
     fn shown<'py, T: Float>(
         &self,
         points: &Bound<'py, PyArrayDyn<T>>,
-        asked: &Asked<'_, 'py>,
-        paces: &Paces,
+        asked: &EnsembleOptions<'_, 'py>,
+        paces: &RowSchedule,
         reembed: bool,
     ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let py = points.py();
@@ -68,7 +69,7 @@ impl Field {
         let rows = room(paces)?;
         let mut to = zeros(rows.checked_mul(points.len()), paces)?;
         let from = points.as_slice()?;
-        let found = beside(py, asked.threads, &asked.listener, |caller| {
+        let found = run_watched(py, asked.threads, &asked.listener, |caller| {
             many.series(from, &mut to, study, (paces, reembed), caller)
         })?
         .map_err(|error| of_dimension(&error))?;
@@ -77,7 +78,7 @@ impl Field {
     }
 }
 
-impl<T: Float> Many<T> {
+impl<T: Float> Trajectories<T> {
     /// Follows points, stored row by row in `from`, and writes the shown points of each trajectory
     /// to `to`, NaN after its end. Returns the ends.
     fn series(
@@ -85,7 +86,7 @@ impl<T: Float> Many<T> {
         from: &[T],
         to: &mut [T],
         study: &Study,
-        (paces, reembed): (&Paces, bool),
+        (paces, reembed): (&RowSchedule, bool),
         caller: &Caller,
     ) -> Result<Vec<End>, DimensionError> {
         let width = study.variables().len().max(1);
@@ -98,13 +99,13 @@ impl<T: Float> Many<T> {
             let (from, to) = &mut *piece;
             let first = index * TOGETHER;
             let alone = |k: usize, from: &[T], to: &mut [T]| {
-                self.alone(first + k, from, to, study, (paces, reembed), caller)
+                self.standalone(first + k, from, to, study, (paces, reembed), caller)
             };
             if reembed {
                 let one_by_one = from.chunks_exact(width).zip(to.chunks_exact_mut(room)).enumerate();
-                return one_by_one.map(|(k, (from, to))| alone(k, from, to)).collect();
+                return one_by_one.map(|(k, (from, to))| standalone(k, from, to)).collect();
             }
-            let mut piece = Piece::of(self, from, width, first, caller);
+            let mut piece = ThreadColumns::of(self, from, width, first, caller);
             piece.advance(paces.transient)?;
             for row in 0..rows {
                 piece.advance(if row == 0 { 0 } else { paces.every.get() })?;
@@ -114,7 +115,7 @@ impl<T: Float> Many<T> {
             let beyond = piece.beyond(study);
             let mut ends = piece.ends()?;
             for k in beyond {
-                ends[k] = alone(k, &from[k * width..][..width], &mut to[k * room..][..room])?;
+                ends[k] = standalone(k, &from[k * width..][..width], &mut to[k * room..][..room])?;
             }
             Ok(ends)
         });
@@ -122,13 +123,13 @@ impl<T: Float> Many<T> {
     }
 
     /// Follows one trajectory of a lifted field up to its end, and writes its points.
-    pub(crate) fn alone(
+    pub(crate) fn standalone(
         &self,
         k: usize,
         from: &[T],
         to: &mut [T],
         study: &Study,
-        (paces, reembed): (&Paces, bool),
+        (paces, reembed): (&RowSchedule, bool),
         caller: &Caller,
     ) -> Result<End, DimensionError> {
         let own = |values: &[T]| if values.len() > 1 { k..k + 1 } else { 0..values.len() };

@@ -1,13 +1,13 @@
 //! Tables of questions as arrays, one for each column.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Exact, Kept, Question, Shade, Table};
+use kahan_study::{ColourColumn, Exact, Question, StoredColumn, Table};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyList;
 
-use crate::beside::{Listener, apart};
+use crate::background::{Listener, run_detached};
 use crate::errors::of_study;
 use crate::field::Field;
 
@@ -27,7 +27,7 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, u64)> {
         let (mut question, study) = (crate::field::question(question)?, self.study().clone());
-        let shade = color.map(|color| Shade::read(color, &study)).transpose();
+        let shade = color.map(|color| ColourColumn::read(color, &study)).transpose();
         let shade = shade.map_err(|error| of_study(py, &error))?;
         if let (Some(shade), Question::Over(over)) = (&shade, &mut question)
             && let Question::Observe(observe) = &mut *over.question
@@ -35,7 +35,7 @@ impl Field {
             observe.observe = vec![shade.observable];
         }
         let asked = if let Question::Orbit(orbit) = &question { orbit.steps_in_all() } else { 0 };
-        let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
+        let (table, end) = run_detached(py, threads, &Listener(listener), move |caller| {
             let mut table = Table::default();
             let end = study.rows(&question, 0..u64::MAX, &mut table, caller);
             end.map(|end| (table, end))
@@ -55,17 +55,17 @@ impl Field {
 
 /// Converts a column: floats and counts to an array, double-doubles to an array with rows of two,
 /// other values to a list.
-pub(crate) fn array(py: Python<'_>, kept: Kept) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn array(py: Python<'_>, kept: StoredColumn) -> PyResult<Bound<'_, PyAny>> {
     Ok(match kept {
-        Kept::F64(values) => values.into_pyarray(py).into_any(),
-        Kept::F32(values) => values.into_pyarray(py).into_any(),
-        Kept::Integer(values) => values.into_pyarray(py).into_any(),
-        Kept::Dd(values) => {
+        StoredColumn::F64(values) => values.into_pyarray(py).into_any(),
+        StoredColumn::F32(values) => values.into_pyarray(py).into_any(),
+        StoredColumn::Integer(values) => values.into_pyarray(py).into_any(),
+        StoredColumn::Dd(values) => {
             let parts: Vec<f64> = values.iter().flat_map(|value| [value.high(), value.low()]).collect();
             parts.into_pyarray(py).call_method1("reshape", ((-1, 2),))?
         }
-        Kept::Text(values) => PyList::new(py, values)?.into_any(),
-        Kept::Exact(values) => {
+        StoredColumn::Text(values) => PyList::new(py, values)?.into_any(),
+        StoredColumn::Exact(values) => {
             let values = values.iter().map(|value| fraction(py, value)).collect::<PyResult<Vec<_>>>()?;
             PyList::new(py, values)?.into_any()
         }

@@ -14,28 +14,28 @@ use core::fmt;
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Constant, Scalar};
 
-use crate::special::Precise;
+use crate::special::Float256;
 
 pub use reciprocal::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
 /// A trajectory as a function from t to the point.
-pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;
+pub type Trajectory = Box<dyn Fn(&Float256) -> Vec<Float256>>;
 
 /// A function from parameters and the point at t = 0 to a trajectory. `None` if no solution of the
 /// closed form passes through the point, or if an argument has the wrong length.
-pub type ClosedFlow = fn(parameters: &[Precise], start: &[Precise]) -> Option<Trajectory>;
+pub type ClosedFlow = fn(parameters: &[Float256], start: &[Float256]) -> Option<Trajectory>;
 
 pub(crate) fn trajectory<S: 'static, const N: usize>(
     solution: Result<S, OutOfDomain>,
-    at: fn(&S, &Precise) -> SVector<Precise, N>,
+    at: fn(&S, &Float256) -> SVector<Float256, N>,
 ) -> Option<Trajectory> {
     let solution = solution.ok()?;
     Some(Box::new(move |t| at(&solution, t).iter().copied().collect()))
 }
 
 /// Converts coordinates to a point, if there are N.
-pub(crate) fn point<const N: usize>(coordinates: &[Precise]) -> Option<SVector<Precise, N>> {
-    <[Precise; N]>::try_from(coordinates.to_vec()).ok().map(SVector::from)
+pub(crate) fn point<const N: usize>(coordinates: &[Float256]) -> Option<SVector<Float256, N>> {
+    <[Float256; N]>::try_from(coordinates.to_vec()).ok().map(SVector::from)
 }
 
 /// The error that no solution of the closed form passes through a point.

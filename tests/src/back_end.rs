@@ -32,7 +32,7 @@ pub trait BackEnd {
     /// ∂x̃/∂x; `None` at a pole.
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix>;
     /// (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`; `None` at a pole.
-    fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector>;
+    fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector>;
     /// det A(x,ε)
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q;
     /// det ∂x̃/∂x; `None` at a pole.

@@ -47,7 +47,7 @@ pub trait Map<T>: Steps<T> {
     /// (N, D) = (adj A·b, det A)
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
     /// (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`.
-    fn carry(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
+    fn push_forward(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
     /// The prepared map.
     fn at(&self, eps: T) -> Box<dyn Prepared<T>>;
     /// x₀, x₁, …
@@ -150,9 +150,9 @@ impl<T: Pivot, M: ExtendScalars<T, N> + 'static, const N: usize> Map<T> for OfDi
         (entries(&numerators), denominator)
     }
 
-    fn carry(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>> {
+    fn push_forward(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>> {
         let tangent = self.0.at(eps).tangent();
-        tangent.carry_to(&point(x), &point(next), &point(v)).map(|carried| entries(&carried))
+        tangent.push_forward_to(&point(x), &point(next), &point(v)).map(|carried| entries(&carried))
     }
 
     fn at(&self, eps: T) -> Box<dyn Prepared<T>> {

@@ -5,7 +5,9 @@
 //! cargo test -p kahan-tests back_ends` rewrites the file.
 
 pub use kahan_judge::random_fields::RandomField;
-use kahan_judge::random_fields::{DIMENSIONS, Draw, Maker, Tree, affine, dense, scaled, sparse, spelled};
+use kahan_judge::random_fields::{
+    DIMENSIONS, Draw, FieldGenerator, Tree, affine, dense, scaled, sparse, spelled,
+};
 use num_rational::BigRational;
 
 use crate::exact::q;
@@ -13,7 +15,7 @@ use crate::exact::q;
 /// A value p/d for each parameter, dyadic so that floats represent it exactly.
 const PARAMETERS: [(&str, i64, i64); 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4)];
 
-const KINDS: [(&str, Maker); 5] =
+const KINDS: [(&str, FieldGenerator); 5] =
     [("sparse", sparse), ("affine", affine), ("scaled", scaled), ("spelled", spelled), ("dense", dense)];
 
 /// Returns the fields: each kind in every dimension, from fixed seeds.

@@ -322,7 +322,7 @@ fn every_way_up_is_found() {
         assert!(!upward.is_empty(), "{text}");
     }
     let allowed = [
-        (PLAN, "writing/draft.rs", "use crate::plan::{Node, StepPlan}; use crate::poly::Variable;"),
+        (PLAN, "writing/plan_draft.rs", "use crate::plan::{Node, StepPlan}; use crate::poly::Variable;"),
         (CORE, "map/orbit/mod.rs", "use super::{KahanMap, at::KahanAt}; use crate::Scalar;"),
         (COMMAND, "commands/page/figures.rs", "use super::super::line::Line; use crate::reading::Block;"),
     ];

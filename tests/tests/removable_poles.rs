@@ -86,7 +86,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     if let Ok(next) = map.try_step(&x, eps.clone()) {
         // If A is singular, the equation of tangent vectors has no unique solution.
         let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
-        let carried = map.at(eps.clone()).tangent().carry_to(&x, &next, &v);
+        let carried = map.at(eps.clone()).tangent().push_forward_to(&x, &next, &v);
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
     }
     let float = |value: &BigRational| Rational::from(value.clone()).to_f64();

@@ -6,7 +6,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Form, Heights, Kept, Lift, Orbit, Orbited, Poles, Show, Study, StudyError, Subject,
+    Answer, Discover, ShowForm, Heights, StoredColumn, Lift, Orbit, Orbited, Poles, Show, Study, StudyError, Subject,
     Systems, Watch, list,
 };
 use kahan_systems::registry;
@@ -171,7 +171,7 @@ fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Repl
     let shown = asked.ask(study, watch)?;
     let answer = json!(shown);
     // Formulas in another notation are copied, and not shown.
-    let html = (asked.form == Form::Latex).then(|| formulas(shown, asked.jacobian));
+    let html = (asked.form == ShowForm::Latex).then(|| formulas(shown, asked.jacobian));
     let parameters = study.parameters().to_vec();
     let values = parameters.iter().cloned().zip(study.valued());
     let values = values.filter_map(|(name, value)| Some((name, Value::String(value?.to_string()))));
@@ -205,8 +205,8 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
     let mut columns = Vec::with_capacity(rows.count() * rows.values.len());
     for kept in &rows.values {
         match kept {
-            Kept::F64(values) => columns.extend_from_slice(values),
-            Kept::Integer(values) => columns.extend(values.iter().map(|&value| value as f64)),
+            StoredColumn::F64(values) => columns.extend_from_slice(values),
+            StoredColumn::Integer(values) => columns.extend(values.iter().map(|&value| value as f64)),
             _ => unreachable!("orbits in doubles have doubles and counts"),
         }
     }

@@ -2,25 +2,25 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::{JACOBIAN, LINE, display};
-use kahan_draw::picture::{self, Look};
-use kahan_draw::{Sheet as Paper, answer};
+use kahan_draw::picture::{self, PictureOptions};
+use kahan_draw::{Canvas as Paper, answer};
 use kahan_latex::breaking;
-use kahan_study::{Answer, HeightsFound, LiftFound, Sheet, Shown};
+use kahan_study::{Answer, HeightsFound, LiftFound, FormulaSheet, ShownField};
 use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;
 
 /// The field, A, b, the map, the claims that came with the field; or the Jacobian, where it is
 /// asked for. What is shown is LaTeX.
-pub(crate) fn formulas(shown: Shown, of_jacobian: bool) -> String {
+pub(crate) fn formulas(shown: ShownField, of_jacobian: bool) -> String {
     match shown {
-        Shown::Formulas(sheet) if of_jacobian => jacobian(&sheet).into_string(),
+        ShownField::Formulas(sheet) if of_jacobian => jacobian(&sheet).into_string(),
         shown => part(&Answer::Show(Box::new(shown))),
     }
 }
 
 /// The Jacobian of the map, or how it is found where an entry is too long.
-fn jacobian(sheet: &Sheet) -> Markup {
+fn jacobian(sheet: &FormulaSheet) -> Markup {
     html! {
         (display(JACOBIAN, LINE))
         @if let Some(rows) = &sheet.jacobian {
@@ -43,5 +43,5 @@ pub(crate) fn part(answer: &Answer) -> String {
 
 /// The heights of an exact orbit as a picture.
 pub(crate) fn heights(found: &HeightsFound, eps: &Rational) -> String {
-    picture::heights(found, eps, &Look::on(Paper::page(480, 320))).drawing.inline().into_string()
+    picture::heights(found, eps, &PictureOptions::on(Paper::page(480, 320))).drawing.inline().into_string()
 }

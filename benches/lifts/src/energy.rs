@@ -1,7 +1,7 @@
 //! Drift of energies of conservative systems: the energy that the lifted map preserves, and the
 //! original one.
 
-use kahan_lift::{Reembedding, Which};
+use kahan_lift::{Reembedding, LiftCriterion};
 
 use crate::systems::{Formula, System};
 
@@ -35,7 +35,7 @@ pub(crate) fn energy() {
         "| system | new variables | largest error over {STEPS:.0e} steps | growth from 10⁴ to 10⁶ steps |\n|---|---|---|---|"
     );
     for system in System::all().into_iter().filter(|one| KEPT.contains(&one.name)) {
-        let lift = system.lift(Which::Automatic);
+        let lift = system.lift(LiftCriterion::Automatic);
         let at = system.map(&lift).at(EPS);
         let names: Vec<&str> = lift.variables().iter().map(String::as_str).collect();
         let parameters = system.parameters.iter().map(|(name, value)| (name.as_str(), *value));
@@ -88,7 +88,7 @@ pub(crate) fn projection() {
     );
     for system in System::all() {
         let Some(energy) = &system.energy else { continue };
-        let lift = system.lift(Which::Automatic);
+        let lift = system.lift(LiftCriterion::Automatic);
         let at = system.map(&lift).at(PROJECTION_EPS);
         let steps = (PROJECTION_TIME / (2.0 * PROJECTION_EPS)) as usize;
         let first = energy.value(&system.start);

@@ -6,7 +6,7 @@
 //! 1e-3 and 1e-9.
 
 use kahan_core::Composition;
-use kahan_lift::Which;
+use kahan_lift::LiftCriterion;
 
 use crate::systems::{System, distance};
 
@@ -21,7 +21,7 @@ pub(crate) fn orders() {
     );
     let mut missed = Vec::new();
     for system in System::all().into_iter().filter(|one| !one.is("extra")) {
-        let lift = system.lift(Which::Automatic);
+        let lift = system.lift(LiftCriterion::Automatic);
         let map = system.map(&lift);
         let reference = system.solution(system.time, LOOKS, 1e-13);
         let states = lift.states.len() - usize::from(lift.has_time);

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use kahan_algebra::lenient;
 use kahan_core::Composition;
-use kahan_lift::{Lift, Options, Which, lift};
+use kahan_lift::{Lift, Options, LiftCriterion, lift};
 use kahan_runtime::Map;
 use ode_solvers::{Dop853, OutputType, SVector};
 
@@ -112,7 +112,7 @@ const SYSTEMS: [System; 6] = [
 ];
 
 impl System {
-    fn lifted(&self, which: Which) -> (Lift, Map) {
+    fn lifted(&self, which: LiftCriterion) -> (Lift, Map) {
         let orbit = Some((self.start.to_vec(), Vec::new()));
         let tokens = lenient::read(self.text).lexed.tokens;
         let lift = lift(&tokens, &Options { which, orbit, ..Options::default() }).expect("a lift");
@@ -207,7 +207,7 @@ pub(crate) fn race() {
             println!("| {} | {method} | {} |", system.name, cells.join(" | "));
         };
         let steps = |k: i32| (100.0 * 1.25_f64.powi(k)).ceil() as u64;
-        let lifted = |which: Which, composition: Composition| {
+        let lifted = |which: LiftCriterion, composition: Composition| {
             let (lift, map) = system.lifted(which);
             let start = [system.start.to_vec(), lift.embed(system.start, &[])].concat();
             let runs = (0..60).map_while(|k| {
@@ -228,10 +228,10 @@ pub(crate) fn race() {
             ("order 4", Composition::SUZUKI_4),
             ("order 8", Composition::KAHAN_LI_8),
         ] {
-            row(&format!("lifted, {name}"), lifted(Which::Automatic, composition).1);
+            row(&format!("lifted, {name}"), lifted(LiftCriterion::Automatic, composition).1);
         }
-        let (order, least) = lifted(Which::Smallest, Composition::KAHAN_LI_8);
-        if order < system.lifted(Which::Automatic).0.order() {
+        let (order, least) = lifted(LiftCriterion::Smallest, Composition::KAHAN_LI_8);
+        if order < system.lifted(LiftCriterion::Automatic).0.order() {
             row("`--lift=smallest`, order 8", least);
         }
         if system.is_mechanical {

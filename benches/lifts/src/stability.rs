@@ -9,7 +9,7 @@
 
 use std::fmt;
 
-use kahan_lift::{Along, Lift, Which};
+use kahan_lift::{RelationBehaviour, Lift, LiftCriterion};
 
 use crate::systems::{System, distance, size};
 
@@ -68,9 +68,9 @@ enum Predicted {
 
 impl Predicted {
     fn of(lift: &Lift) -> Self {
-        match lift.relations.iter().filter_map(|one| one.along).find(|one| *one != Along::Kept) {
-            Some(Along::Grows) => Predicted::Grows,
-            Some(Along::Drifts) => Predicted::Drifts,
+        match lift.relations.iter().filter_map(|one| one.along).find(|one| *one != RelationBehaviour::Kept) {
+            Some(RelationBehaviour::Grows) => Predicted::Grows,
+            Some(RelationBehaviour::Drifts) => Predicted::Drifts,
             _ => Predicted::Stable,
         }
     }
@@ -139,7 +139,7 @@ pub(crate) fn stability() {
     let mut misses = Vec::new();
     let mut wrong = Vec::new();
     for system in System::all() {
-        let chosen = system.lift(Which::Automatic);
+        let chosen = system.lift(LiftCriterion::Automatic);
         if chosen.order() == 0 {
             continue;
         }

@@ -8,7 +8,7 @@ use kahan_algebra::lenient;
 use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::syntax::{Expr, ExprKind, Factor, InFormula, Term};
 use kahan_algebra::token::Token;
-use kahan_lift::{Lift, Options, Which, lift, stated};
+use kahan_lift::{Lift, Options, LiftCriterion, lift, stated};
 use kahan_runtime::Map;
 use ode_solvers::{DVector, Dop853, OutputType};
 
@@ -57,7 +57,7 @@ impl System {
         System { name, tokens, parameters, start, time: number(time), energy, kind, field }
     }
 
-    fn options(&self, which: Which) -> Options {
+    fn options(&self, which: LiftCriterion) -> Options {
         Options { which, orbit: Some((self.start.clone(), self.values())), ..Options::default() }
     }
 
@@ -65,13 +65,13 @@ impl System {
         self.parameters.iter().map(|(_, value)| *value).collect()
     }
 
-    pub(crate) fn lift(&self, which: Which) -> Lift {
+    pub(crate) fn lift(&self, which: LiftCriterion) -> Lift {
         let lift = lift(&self.tokens, &self.options(which));
         lift.unwrap_or_else(|mistakes| panic!("{}: {}", self.name, mistakes[0]))
     }
 
     pub(crate) fn lifts(&self) -> Vec<Lift> {
-        kahan_lift::lifts(&self.tokens, &self.options(Which::Automatic)).expect("equations")
+        kahan_lift::lifts(&self.tokens, &self.options(LiftCriterion::Automatic)).expect("equations")
     }
 
     pub(crate) fn map(&self, lift: &Lift) -> Map {

@@ -22,7 +22,7 @@ use anyhow::{Result, ensure};
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Dd, ExtendScalars};
-use kahan_study::reference::{Limits, Reference, Trajectory};
+use kahan_study::reference::{TrajectoryLimits, Reference, Trajectory};
 
 use scene::{Scene, Setting, to};
 use unseen_fields::{
@@ -103,7 +103,7 @@ impl Check {
                 allowed: 1e-3 * tolerance,
             };
             // With a rounded ε the last point lies only near the horizon.
-            let limits = Limits { margin: 1.0 / 256.0, is_over: None, variables: None };
+            let limits = TrajectoryLimits { margin: 1.0 / 256.0, is_over: None, variables: None };
             let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
             let name = format!("{map:?}, {tolerance:e}");

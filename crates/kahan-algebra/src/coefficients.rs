@@ -3,8 +3,8 @@
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::kept::Kept;
 use crate::poly::{Monomial, Polynomial};
+use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::{Symbol, Symbols};
 use crate::system::System;
 
@@ -39,7 +39,7 @@ impl System {
         }
         let component = |terms| Polynomial::from_terms(terms).into();
         let field = Field { components: terms.into_iter().map(component).collect(), symbols };
-        let kept = Kept::of(&field);
+        let kept = FieldWithSubexpressions::of(&field);
         System::of(field, kept)
     }
 

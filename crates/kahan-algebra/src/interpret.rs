@@ -72,8 +72,8 @@ impl Interpreter {
         Interpreter { derived: derive(system) }
     }
 
-    fn at<'a, A: OverRationals>(&'a self, arithmetic: &'a A, point: &'a Point<A::Value>) -> At<'a, A> {
-        At { derived: &self.derived, arithmetic, point }
+    fn at<'a, A: OverRationals>(&'a self, arithmetic: &'a A, point: &'a Point<A::Value>) -> Evaluator<'a, A> {
+        Evaluator { derived: &self.derived, arithmetic, point }
     }
 
     /// Evaluates all objects at one point.
@@ -128,13 +128,13 @@ impl Interpreter {
     }
 }
 
-struct At<'a, A: Arithmetic> {
+struct Evaluator<'a, A: Arithmetic> {
     derived: &'a Derived,
     arithmetic: &'a A,
     point: &'a Point<A::Value>,
 }
 
-impl<A: OverRationals> At<'_, A> {
+impl<A: OverRationals> Evaluator<'_, A> {
     fn evaluation(&self) -> Option<Evaluation<A::Value>> {
         let derived = self.derived;
         let matrix = self.matrix()?;

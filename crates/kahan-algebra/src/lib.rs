@@ -25,7 +25,7 @@ pub mod field;
 
 pub mod kahan;
 
-pub mod kept;
+pub mod subexpressions;
 
 pub mod plan;
 

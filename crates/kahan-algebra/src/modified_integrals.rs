@@ -22,7 +22,9 @@ mod linear_relations;
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within, gcd_all_within, gcd_within};
+use crate::poly::{
+    Budget, Monomial, OverBudget, Polynomial, Variable, WithinBudget, gcd_all_within, gcd_within,
+};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
@@ -109,11 +111,11 @@ fn budget() -> Budget {
 
 /// The reason for no integral: a premise fails, or the budget is spent.
 #[derive(Clone, Copy, Debug)]
-struct No;
+struct NoIntegral;
 
-impl From<OverBudget> for No {
+impl From<OverBudget> for NoIntegral {
     fn from(OverBudget: OverBudget) -> Self {
-        No
+        NoIntegral
     }
 }
 
@@ -135,7 +137,7 @@ struct Flow<'a> {
 }
 
 impl<'a> Flow<'a> {
-    fn of(field: &'a Field, budget: &mut Budget) -> Within<Self> {
+    fn of(field: &'a Field, budget: &mut Budget) -> WithinBudget<Self> {
         let (components, divisor) = RationalFunction::over_common_within(field.components.iter(), budget)?;
         Ok(Flow { symbols: &field.symbols, components, divisor })
     }
@@ -145,14 +147,23 @@ impl<'a> Flow<'a> {
     }
 
     /// Returns Σ ∂P/∂xᵢ vᵢ.
-    fn along(&self, polynomial: &Polynomial, v: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
+    fn directional_derivative(
+        &self,
+        polynomial: &Polynomial,
+        v: &[Polynomial],
+        budget: &mut Budget,
+    ) -> WithinBudget<Polynomial> {
         let slopes = polynomial.gradient(|variable| self.symbols.is_state(variable));
         slopes.iter().try_fold(Polynomial::zero(), |sum, (variable, slope)| {
             sum.add_within(&slope.mul_within(&v[usize::from(variable.0)], budget)?, budget)
         })
     }
 
-    fn add_polarised(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
+    fn add_polarised(
+        &self,
+        found: &mut Vec<ModifiedIntegral>,
+        budget: &mut Budget,
+    ) -> Result<(), NoIntegral> {
         let symbols = self.symbols;
         let states: Vec<Polynomial> = (0..self.components.len()).map(|i| self.state(i)).collect();
         let is_quadratic = |monomial: &Monomial| monomial.degree_where(|v| symbols.is_state(v)) == 2;
@@ -197,7 +208,7 @@ impl<'a> Flow<'a> {
         relations: &[Relation],
         forms: &[WithSlope],
         budget: &mut Budget,
-    ) -> Within<Vec<Product>> {
+    ) -> WithinBudget<Vec<Product>> {
         let (mut of_two, mut squares) = (Vec::new(), Vec::new());
         for i in 0..relations.len() {
             for j in 0..=i {
@@ -215,7 +226,11 @@ impl<'a> Flow<'a> {
     }
 
     /// Adds the integrals by rotation, ẏ = m N y, for each m.
-    fn add_rotations(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
+    fn add_rotations(
+        &self,
+        found: &mut Vec<ModifiedIntegral>,
+        budget: &mut Budget,
+    ) -> Result<(), NoIntegral> {
         for multiplier in self.multipliers(budget)? {
             // The candidates for y: variables with ẋ = m n, n affine in these variables.
             let mut slopes = Vec::with_capacity(self.components.len());
@@ -230,7 +245,7 @@ impl<'a> Flow<'a> {
                 (vec![Polynomial::one()], vec![Polynomial::zero()], vec![Polynomial::zero()]);
             let mut deltas: Vec<Polynomial> = Vec::new();
             for &i in &members {
-                let twice = self.along(&slopes[i], &slopes, budget)?;
+                let twice = self.directional_derivative(&slopes[i], &slopes, budget)?;
                 let delta = -&twice.derivative(self.symbols.state(i));
                 if !delta.is_zero() && !deltas.contains(&delta) {
                     deltas.push(delta);
@@ -244,7 +259,7 @@ impl<'a> Flow<'a> {
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
-                let vectors = values.iter().zip(&second).map(vector).collect::<Within<Vec<_>>>()?;
+                let vectors = values.iter().zip(&second).map(vector).collect::<WithinBudget<Vec<_>>>()?;
                 let mut forms = Vec::new();
                 for relation in linear_relations(&vectors, |v| self.symbols.is_state(v), budget)? {
                     let form = combination(&relation, &values, budget)?;
@@ -266,7 +281,7 @@ impl<'a> Flow<'a> {
         constant: usize,
         further: Vec<WithSlope>,
         budget: &mut Budget,
-    ) -> Within<Vec<Polynomial>> {
+    ) -> WithinBudget<Vec<Polynomial>> {
         let (mut values, mut derivatives) = (Vec::new(), Vec::new());
         for (i, (first, first_slope)) in forms.iter().enumerate() {
             for (second, second_slope) in &forms[i.max(constant)..] {
@@ -288,7 +303,7 @@ impl<'a> Flow<'a> {
 
     /// Returns the forms m that divide at least two components and may rotate a pair of variables:
     /// either variable occurs in the other's quotient, or each occurs in its own.
-    fn multipliers(&self, budget: &mut Budget) -> Within<Vec<Polynomial>> {
+    fn multipliers(&self, budget: &mut Budget) -> WithinBudget<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
             let form = self.symbols.primitive_part(divisor);
@@ -327,7 +342,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Returns I − ε² fᵀCf.
-    fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
+    fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         // For a linear field the map is the midpoint rule, which preserves I.
         if self.components.iter().all(|component| self.symbols.degree(component) < 2) {
@@ -337,9 +352,9 @@ impl<'a> Flow<'a> {
         // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, where (2Cf)ᵢ is the derivative of ∂I/∂xᵢ.
         let mut twice = Polynomial::zero();
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
-            let second = self.along(&slope, &self.components, budget)?;
+            let second = self.directional_derivative(&slope, &self.components, budget)?;
             if self.symbols.degree(&second) > 1 {
-                return Err(No);
+                return Err(NoIntegral);
             }
             let product = second.mul_within(&self.components[usize::from(variable.0)], budget)?;
             twice = twice.add_within(&product, budget)?;
@@ -353,7 +368,7 @@ impl<'a> Flow<'a> {
     }
 
     /// Returns I/(1 + ε²δm²), from the forms y = 2Qx: ẏ = m u, u̇ = −δ m y.
-    fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
+    fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
@@ -365,23 +380,24 @@ impl<'a> Flow<'a> {
         }
         let forms: Vec<Polynomial> =
             std::iter::once(first).chain(slopes.into_iter().map(|(_, y)| y)).collect();
-        let derivatives = forms.iter().map(|form| self.along(form, &self.components, budget));
-        let derivatives = derivatives.collect::<Within<Vec<_>>>()?;
+        let derivatives =
+            forms.iter().map(|form| self.directional_derivative(form, &self.components, budget));
+        let derivatives = derivatives.collect::<WithinBudget<Vec<_>>>()?;
         let multiplier = symbols.primitive_part(&gcd_all_within(&derivatives, budget)?);
         if symbols.degree(&multiplier) != 1 {
-            return Err(No);
+            return Err(NoIntegral);
         }
         let mut second = Vec::with_capacity(forms.len());
         for derivative in &derivatives {
-            let over = derivative.div_within(&multiplier, budget)?.ok_or(No)?;
-            let twice = self.along(&over, &self.components, budget)?;
-            second.push(twice.div_within(&multiplier, budget)?.ok_or(No)?);
+            let over = derivative.div_within(&multiplier, budget)?.ok_or(NoIntegral)?;
+            let twice = self.directional_derivative(&over, &self.components, budget)?;
+            second.push(twice.div_within(&multiplier, budget)?.ok_or(NoIntegral)?);
         }
         let [form, turned] = [&forms, &second].map(|list| list[1].clone());
-        let delta = RationalFunction::new_within(-&turned, form, budget)?.ok_or(No)?;
+        let delta = RationalFunction::new_within(-&turned, form, budget)?.ok_or(NoIntegral)?;
         let (above, below) = (delta.numerator(), delta.denominator());
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
-            return Err(No);
+            return Err(NoIntegral);
         }
         // u̇/m + δy, which is 0 except for the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
@@ -390,7 +406,7 @@ impl<'a> Flow<'a> {
             rest.push(turned.add_within(&form.mul_within(above, budget)?, budget)?);
         }
         if symbols.has_state(&rest[0]) || rest[1..].iter().any(|rest| !rest.is_zero()) {
-            return Err(No);
+            return Err(NoIntegral);
         }
         let twice = above.scale(&Rational::from(2));
         let centred = integral.mul_within(&twice, budget)?.add_within(&-&rest[0], budget)?;
@@ -399,7 +415,7 @@ impl<'a> Flow<'a> {
         let (_, leading) = above.leading_term().expect("δ is not 0");
         let rule = if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation };
         // If m is an integral, so is 1 + ε²δm².
-        if self.along(&multiplier, &self.components, budget)?.is_zero() {
+        if self.directional_derivative(&multiplier, &self.components, budget)?.is_zero() {
             return Ok(ModifiedIntegral { rule, of_map: of_flow.clone().into(), of_flow });
         }
         let eps = symbols.epsilon();
@@ -413,11 +429,11 @@ impl<'a> Flow<'a> {
     }
 
     /// Refuses all but integrals of the flow of degree 1 or 2, free of ε.
-    fn check(&self, integral: &Polynomial, budget: &mut Budget) -> Result<(), No> {
+    fn check(&self, integral: &Polynomial, budget: &mut Budget) -> Result<(), NoIntegral> {
         let is_fit = (1..=2).contains(&self.symbols.degree(integral))
             && integral.variables().iter().all(|variable| *variable < self.symbols.epsilon())
-            && self.along(integral, &self.components, budget)?.is_zero();
-        if is_fit { Ok(()) } else { Err(No) }
+            && self.directional_derivative(integral, &self.components, budget)?.is_zero();
+        if is_fit { Ok(()) } else { Err(NoIntegral) }
     }
 }
 
@@ -426,7 +442,7 @@ fn last(relation: &Relation) -> usize {
 }
 
 /// Returns Σ cₖ vₖ.
-fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> Within<Polynomial> {
+fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> WithinBudget<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)
     })

@@ -19,7 +19,7 @@ mod tests;
 use std::convert::Infallible;
 use std::fmt;
 
-pub use budget::{Budget, OverBudget, Within};
+pub use budget::{Budget, OverBudget, WithinBudget};
 pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
 pub use images::{RESIDUES_PER_TERM, degree_bounds};
 pub use monomial::{Monomial, Variable};

@@ -16,7 +16,7 @@ use kahan_syntax::rational::Rational;
 
 pub(crate) use common::{Row, reduced, with_leading_one};
 
-use crate::poly::{Budget, Polynomial, Variable, Within, gcd_within};
+use crate::poly::{Budget, Polynomial, Variable, WithinBudget, gcd_within};
 
 /// A quotient of two polynomials in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -56,7 +56,7 @@ impl RationalFunction {
         numerator: Polynomial,
         denominator: Polynomial,
         budget: &mut Budget,
-    ) -> Within<Option<Self>> {
+    ) -> WithinBudget<Option<Self>> {
         if denominator.is_zero() {
             return Ok(None);
         }
@@ -113,7 +113,7 @@ impl RationalFunction {
     }
 
     /// Returns the sum within a budget.
-    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
+    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         // a/b + c/d = (a·d/g + c·b/g) / (b·d/g), g = gcd(b, d); only divisors of g may cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
         let own_cofactor = divide(&self.denominator, &common, budget)?;
@@ -130,12 +130,12 @@ impl RationalFunction {
     }
 
     /// Returns the difference within a budget.
-    pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
+    pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         self.add_within(&-other, budget)
     }
 
     /// Returns the product within a budget.
-    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
+    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         // Both factors are reduced, so only crosswise cancellation is possible.
         let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
         let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
@@ -143,12 +143,12 @@ impl RationalFunction {
     }
 
     /// Returns the quotient within a budget; `None` if `divisor` is zero.
-    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> WithinBudget<Option<Self>> {
         divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
     }
 
     /// Returns the partial derivative within a budget.
-    pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> Within<Self> {
+    pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> WithinBudget<Self> {
         // (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′)
         let slope = self.denominator.derivative(variable);
         let common = gcd_within(&self.denominator, &slope, budget)?;
@@ -168,7 +168,7 @@ impl RationalFunction {
         variable: Variable,
         value: &Self,
         budget: &mut Budget,
-    ) -> Within<Option<Self>> {
+    ) -> WithinBudget<Option<Self>> {
         if !self.contains(variable) {
             return Ok(Some(self.clone()));
         }
@@ -193,7 +193,7 @@ impl RationalFunction {
     }
 }
 
-fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polynomial, Polynomial)> {
+fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBudget<(Polynomial, Polynomial)> {
     if a.is_one() || b.is_one() {
         return Ok((a.clone(), b.clone()));
     }
@@ -201,7 +201,7 @@ fn cancel(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<(Polyno
     Ok((divide(a, &common, budget)?, divide(b, &common, budget)?))
 }
 
-fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
+fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     if divisor.is_one() {
         return Ok(multiple.clone());
     }
@@ -212,7 +212,7 @@ fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> W
 ///
 /// # Panics
 /// Beyond a total degree of 2^24, where exponents might overflow.
-fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> Within<T>) -> T {
+fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> WithinBudget<T>) -> T {
     compute(&mut Budget::unlimited()).expect("total degrees stay below 2^24")
 }
 

@@ -6,7 +6,7 @@
 //! a·v + b with coprime a and b is irreducible: its generic solutions do not depend on the choice
 //! of v.
 
-use crate::poly::{Budget, OverBudget, Polynomial, Variable, Within, gcd_within};
+use crate::poly::{Budget, OverBudget, Polynomial, Variable, WithinBudget, gcd_within};
 use crate::rational_function::RationalFunction;
 
 /// Limits on the terms of a value or relation, and on the total of term products.
@@ -38,7 +38,7 @@ pub enum Obstacle {
 
 /// The preference among names to solve a relation a·v + b = 0 for, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Rank {
+enum Solvability {
     /// a is a number.
     Number,
     /// a and b are coprime, so the relation is irreducible.
@@ -85,7 +85,7 @@ impl Relations {
         }
         let mut candidates = [names, &relation.variables().into_iter().collect::<Vec<_>>()].concat();
         candidates.retain(|name| relation.degree_in(*name) == 1);
-        let mut best: Option<(Rank, Variable)> = None;
+        let mut best: Option<(Solvability, Variable)> = None;
         for name in candidates {
             let rank = self.rank(&relation, name)?;
             if best.is_none_or(|(known, _)| rank < known) {
@@ -94,7 +94,7 @@ impl Relations {
         }
         let (rank, name) = best.ok_or(Obstacle::NotLinear)?;
         let (coefficient, rest) = linear_in(&relation, name);
-        if rank == Rank::Product {
+        if rank == Solvability::Product {
             return Err(Obstacle::Product(Polynomial::variable(name), coefficient));
         }
         let value = RationalFunction::new_within(-&rest, coefficient.clone(), &mut self.budget)?;
@@ -132,21 +132,21 @@ impl Relations {
         Err(Obstacle::Product(other.primitive_part(), factor))
     }
 
-    fn rank(&mut self, relation: &Polynomial, name: Variable) -> Within<Rank> {
+    fn rank(&mut self, relation: &Polynomial, name: Variable) -> WithinBudget<Solvability> {
         let (coefficient, rest) = linear_in(relation, name);
         Ok(if coefficient.as_constant().is_some() {
-            Rank::Number
+            Solvability::Number
         } else if rest.is_zero() {
-            Rank::Product
+            Solvability::Product
         } else if gcd_within(&coefficient, &rest, &mut self.budget)?.as_constant().is_some() {
-            Rank::Irreducible
+            Solvability::Irreducible
         } else {
-            Rank::Factor
+            Solvability::Factor
         })
     }
 
     /// Records that `polynomial` is nonzero on the relations; returns `false` if it vanishes there.
-    pub fn require(&mut self, polynomial: &Polynomial) -> Within<bool> {
+    pub fn require(&mut self, polynomial: &Polynomial) -> WithinBudget<bool> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {
             self.nonzero.push(polynomial.primitive_part());
@@ -155,7 +155,7 @@ impl Relations {
     }
 
     /// Returns whether `polynomial` vanishes, or has no value, where the relations hold.
-    pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> Within<bool> {
+    pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> WithinBudget<bool> {
         Ok(self.put_into(polynomial)?.is_none_or(|value| value.is_zero()))
     }
 
@@ -176,7 +176,7 @@ impl Relations {
     }
 
     /// Replaces every name by its value; `None` if a divisor then vanishes identically.
-    pub fn put_into(&mut self, polynomial: &Polynomial) -> Within<Option<RationalFunction>> {
+    pub fn put_into(&mut self, polynomial: &Polynomial) -> WithinBudget<Option<RationalFunction>> {
         put_into(polynomial, self.values.iter().map(|(name, value)| (*name, value)), &mut self.budget)
     }
 }
@@ -186,7 +186,7 @@ pub(crate) fn put_into<'a>(
     polynomial: &Polynomial,
     values: impl Iterator<Item = (Variable, &'a RationalFunction)>,
     budget: &mut Budget,
-) -> Within<Option<RationalFunction>> {
+) -> WithinBudget<Option<RationalFunction>> {
     let mut function = RationalFunction::from(polynomial.clone());
     for (name, value) in values {
         match function.compose_within(name, value, budget)? {
@@ -203,7 +203,7 @@ fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial
     (parts.remove(&1).unwrap_or_default(), parts.remove(&0).unwrap_or_default())
 }
 
-fn without(mut polynomial: Polynomial, other: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
+fn without(mut polynomial: Polynomial, other: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     loop {
         let common = gcd_within(&polynomial, other, budget)?;
         if common.as_constant().is_some() {

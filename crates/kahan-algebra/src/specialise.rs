@@ -6,11 +6,11 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
 use crate::field::Field;
-use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
+use crate::subexpressions::{FieldWithSubexpressions, Subexpressions};
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, Condition, System};
 
@@ -56,7 +56,7 @@ impl System {
         let kept = renaming.kept(&self.kept, &components);
         let claims = self.claims.iter().filter_map(|claim| renaming.claim(claim)).collect();
         let field = Field { symbols, components };
-        let kept = kept.unwrap_or_else(|| Kept::of(&field)).into();
+        let kept = kept.unwrap_or_else(|| FieldWithSubexpressions::of(&field)).into();
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
@@ -87,7 +87,7 @@ impl System {
         let components = components.collect::<Option<Vec<_>>>()?;
         let kept = specialisation.kept(&self.kept, &components);
         let field = Field { symbols, components };
-        let kept = kept.unwrap_or_else(|| Kept::of(&field));
+        let kept = kept.unwrap_or_else(|| FieldWithSubexpressions::of(&field));
         let (header, constants) = (self.header.clone(), self.constants.clone());
         Some(System { header, constants, ..System::of(field, kept) })
     }
@@ -128,8 +128,12 @@ impl Specialisation<'_> {
     }
 
     /// Specialises the written form; `None` for rational parameters, or if a divisor cancels.
-    fn kept(&self, kept: &Kept, components: &[RationalFunction]) -> Option<Kept> {
-        let mut values = Values::of(self.new);
+    fn kept(
+        &self,
+        kept: &FieldWithSubexpressions,
+        components: &[RationalFunction],
+    ) -> Option<FieldWithSubexpressions> {
+        let mut values = Subexpressions::of(self.new);
         let put = |variable| match self.relations.value(variable) {
             Some(value) => Some(self.polynomial(value.as_polynomial()?)),
             None => Some(Polynomial::variable(self.renamed(variable))),
@@ -140,7 +144,10 @@ impl Specialisation<'_> {
         let is_free = |(kept, component): (&Polynomial, &RationalFunction)| {
             values.divide_only_by(kept, component.denominator())
         };
-        kept.iter().zip(components).all(is_free).then(|| Kept::new(values.clone(), kept.clone()))
+        kept.iter()
+            .zip(components)
+            .all(is_free)
+            .then(|| FieldWithSubexpressions::new(values.clone(), kept.clone()))
     }
 
     fn claim(&self, claim: &Claim) -> Option<Claim> {

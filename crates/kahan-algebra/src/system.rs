@@ -8,11 +8,11 @@ use kahan_syntax::syntax::{self, ClaimBody, ClaimKind, Expr, ExprKind, Header, N
 use kahan_syntax::token::Span;
 
 use crate::field::Field;
-use crate::kept::Kept;
 use crate::plan::{Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::relations::Relations;
+use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::Symbols;
 
 /// A field with its claims. Clones share the field.
@@ -25,7 +25,7 @@ pub struct System {
     /// The vector field.
     pub field: Arc<Field>,
     /// The field with the sums and divisors as written, from which plans are made.
-    pub kept: Arc<Kept>,
+    pub kept: Arc<FieldWithSubexpressions>,
     /// The right-hand sides as written, in order; empty for a derived system.
     pub written: Arc<[Expr]>,
     /// The claims, in order.
@@ -143,7 +143,7 @@ pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
 }
 
 impl System {
-    pub(crate) fn of(field: Field, kept: Kept) -> Self {
+    pub(crate) fn of(field: Field, kept: FieldWithSubexpressions) -> Self {
         System {
             header: None,
             constants: Vec::new(),

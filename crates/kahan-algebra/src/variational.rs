@@ -5,9 +5,9 @@
 //! inhomogeneous term is f/ε + ∂f/∂ε.
 
 use crate::field::Field;
-pub use crate::kept::By;
 use crate::poly::Polynomial;
 use crate::rational_function::RationalFunction;
+pub use crate::subexpressions::Sensitivity;
 use crate::symbols::Symbols;
 use crate::system::System;
 
@@ -15,13 +15,13 @@ impl System {
     /// Returns the system of x and a tangent vector v (named with a leading `d`), without claims.
     #[must_use]
     pub fn variational(&self) -> System {
-        self.sensitivities(&[By::Start])
+        self.sensitivities(&[Sensitivity::Start])
     }
 
     /// Returns the system of x and one derivative vector for each entry of `by`, without claims,
-    /// named with leading `d`s. With [`By::Epsilon`], 1/ε is an additional last parameter.
+    /// named with leading `d`s. With [`Sensitivity::Epsilon`], 1/ε is an additional last parameter.
     #[must_use]
-    pub fn sensitivities(&self, by: &[By]) -> System {
+    pub fn sensitivities(&self, by: &[Sensitivity]) -> System {
         let field = &self.field;
         let dimension = field.dimension();
         let symbols = field.symbols.with_tangents(by);
@@ -29,7 +29,7 @@ impl System {
             polynomial.map_variables(|variable| symbols.variable(field.symbols.symbol(variable)))
         };
         let moved = |function: &RationalFunction| function.map(renamed).expect("a divisor is not zero");
-        let along = |(vector, by): (usize, By), component: &RationalFunction| {
+        let along = |(vector, by): (usize, Sensitivity), component: &RationalFunction| {
             let slopes = component.numerator().gradient(|variable| field.symbols.is_state(variable));
             let slopes = slopes.into_iter().map(|(state, slope)| {
                 let tangent = symbols.state((vector + 1) * dimension + usize::from(state.0));
@@ -39,9 +39,9 @@ impl System {
             let sum = Polynomial::sum_of(slopes.iter().map(|slope| (false, slope)));
             let sum = RationalFunction::new(sum, renamed(component.denominator())).expect("it divides above");
             match by {
-                By::Start => sum,
-                By::Parameter(k) => &sum + &moved(&component.derivative(field.symbols.parameter(k))),
-                By::Epsilon => {
+                Sensitivity::Start => sum,
+                Sensitivity::Parameter(k) => &sum + &moved(&component.derivative(field.symbols.parameter(k))),
+                Sensitivity::Epsilon => {
                     let eps = field.symbols.epsilon();
                     let slope = &RationalFunction::variable(eps) * &component.derivative(eps);
                     let inverse = symbols.parameter(symbols.parameters.len() - 1);
@@ -49,7 +49,7 @@ impl System {
                 }
             }
         };
-        let of_vector = |own: (usize, By)| field.components.iter().map(move |one| along(own, one));
+        let of_vector = |own: (usize, Sensitivity)| field.components.iter().map(move |one| along(own, one));
         let vectors = by.iter().copied().enumerate().flat_map(of_vector);
         let components = field.components.iter().map(moved).chain(vectors);
         let kept = self.kept.sensitivities(&field.symbols, &symbols, by);
@@ -59,7 +59,7 @@ impl System {
 }
 
 impl Symbols {
-    fn with_tangents(&self, by: &[By]) -> Symbols {
+    fn with_tangents(&self, by: &[Sensitivity]) -> Symbols {
         let (mut states, mut parameters) = (self.states.clone(), self.parameters.clone());
         for state in by.iter().flat_map(|_| &self.states) {
             let mut name = format!("d{state}");
@@ -68,7 +68,7 @@ impl Symbols {
             }
             states.push(name);
         }
-        if by.contains(&By::Epsilon) {
+        if by.contains(&Sensitivity::Epsilon) {
             let mut name = "inverse_eps".to_owned();
             while states.contains(&name) || parameters.contains(&name) {
                 name.push('_');

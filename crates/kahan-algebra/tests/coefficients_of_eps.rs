@@ -8,7 +8,7 @@ use kahan_algebra::prove::prove_by_normal_form;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::read;
 use kahan_algebra::system::System;
-use kahan_algebra::variational::By;
+use kahan_algebra::variational::Sensitivity;
 
 /// At k = ε² a factor cancels: x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 − 2εx)).
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
@@ -163,7 +163,7 @@ fn stepping_back_returns_the_start() {
 /// ẋ = ε²x²: one step takes x to x/(1 − 2ε³x), whose derivative by ε is 6ε²x²/(1 − 2ε³x)².
 #[test]
 fn the_derivative_by_eps_has_that_of_the_coefficients() {
-    let with_derivative = system("xdot = eps^2*x^2;").sensitivities(&[By::Epsilon]);
+    let with_derivative = system("xdot = eps^2*x^2;").sensitivities(&[Sensitivity::Epsilon]);
     let (x, eps) = (Rational::new(3, 2), Rational::new(1, 3));
     let inverse = eps.recip().expect("it is not 0");
     let point = Point { state: vec![x.clone(), Rational::ZERO], parameters: vec![inverse], eps };
@@ -178,7 +178,7 @@ fn derivatives_by_eps_are_limits_of_differences() {
     for text in FIELDS {
         let own = with_eps(text);
         let n = own.field.dimension();
-        let derived = Interpreter::new(&own.sensitivities(&[By::Epsilon]));
+        let derived = Interpreter::new(&own.sensitivities(&[Sensitivity::Epsilon]));
         let (interpreter, mut numbers, mut compared) = (Interpreter::new(&own), Numbers(3), 0);
         for _ in 0..8 {
             let mut point = numbers.point(&own);

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::found::Found;
+use super::found::AtlasContent;
 use super::{errata, figures, solutions, structures, systems, verification};
-use kahan_draw::document::{Making, colophon, document};
+use kahan_draw::document::{PageCreation, colophon, document};
 
 const TITLE: &str = "An atlas of Kahan’s maps";
 
@@ -13,7 +13,7 @@ const TITLE: &str = "An atlas of Kahan’s maps";
 /// Takes about a second: only the level curve of dE4 and the portrait are computed here, in double
 /// precision.
 #[must_use]
-pub fn page(found: &Found<'_>, making: &Making) -> String {
+pub fn page(found: &AtlasContent<'_>, making: &PageCreation) -> String {
     let body = html! {
         header {
             h1 { (TITLE) }
@@ -37,7 +37,7 @@ pub fn page(found: &Found<'_>, making: &Making) -> String {
     document(TITLE, ("systems", "the systems"), &body)
 }
 
-fn introduction(found: &Found<'_>) -> Markup {
+fn introduction(found: &AtlasContent<'_>) -> Markup {
     html! {
         p.lead {
             "Kahan’s method turns a quadratic differential equation into a rational map that can be run forwards and backwards, "
@@ -51,7 +51,7 @@ fn introduction(found: &Found<'_>) -> Markup {
     }
 }
 
-fn table_of_contents(found: &Found<'_>) -> Markup {
+fn table_of_contents(found: &AtlasContent<'_>) -> Markup {
     let tables = [("table1", "Table 1"), ("table2", "Table 2"), ("table3", "Table 3"), ("table4", "Table 4")];
     html! {
         nav aria-label="Contents" {

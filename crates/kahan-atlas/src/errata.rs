@@ -3,8 +3,8 @@
 
 use maud::{Markup, html};
 
-use super::found::{Checked, Found};
-use super::words::{badge, link};
+use super::found::{AtlasContent, CheckedClaim};
+use super::text::{badge, link};
 use kahan_draw::decimal;
 use kahan_draw::document::readable;
 use kahan_draw::document::{COLUMN, displays};
@@ -12,9 +12,9 @@ use kahan_paper::figures::{DE1, DE2, DE7, DE7_1_5, DE7_2_9, Figure, slope};
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Erratum, OPEN, Outcome};
 
-pub(super) fn section(found: &Found<'_>) -> Markup {
-    let is_formula = |checked: &&Checked<'_>| matches!(checked.claim.erratum, Some(Erratum::A(_)));
-    let mut misprints: Vec<&Checked<'_>> = found.claims.iter().filter(is_formula).collect();
+pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
+    let is_formula = |checked: &&CheckedClaim<'_>| matches!(checked.claim.erratum, Some(Erratum::A(_)));
+    let mut misprints: Vec<&CheckedClaim<'_>> = found.claims.iter().filter(is_formula).collect();
     misprints.sort_by_key(|checked| checked.claim.erratum);
     html! {
         section #errata {
@@ -31,8 +31,8 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-fn misprint(found: &Found<'_>, checked: &Checked<'_>) -> Markup {
-    let Checked { claim, established } = checked;
+fn misprint(found: &AtlasContent<'_>, checked: &CheckedClaim<'_>) -> Markup {
+    let CheckedClaim { claim, established } = checked;
     let lines = latex_of(claim.printed().unwrap_or_default()).unwrap_or_default();
     let lines: Vec<String> =
         lines.iter().map(|item| format!("{} {} {}", item.left, item.sign, item.right)).collect();
@@ -51,7 +51,13 @@ fn misprint(found: &Found<'_>, checked: &Checked<'_>) -> Markup {
     }
 }
 
-fn measured(found: &Found<'_>, figure: &Figure, variable: &str, from: usize, of: fn(f64) -> f64) -> String {
+fn measured(
+    found: &AtlasContent<'_>,
+    figure: &Figure,
+    variable: &str,
+    from: usize,
+    of: fn(f64) -> f64,
+) -> String {
     let heights = found.orbits.get(figure.name).and_then(|orbit| orbit.log_heights(variable));
     heights.map_or_else(
         || "(not measured)".to_owned(),
@@ -59,7 +65,7 @@ fn measured(found: &Found<'_>, figure: &Figure, variable: &str, from: usize, of:
     )
 }
 
-fn statements(found: &Found<'_>) -> Markup {
+fn statements(found: &AtlasContent<'_>) -> Markup {
     let linear = |figure: &'static Figure, variable: &str| measured(found, figure, variable, 1, |n| n);
     let logarithmic =
         |figure: &'static Figure, variable: &str| measured(found, figure, variable, 100, f64::ln);
@@ -153,7 +159,10 @@ fn statements(found: &Found<'_>) -> Markup {
     }
 }
 
-fn about<'f, 'a>(found: &'f Found<'a>, erratum: Erratum) -> impl Iterator<Item = &'f Checked<'a>> {
+fn about<'f, 'a>(
+    found: &'f AtlasContent<'a>,
+    erratum: Erratum,
+) -> impl Iterator<Item = &'f CheckedClaim<'a>> {
     found.claims.iter().filter(move |checked| checked.claim.erratum == Some(erratum))
 }
 

@@ -7,7 +7,7 @@ use kahan_paper::{Claim, Established, Id, Outcome, Paper};
 
 /// A claim with its outcome.
 #[derive(Clone, Debug)]
-pub struct Checked<'a> {
+pub struct CheckedClaim<'a> {
     /// The claim.
     pub claim: &'a Claim,
     /// The outcome and its detail.
@@ -19,16 +19,16 @@ pub type Orbits<'a> = BTreeMap<&'static str, &'a Measurement>;
 
 /// The content of the page.
 #[derive(Debug)]
-pub struct Found<'a> {
+pub struct AtlasContent<'a> {
     /// The registry of claims, which writes statements in LaTeX.
     pub paper: &'a Paper,
     /// All claims in the order of the paper.
-    pub claims: Vec<Checked<'a>>,
+    pub claims: Vec<CheckedClaim<'a>>,
     /// The orbits of [`Figure::all`]; a figure whose orbit is missing is left out of the page.
     pub orbits: Orbits<'a>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> AtlasContent<'a> {
     /// Establishes every claim and computes every orbit; calls `each` after each of them.
     ///
     /// Takes about half a minute on two cores.
@@ -49,8 +49,8 @@ impl<'a> Found<'a> {
         });
         let orbits = orbits.collect();
         let claims = claims.into_iter().zip(established);
-        let claims = claims.map(|(claim, established)| Checked { claim, established }).collect();
-        Found { paper, claims, orbits }
+        let claims = claims.map(|(claim, established)| CheckedClaim { claim, established }).collect();
+        AtlasContent { paper, claims, orbits }
     }
 
     /// Returns the number of calls of `each` by [`compute`](Self::compute).
@@ -69,11 +69,11 @@ impl<'a> Found<'a> {
         Outcome::counts(self.claims.iter().map(|checked| checked.established.outcome))
     }
 
-    pub(super) fn claim(&self, id: &Id) -> Option<&Checked<'a>> {
+    pub(super) fn claim(&self, id: &Id) -> Option<&CheckedClaim<'a>> {
         self.claims.iter().find(|checked| checked.claim.id == *id)
     }
 
-    pub(super) fn claims_of(&self, parts: &[&str]) -> impl Iterator<Item = &Checked<'a>> {
+    pub(super) fn claims_of(&self, parts: &[&str]) -> impl Iterator<Item = &CheckedClaim<'a>> {
         self.claims.iter().filter(move |checked| checked.claim.id.begins_with(parts))
     }
 }

@@ -2,8 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::found::Found;
-use super::words::{anchor, badge};
+use super::found::AtlasContent;
+use super::text::{anchor, badge};
 use kahan_draw::document::{cell, inline, table_of_formulas};
 use kahan_paper::formula::{LatexItem, latex_of};
 use kahan_paper::{Id, Outcome};
@@ -13,7 +13,7 @@ use kahan_systems::registry::SYSTEMS;
 const STATES: [&str; 3] = ["x", "y", "z"];
 const INTEGRALS: [&str; 2] = ["H", "K"];
 
-pub(super) fn section(found: &Found<'_>) -> Markup {
+pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #solutions {
             h2 { "Solutions" }
@@ -29,7 +29,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
+fn table(found: &AtlasContent<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
     let solved = |system: &&Entry| found.claim(&Id::of([id, system.command, "x"])).is_some();
     let integrals = if prefix.is_empty() { INTEGRALS } else { ["H(ε)", "K(ε)"] };
     let headings = [&["System"][..], &STATES, &integrals].concat();
@@ -42,7 +42,7 @@ fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
 }
 
 /// Writes the cell of a table (table, system, column) from its claim, with a link to the claim.
-fn entry(found: &Found<'_>, cell_of: [&str; 3]) -> Markup {
+fn entry(found: &AtlasContent<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
     // Solutions are definitions at the beginning; values are the right-hand side of the last

@@ -2,11 +2,11 @@
 
 use maud::{Markup, html};
 
-use super::found::{Checked, Found};
-use super::words::{anchor, badge};
+use super::found::{AtlasContent, CheckedClaim};
+use super::text::{anchor, badge};
 use kahan_draw::document::{cell, readable, table_of_formulas};
 use kahan_paper::formula::latex_of;
-use kahan_paper::{Outcome, Structure, structure};
+use kahan_paper::{Outcome, StructureRow, structure};
 use kahan_systems::registry::SYSTEMS;
 
 fn latex(expression: &str) -> String {
@@ -15,7 +15,7 @@ fn latex(expression: &str) -> String {
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
 
-fn value(row: &Structure, name: &str) -> Markup {
+fn value(row: &StructureRow, name: &str) -> Markup {
     html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
 }
 
@@ -24,13 +24,13 @@ fn entries(tensor: &str, suffix: &str) -> [String; 3] {
     ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }
 
-fn rows(wanted: impl Fn(&Structure) -> bool) -> Vec<&'static Structure> {
+fn rows(wanted: impl Fn(&StructureRow) -> bool) -> Vec<&'static StructureRow> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
 /// Writes the worst outcome among the claims with these name prefixes, linked to its first claim.
-fn verdict(found: &Found<'_>, names: &[[&str; 2]]) -> Markup {
-    let claims: Vec<&Checked<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
+fn verdict(found: &AtlasContent<'_>, names: &[[&str; 2]]) -> Markup {
+    let claims: Vec<&CheckedClaim<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);
     let misprint = claims.iter().find(|checked| checked.established.outcome == Outcome::Misprint);
     let shown = failed.or(misprint).or(claims.first());
@@ -45,11 +45,11 @@ fn verdict(found: &Found<'_>, names: &[[&str; 2]]) -> Markup {
     }
 }
 
-fn name(row: &Structure) -> String {
+fn name(row: &StructureRow) -> String {
     row.system.to_uppercase()
 }
 
-pub(super) fn section(found: &Found<'_>) -> Markup {
+pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #tables {
             h2 { "Tables 1 to 4" }
@@ -66,8 +66,8 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-fn table1(found: &Found<'_>) -> Markup {
-    let cells = |row: &Structure| {
+fn table1(found: &AtlasContent<'_>) -> Markup {
+    let cells = |row: &StructureRow| {
         let tensor = |tensor: &str| {
             html! { div.triple { @for entry in entries(tensor, "") { span { (value(row, &entry)) } } } }
         };
@@ -84,28 +84,28 @@ fn table1(found: &Found<'_>) -> Markup {
 /// Writes a table with one row for each map: the definitions named in `columns`, and the outcome of
 /// its claims.
 fn of_maps<'a, const N: usize>(
-    found: &Found<'_>,
+    found: &AtlasContent<'_>,
     (id, caption): (&str, &str),
     columns: &[(&str, &str)],
     claims: impl Fn(&'a str) -> [[&'a str; 2]; N],
 ) -> Markup {
-    let cells = |row: &'a Structure| {
+    let cells = |row: &'a StructureRow| {
         let first = html! { "d" (name(row)) };
         let values = columns.iter().map(|(_, name)| value(row, name));
         [first].into_iter().chain(values).chain([verdict(found, &claims(row.system))]).collect()
     };
     let headings = columns.iter().map(|(heading, _)| *heading);
     let headings: Vec<&str> = ["Map"].into_iter().chain(headings).chain(["Checked"]).collect();
-    table_of_formulas(id, caption, &headings, rows(Structure::has_map).into_iter().map(cells))
+    table_of_formulas(id, caption, &headings, rows(StructureRow::has_map).into_iter().map(cells))
 }
 
-fn table2(found: &Found<'_>) -> Markup {
+fn table2(found: &AtlasContent<'_>) -> Markup {
     let columns = [("H(ε)", "H_eps"), ("K(ε)", "K_eps")];
     let about = ("table2", "Table 2. The integrals of the maps");
     of_maps(found, about, &columns, |system| [[system, "H"], [system, "K"]])
 }
 
-fn tensors(found: &Found<'_>, id: &'static str, caption: &str, tensor: &str) -> Markup {
+fn tensors(found: &AtlasContent<'_>, id: &'static str, caption: &str, tensor: &str) -> Markup {
     let headings = ["{x,y}", "{y,z}", "{z,x}"].map(|entry| format!("{tensor}(ε) {entry}"));
     let names = entries(tensor, "_eps");
     let columns: Vec<(&str, &str)> =

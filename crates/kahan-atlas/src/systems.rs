@@ -2,15 +2,15 @@
 
 use maud::{Markup, html};
 
-use super::found::Found;
-use super::words::{badge, link};
+use super::found::AtlasContent;
+use super::text::{badge, link};
 use kahan_draw::document::{claim, formulas, inline, readable};
 use kahan_paper::Id;
-use kahan_study::{Form, Show, Shown, Subject, Systems, Unwatched};
+use kahan_study::{Show, ShowForm, ShownField, Subject, Systems, Unwatched};
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
 
-pub(super) fn section(found: &Found<'_>) -> Markup {
+pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #systems {
             h2 { "The systems" }
@@ -26,7 +26,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-pub(super) fn further(found: &Found<'_>) -> Markup {
+pub(super) fn further(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #further {
             h2 { "Further systems" }
@@ -39,10 +39,12 @@ pub(super) fn further(found: &Found<'_>) -> Markup {
     }
 }
 
-fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
+fn sheet(entry: &Entry, found: &AtlasContent<'_>) -> Markup {
     let study = Subject::named(entry.command).study(&Systems).expect("a system of the catalog");
-    let asked = Show { form: Form::Latex, jacobian: false };
-    let Ok(Shown::Formulas(sheet)) = asked.ask(&study, &Unwatched) else { unreachable!("its claims hold") };
+    let asked = Show { form: ShowForm::Latex, jacobian: false };
+    let Ok(ShownField::Formulas(sheet)) = asked.ask(&study, &Unwatched) else {
+        unreachable!("its claims hold")
+    };
     html! {
         details.system id=(format!("system-{}", entry.command)) {
             summary { h3 { (entry.name) } " " span { (readable(entry.title)) } }

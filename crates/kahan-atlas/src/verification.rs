@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use super::found::{Checked, Found};
-use super::words::{anchor, badge};
+use super::found::{AtlasContent, CheckedClaim};
+use super::text::{anchor, badge};
 use kahan_draw::document::readable;
 use kahan_draw::document::{COLUMN, displays};
 use kahan_paper::{Outcome, Section};
 
-pub(super) fn section(found: &Found<'_>) -> Markup {
+pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #verification {
             h2 { "Verification" }
@@ -25,7 +25,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-pub(super) fn counts(found: &Found<'_>) -> Markup {
+pub(super) fn counts(found: &AtlasContent<'_>) -> Markup {
     let kinds = [
         ("proved", "proved over ℚ"),
         ("proved", "proved mod p"),
@@ -43,8 +43,8 @@ pub(super) fn counts(found: &Found<'_>) -> Markup {
     }
 }
 
-fn group(part: Section, found: &Found<'_>) -> Markup {
-    let claims: Vec<&Checked<'_>> =
+fn group(part: Section, found: &AtlasContent<'_>) -> Markup {
+    let claims: Vec<&CheckedClaim<'_>> =
         found.claims.iter().filter(|checked| checked.claim.section == part).collect();
     let failed = claims.iter().any(|checked| checked.established.outcome == Outcome::Failed);
     html! {
@@ -58,8 +58,8 @@ fn group(part: Section, found: &Found<'_>) -> Markup {
     }
 }
 
-fn row(checked: &Checked<'_>, found: &Found<'_>) -> Markup {
-    let Checked { claim, established } = checked;
+fn row(checked: &CheckedClaim<'_>, found: &AtlasContent<'_>) -> Markup {
+    let CheckedClaim { claim, established } = checked;
     html! {
         tr id=(anchor(&claim.id)) {
             th scope="row" { code { (claim.id) } div.source { (readable(&claim.source())) } }

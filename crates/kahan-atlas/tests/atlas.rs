@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::plan::variables;
 use kahan_algebra::syntax::{ClaimBody, ClaimKind};
-use kahan_atlas::{Checked, Found, Making, Orbits, page};
+use kahan_atlas::{AtlasContent, CheckedClaim, Orbits, PageCreation, page};
 use kahan_paper::figures::{Figure, Measurement};
 use kahan_paper::{Claim, Established, Outcome, Paper};
 use kahan_systems::registry;
@@ -26,8 +26,8 @@ fn short_orbits() -> Vec<(&'static str, Measurement)> {
     Figure::all().map(|figure| (figure.name, short(figure).measure())).collect()
 }
 
-fn making() -> Making {
-    Making { date: "2026-01-31".to_owned(), seconds: 1.25 }
+fn making() -> PageCreation {
+    PageCreation { date: "2026-01-31".to_owned(), seconds: 1.25 }
 }
 
 /// Writes the page from given outcomes and short orbits.
@@ -36,8 +36,8 @@ fn page_with(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
     let orbits: Orbits<'_> = measured.iter().map(|(name, measurement)| (*name, measurement)).collect();
     let established =
         |claim: &Claim| Established { outcome: outcome(claim), detail: "as < given".to_owned() };
-    let claims = paper.claims().iter().map(|claim| Checked { claim, established: established(claim) });
-    page(&Found { paper, claims: claims.collect(), orbits }, &making())
+    let claims = paper.claims().iter().map(|claim| CheckedClaim { claim, established: established(claim) });
+    page(&AtlasContent { paper, claims: claims.collect(), orbits }, &making())
 }
 
 fn good(claim: &Claim) -> Outcome {

@@ -1,8 +1,8 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
 //! In: arguments. Out: text, JSON or files. `reading` turns arguments into checked systems and
-//! numbers; each module of `commands` asks a library, and returns an `Answer` or a `Refusal`. Only
-//! [`run`] prints, except for rows of long tables, which go to a `Sink`. The exit status is 0, 1
+//! numbers; each module of `commands` asks a library, and returns an `Answer` or a `UsageError`. Only
+//! [`run`] prints, except for rows of long tables, which go to an `OutputStream`. The exit status is 0, 1
 //! for a failed check or a pole, or 2 for wrong usage or input. Mathematics is deliberately absent.
 
 // Modules from bottom to top: each uses only those above (`tests/tests/layers.rs`).
@@ -20,7 +20,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser};
 
 use commands::{Command, GROUPS};
-use printing::{Answer, Refusal, finish, joined, warn};
+use printing::{Answer, UsageError, finish, joined, warn};
 use reading::{ONE_WORD, Source};
 
 /// Kahan's method for quadratic differential equations: orbits, proofs and searches.
@@ -131,7 +131,7 @@ fn command() -> clap::Command {
 }
 
 /// Turns help and version into answers, and each other message of clap into one paragraph.
-fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
+fn usage(error: &clap::Error, command: &str) -> Result<Answer, UsageError> {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return Ok(Answer::verbatim(text));
@@ -142,12 +142,12 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     let said = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"));
     let said = joined(said, " ").replace(" tip: ", "; ");
     let said = said.trim_start_matches("error: ");
-    let meant = meant(error).map_or_else(String::new, |meant| format!("; {meant}"));
+    let meant = suggestion(error).map_or_else(String::new, |meant| format!("; {meant}"));
     let call = joined(["kahan", command, "--help"].iter().filter(|word| !word.is_empty()), " ");
-    Err(Refusal::new(format!("{said}{meant}; `{call}` shows examples")))
+    Err(UsageError::new(format!("{said}{meant}; `{call}` shows examples")))
 }
 
-fn meant(error: &clap::Error) -> Option<&'static str> {
+fn suggestion(error: &clap::Error) -> Option<&'static str> {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return None };
     let is_number = argument.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit() || c == '.');
     match (error.kind(), &**argument) {

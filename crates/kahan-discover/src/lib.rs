@@ -43,9 +43,9 @@ pub mod watch;
 
 pub use deadline::Deadline;
 pub use orbits::basis::Basis;
-pub use orbits::ceiling::Ceiling;
+pub use orbits::integral_bound::IntegralBound;
 pub use poles::{Poles, poles};
 pub use report::{DiscoverError, Options, Report};
-pub use scan::{Scan, Scanned, scan};
+pub use scan::{Scan, ScannedQuantity, scan};
 pub use stages::discover;
 pub use watch::{Finding, Progress, Unwatched, Watch};

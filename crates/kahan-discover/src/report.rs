@@ -8,11 +8,11 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::claims::proved::Formula;
 use crate::drift::Drift;
-use crate::integrals::composition::Survivors;
+use crate::integrals::composition::CompositionIntegrals;
 use crate::orbits::basis::Basis;
-use crate::orbits::ceiling::Ceiling;
 use crate::orbits::growth::GrowthVerdict;
 use crate::orbits::hilbert::Hilbert;
+use crate::orbits::integral_bound::IntegralBound;
 use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
@@ -133,7 +133,7 @@ pub enum ModifiedPlace {
 pub enum Bound {
     /// Orbits show the maximal number: with one more integral, every orbit would be finite.
     Orbits,
-    /// The number is the upper bound of the [`Ceiling`].
+    /// The number is the upper bound of the [`IntegralBound`].
     Ceiling,
     /// Proved exponential growth in the plane, which excludes integrals.
     Growth,
@@ -171,7 +171,7 @@ impl Bound {
         hilbert: &Hilbert,
         n: usize,
         known: usize,
-        ceiling: Option<&Ceiling>,
+        ceiling: Option<&IntegralBound>,
         growth: &GrowthVerdict,
         linear: Option<usize>,
         by_drifts: usize,
@@ -215,7 +215,7 @@ pub struct Report {
     /// those in bases, modified Hamiltonians, and those for which no formula was found.
     pub independent: usize,
     /// The upper bound on the number of integrals that follows from fixed points of the map.
-    pub ceiling: Option<Ceiling>,
+    pub ceiling: Option<IntegralBound>,
     /// The reason why the search for integrals ended.
     pub bound: Bound,
     /// Proved, independent integrals of the map.
@@ -238,7 +238,7 @@ pub struct Report {
     /// The structure of the field.
     pub structure: StructureReport,
     /// The integrals that survive composition; `None` without integrals.
-    pub survivors: Option<Survivors>,
+    pub survivors: Option<CompositionIntegrals>,
     /// Whether the time ran out before all was done.
     pub out_of_time: bool,
     /// All conclusions as sentences, each stating exactly what was shown.
@@ -265,7 +265,7 @@ impl Report {
     }
 
     /// Returns the modified Hamiltonians in compact form that replace no formula.
-    pub fn alone(&self) -> impl Iterator<Item = &HamiltonianReport> {
+    pub fn standalone(&self) -> impl Iterator<Item = &HamiltonianReport> {
         self.compact().filter(|found| found.place == ModifiedPlace::Alone)
     }
 
@@ -282,7 +282,7 @@ impl Report {
     /// Returns the number of independent integrals without formula, basis or compact form.
     #[must_use]
     pub fn not_reached(&self) -> usize {
-        let given = self.integrals.len() + self.integrals_in_bases() + self.alone().count();
+        let given = self.integrals.len() + self.integrals_in_bases() + self.standalone().count();
         self.independent.saturating_sub(given)
     }
 }

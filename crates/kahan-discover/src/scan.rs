@@ -2,7 +2,7 @@
 //! generic.
 
 mod proposals;
-mod shapes;
+mod vanishing_polynomials;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -22,7 +22,7 @@ pub use proposals::Proposal;
 
 /// A parameter, or ε, with its values on a grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Scanned {
+pub struct ScannedQuantity {
     /// The name of the parameter, or `eps`.
     pub name: String,
     /// The values.
@@ -31,7 +31,7 @@ pub struct Scanned {
 
 /// Degrees and ranks observed at one grid point.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Sight {
+pub struct DegreesAndRanks {
     /// The degrees d₀ = 1, d₁, … of the iterates.
     pub degrees: Vec<usize>,
     /// The values h(1), h(2), … of the Hilbert function.
@@ -46,7 +46,7 @@ pub struct GridPoint {
     /// The values, in the order of the names.
     pub values: Vec<Rational>,
     /// The observation; `None` if no map exists or its orbits end at poles.
-    pub sight: Option<Sight>,
+    pub sight: Option<DegreesAndRanks>,
 }
 
 /// The observations on a grid, and the generic observation.
@@ -55,7 +55,7 @@ pub struct Scan {
     /// The names of the scanned parameters.
     pub names: Vec<String>,
     /// The observation at generic values of all scanned parameters.
-    pub generic: Sight,
+    pub generic: DegreesAndRanks,
     /// The points of the grid, the last parameter running fastest; fewer if time ran out.
     pub points: Vec<GridPoint>,
     /// Relations between scanned parameters at which all points of the grid are special.
@@ -84,7 +84,7 @@ const MOST_MONOMIALS: usize = 84;
 /// As [`discover`](crate::discover()), for the field at generic values of the scanned parameters.
 pub fn scan(
     system: &System,
-    scanned: &[Scanned],
+    scanned: &[ScannedQuantity],
     options: &Options,
     watch: &dyn Watch,
 ) -> Result<Scan, DiscoverError> {
@@ -105,7 +105,8 @@ pub fn scan(
         |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
     show(0);
     // Every point is compared with the generic observation, so it has no deadline.
-    let generic = look(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
+    let generic =
+        degrees_and_ranks(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
     let mut points = Vec::new();
     for index in 0..total {
         if deadline.passed() {
@@ -118,7 +119,7 @@ pub fn scan(
             rest /= quantity.values.len();
         }
         values.reverse();
-        let sight = look(system, &values, options, degree, &deadline).unwrap_or(None);
+        let sight = degrees_and_ranks(system, &values, options, degree, &deadline).unwrap_or(None);
         if deadline.has_stopped() {
             break;
         }
@@ -133,13 +134,13 @@ pub fn scan(
 }
 
 /// Observes degrees and ranks at these values; `Ok(None)` if orbits end at poles or time runs out.
-fn look(
+fn degrees_and_ranks(
     system: &System,
     values: &[(String, Rational)],
     options: &Options,
     degree: u32,
     deadline: &Deadline<'_>,
-) -> Result<Option<Sight>, DiscoverError> {
+) -> Result<Option<DegreesAndRanks>, DiscoverError> {
     let is_scanned = |name: &str| values.iter().any(|(scanned, _)| scanned == name);
     let mut parameters: Vec<(String, Rational)> =
         values.iter().filter(|(name, _)| name != "eps").cloned().collect();
@@ -155,7 +156,7 @@ fn look(
     }
     let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline };
     let degrees = degrees(&sample.map, &mut random, limits);
-    Ok(Hilbert::of(&searched, degree, &mut random, deadline).map(|hilbert| Sight {
+    Ok(Hilbert::of(&searched, degree, &mut random, deadline).map(|hilbert| DegreesAndRanks {
         degrees,
         integrals: hilbert.integrals,
         hilbert: hilbert.values,

@@ -2,15 +2,15 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
-use kahan_discover::{DiscoverError, Options, Scan, Scanned, Unwatched, scan};
+use kahan_discover::{DiscoverError, Options, Scan, ScannedQuantity, Unwatched, scan};
 
 mod support;
 use support::*;
 
 /// Returns an axis with values between two integers, `parts` for each unit.
-fn axis(name: &str, from: i64, to: i64, parts: i64) -> Scanned {
+fn axis(name: &str, from: i64, to: i64, parts: i64) -> ScannedQuantity {
     let values = (from * parts..=to * parts).map(|above| Rational::new(above, parts)).collect();
-    Scanned { name: name.to_owned(), values }
+    ScannedQuantity { name: name.to_owned(), values }
 }
 
 fn scanned(text: &str, name: &str) -> Scan {
@@ -45,7 +45,8 @@ fn the_time_steps_of_lotka_volterra_are_special() {
 #[test]
 fn grids_have_axes_and_names_are_checked() {
     let half = Rational::new(1, 2);
-    let axis = |name: &str| Scanned { name: name.to_owned(), values: vec![half.clone(), Rational::one()] };
+    let axis =
+        |name: &str| ScannedQuantity { name: name.to_owned(), values: vec![half.clone(), Rational::one()] };
     let options = Options::default();
     let found = scan(&system(E7), &[axis("xi"), axis("eps")], &options, &Unwatched).unwrap();
     assert_eq!(found.points.len(), 4);
@@ -54,7 +55,7 @@ fn grids_have_axes_and_names_are_checked() {
     assert_eq!(error, DiscoverError::UnknownParameter("zeta".to_owned()));
     let divided = scan(
         &system("xdot = y/a; ydot = x^2;"),
-        &[Scanned { name: "a".to_owned(), values: vec![Rational::zero(), Rational::one()] }],
+        &[ScannedQuantity { name: "a".to_owned(), values: vec![Rational::zero(), Rational::one()] }],
         &options,
         &Unwatched,
     );
@@ -62,7 +63,7 @@ fn grids_have_axes_and_names_are_checked() {
 }
 
 fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
-    let axes: Vec<Scanned> = names.iter().map(|name| axis(name, from, to, 1)).collect();
+    let axes: Vec<ScannedQuantity> = names.iter().map(|name| axis(name, from, to, 1)).collect();
     let watch = Recording::default();
     let found = scan(&system(text), &axes, &Options::default(), &watch).unwrap();
     let told: Vec<String> = watch.findings().into_iter().map(|finding| finding.text).collect();

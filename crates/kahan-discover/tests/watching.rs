@@ -3,7 +3,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_discover::orbits::hilbert::default_degree;
-use kahan_discover::{Options, Report, Scanned, Unwatched, Watch, discover, poles, scan};
+use kahan_discover::{Options, Report, ScannedQuantity, Unwatched, Watch, discover, poles, scan};
 
 mod support;
 use support::*;
@@ -67,7 +67,7 @@ fn to_end_work_is_to_take_its_time_away() {
     let found = |seconds: f64, watch: &dyn Fn() -> Recording| {
         let options = &Options { seconds, ..Options::default() };
         let values = vec![Rational::zero(), Rational::one()];
-        let axis = Scanned { name: "xi".to_owned(), values };
+        let axis = ScannedQuantity { name: "xi".to_owned(), values };
         [
             format!("{:?}", discover(&system(E4), options, &watch())),
             format!("{:?}", poles(&system(WEIERSTRASS), options, 8, &watch())),

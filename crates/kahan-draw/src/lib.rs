@@ -1,7 +1,7 @@
 //! Pictures and pages of answers.
 //!
 //! In: answers of `kahan-study`, or points, numbers and formulas, and a description of their looks.
-//! Out: drawings, as SVG or files, and HTML pages. `plot` turns a [`Plot`], [`Space`] or [`Grid`]
+//! Out: drawings, as SVG or files, and HTML pages. `plot` turns a [`Plot`], [`SpacePlot`] or [`Grid`]
 //! into a [`Drawing`]; [`picture`] builds these from answers; [`document`] and [`answer`] write
 //! pages. Commands and file access are deliberately absent.
 
@@ -16,5 +16,6 @@ pub mod document;
 pub mod answer;
 
 pub use plot::{
-    Cloud, Drawing, Format, Grid, Mark, Marks, NoFile, NumberLine, Plot, Series, Sheet, Space, Theme, decimal,
+    Canvas, Drawing, DrawingFileError, Format, Grid, Mark, NumberLine, Plot, Series, SpacePlot, SpaceSeries,
+    Theme, TickKind, decimal,
 };

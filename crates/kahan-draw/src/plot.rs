@@ -1,9 +1,11 @@
 //! Drawings with axes: points in the plane, orbits in space, and grids of numbers.
 //!
-//! A description ([`Plot`], [`Space`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a
+//! A description ([`Plot`], [`SpacePlot`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a
 //! file as SVG, PNG or PDF. Lengths are units of the view box; a small box keeps text legible on
 //! telephones.
 
+#[cfg(test)]
+mod colour_vision;
 mod drawing;
 mod grid;
 mod label;
@@ -15,26 +17,24 @@ mod ramp;
 #[cfg(any(feature = "png", feature = "pdf"))]
 mod render;
 mod script;
-#[cfg(test)]
-mod sight;
-mod space;
+mod space_plot;
 #[cfg(test)]
 mod tests;
 
 use maud::{Markup, html};
 
-pub use drawing::{Drawing, Format, NoFile, Sheet};
+pub use drawing::{Canvas, Drawing, DrawingFileError, Format};
 pub use grid::Grid;
 use label::{LARGE, SMALL, fitted, reach, text, width};
 use legend::Legend;
 use number_line::Tick;
-pub use number_line::{Marks, NumberLine, decimal};
+pub use number_line::{NumberLine, TickKind, decimal};
 use palette::Paint;
 pub use palette::Theme;
 pub(crate) use palette::{style, variables};
 use path::{Place, dots, line, polyline, rings, stroked};
 pub(crate) use script::{lowered, raised};
-pub use space::{Cloud, Space};
+pub use space_plot::{SpacePlot, SpaceSeries};
 
 /// The style of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,7 +145,7 @@ pub struct Plot {
     /// The description for screen readers.
     pub description: String,
     /// The sheet to draw on.
-    pub sheet: Sheet,
+    pub sheet: Canvas,
     /// The horizontal axis.
     pub x: NumberLine,
     /// The vertical axis.
@@ -163,7 +163,7 @@ impl Plot {
         let points = || series.iter().flat_map(|series| &series.points);
         Plot {
             description: description.to_owned(),
-            sheet: Sheet::page(480, 320),
+            sheet: Canvas::page(480, 320),
             x: NumberLine::around(x, points().map(|point| point.0)),
             y: NumberLine::around(y, points().map(|point| point.1)),
             series,
@@ -238,7 +238,7 @@ impl Plot {
 /// The rectangle that two axes span within a drawing.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
-    sheet: Sheet,
+    sheet: Canvas,
     left: f64,
     right: f64,
     top: f64,
@@ -250,7 +250,7 @@ const BOTTOM: f64 = 42.0;
 
 impl Frame {
     /// Returns the largest frame with room for labels, `above` for a legend, `beside` on the right.
-    fn around(sheet: Sheet, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
+    fn around(sheet: Canvas, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
         let (across, upwards) = sheet.view_box;
         let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
         let widest = |ticks: Vec<(Place, String)>| {

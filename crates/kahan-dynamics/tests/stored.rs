@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 
-use kahan_core::observe::{AtMost, Direction, Drift, Extrema, Lyapunov, Section};
+use kahan_core::observe::{Direction, Drift, Extrema, FirstCrossings, Lyapunov, Section};
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Dual, ProjectivePoint};
 use kahan_dynamics::periodic::{branch, periodic_point};
@@ -50,7 +50,7 @@ fn a_composition_is_its_name_and_no_other() {
 #[test]
 fn reports_come_back() {
     let map = LotkaVolterra { a: 1.0 }.at(0.05);
-    let section = Section::new(&map, |x: &[f64]| x[0] - x[1], Direction::Both, AtMost::new(3));
+    let section = Section::new(&map, |x: &[f64]| x[0] - x[1], Direction::Both, FirstCrossings::new(3));
     let observers =
         (section, Extrema::of(|x: &[f64]| x[0]), Drift::of(|x: &[f64]| [x[1]]), Lyapunov::new(&map));
     let (crossings, extremes, drifted, exponent) = map.orbit(vector![1.5, 1.0]).observe(1000, observers);

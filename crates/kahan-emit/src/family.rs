@@ -20,7 +20,7 @@ use quote::{format_ident, quote};
 use super::inputs::{binding, emit_bound_parameters};
 use super::items::{Type, identifier};
 use super::plan::{Emitted, emit_kernel, emit_plan};
-use super::tokens::Flat;
+use super::tokens::FlatTokens;
 
 struct Context<'a> {
     family: &'a Family,
@@ -31,7 +31,7 @@ struct Context<'a> {
 }
 
 /// Emits the type of a family, its implementations, and a value if the block has no header.
-pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &Flat) -> TokenStream {
+pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &FlatTokens) -> TokenStream {
     let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
     let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });
     let context = Context { family, lines: family.lines(), this, line_scalar };

@@ -8,7 +8,7 @@ use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Path, Token};
 
-use super::tokens::Flat;
+use super::tokens::FlatTokens;
 
 #[derive(Default)]
 pub(super) struct RustHeader {
@@ -19,7 +19,7 @@ pub(super) struct RustHeader {
 
 impl RustHeader {
     /// Parses a header, without the invalid attributes, which the front end has reported.
-    pub(super) fn of(header: &Header, input: &Flat) -> Self {
+    pub(super) fn of(header: &Header, input: &FlatTokens) -> Self {
         let attributes = |written| Attribute::parse_outer.parse2(input.rust(written)).unwrap_or_default();
         let described = header.described.iter().map(attributes);
         let names = header.parameters.iter().map(|name| name.text.clone());

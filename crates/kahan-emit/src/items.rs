@@ -6,7 +6,7 @@ use kahan_algebra::syntax::{ClaimKind, Header};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::tokens::Flat;
+use super::tokens::FlatTokens;
 
 use super::Context;
 use super::header::{RustHeader, has_docs};
@@ -35,7 +35,7 @@ impl<'a> Type<'a> {
         header: Option<&Header>,
         parameters: &'a [String],
         site_parameters: &'a [String],
-        input: &Flat,
+        input: &FlatTokens,
     ) -> Self {
         let name = header.map_or_else(
             || Ident::new("Field", Span::call_site()),
@@ -97,7 +97,7 @@ impl<'a> Type<'a> {
 
     /// Returns the items; without a header, a block that ends with `Field { mu: Clone::clone(&mu)
     /// }`. Parameters in this value keep the user's tokens, which resolve in the user's scope.
-    pub(super) fn emit_with(&self, items: &TokenStream, input: &Flat) -> TokenStream {
+    pub(super) fn emit_with(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
         }

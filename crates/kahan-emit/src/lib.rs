@@ -62,13 +62,13 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use syn::LitStr;
 
-use tokens::{Flat, Source};
+use tokens::{FlatTokens, Source};
 
 use claims::EmittedClaims;
 use items::Type;
 use lifted::Lifted;
 #[cfg(feature = "text")]
-pub use text::{NoText, text};
+pub use text::{ExpansionTextError, text};
 
 struct Context<'a> {
     system: &'a System,
@@ -98,17 +98,17 @@ pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     Expansion { name: name(block.checked.header()), tokens: emit(core, block, &input) }
 }
 
-struct Read {
+struct ParsedBlock {
     checked: Checked,
     lifted: Option<Lifted>,
 }
 
-fn read_block(input: &Flat) -> Read {
+fn read_block(input: &FlatTokens) -> ParsedBlock {
     if asks_for_lift(&input.tokens) {
         let (checked, lifted) = lifted::read(&input.tokens);
-        return Read { checked, lifted: Some(lifted) };
+        return ParsedBlock { checked, lifted: Some(lifted) };
     }
-    Read { checked: kahan_algebra::read(&input.tokens), lifted: None }
+    ParsedBlock { checked: kahan_algebra::read(&input.tokens), lifted: None }
 }
 
 /// Expands the block in a file, like `include_kahan!("FILE")`. `file` is the literal, and `beside`
@@ -151,8 +151,8 @@ fn name(header: Option<&Header>) -> String {
     header.map_or("field", |header| header.name.text.as_str()).to_owned()
 }
 
-fn emit(core: &TokenStream, block: Read, input: &Flat) -> TokenStream {
-    let Read { checked, lifted } = block;
+fn emit(core: &TokenStream, block: ParsedBlock, input: &FlatTokens) -> TokenStream {
+    let ParsedBlock { checked, lifted } = block;
     let lifted = lifted.as_ref();
     let place = checked.header().map_or(Span::token(0), |header| header.name.span);
     let mistake = match &checked {
@@ -179,7 +179,12 @@ fn emit(core: &TokenStream, block: Read, input: &Flat) -> TokenStream {
 
 /// Emits the errors of a block and a stand-in that keeps rustc from reporting more: a type with
 /// methods that return 0 if the states are known, otherwise the header's type, otherwise nothing.
-fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, input: &Flat) -> TokenStream {
+fn emit_broken(
+    core: &TokenStream,
+    broken: &Broken,
+    lifted: Option<&Lifted>,
+    input: &FlatTokens,
+) -> TokenStream {
     let Broken { diagnostics, stand_in } = broken;
     let errors = emit_errors(diagnostics, input);
     let StandIn { header, symbols, site_parameters, .. } = stand_in;
@@ -209,7 +214,7 @@ fn emit_system(
     core: &TokenStream,
     derived: &Derived,
     lifted: Option<&Lifted>,
-    input: &Flat,
+    input: &FlatTokens,
     is_proved: bool,
 ) -> TokenStream {
     let system = &derived.system;
@@ -254,7 +259,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
 }
 
 /// Emits a `compile_error!` at the tokens of each mistake, or a single one for a file.
-fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
+fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
         let reports = diagnostics.iter().map(|diagnostic| report(diagnostic, text, ranges, origin));

@@ -14,7 +14,7 @@ use kahan_algebra::syntax::{Block, ClaimKind, Constant, Equation, Header, InForm
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::{Span, Token};
 use kahan_algebra::{check_unproved, seed};
-use kahan_lift::{Called, Embedding, Input, Lift, Operation, Options, lift};
+use kahan_lift::{CalledFunction, Embedding, Input, Lift, Operation, Options, lift};
 use proc_macro2::{Literal, Punct, Spacing, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -272,8 +272,10 @@ fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
             Operation::Divide(a, b) => infix(a, '/', b),
             Operation::Call(called, a, b) => {
                 let second = match called {
-                    Called::Power(exponent) => Some(Literal::i32_unsuffixed(*exponent).into_token_stream()),
-                    Called::RealPower => Some(of(b).clone()),
+                    CalledFunction::Power(exponent) => {
+                        Some(Literal::i32_unsuffixed(*exponent).into_token_stream())
+                    }
+                    CalledFunction::RealPower => Some(of(b).clone()),
                     _ => None,
                 };
                 let (function, a, second) = (format_ident!("{}", called.name()), of(a), second.into_iter());

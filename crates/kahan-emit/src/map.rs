@@ -118,7 +118,7 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
 
 /// Emits the tangent map from x to x̃, called `y`; `None` if the plans have no form for it.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
-    let (symbols, plan) = context.derived.carry()?;
+    let (symbols, plan) = context.derived.tangent_map()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
     let inputs = variables(plan);
     let point = |name: &str, symbol: &dyn Fn(usize) -> Symbol| {

@@ -28,7 +28,7 @@ pub(super) struct Emitted {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
+enum Precedence {
     Sum,
     Product,
     Atom,
@@ -36,16 +36,16 @@ enum Level {
 
 struct Expression {
     tokens: TokenStream,
-    level: Level,
+    level: Precedence,
 }
 
 impl Expression {
     fn atom(tokens: TokenStream) -> Self {
-        Expression { tokens, level: Level::Atom }
+        Expression { tokens, level: Precedence::Atom }
     }
 
     /// Returns the tokens, in parentheses if the expression binds less tightly than `level`.
-    fn grouped(self, level: Level) -> TokenStream {
+    fn grouped(self, level: Precedence) -> TokenStream {
         if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }
 }
@@ -193,12 +193,12 @@ impl<'a> Emitter<'a> {
             }
             Operation::Constant(ref value) => Expression::atom(emit_constant(value, self.scalar)),
             Operation::Negate(a) => {
-                let a = self.operand(a).grouped(Level::Atom);
-                Expression { tokens: quote!(-#a), level: Level::Sum }
+                let a = self.operand(a).grouped(Precedence::Atom);
+                Expression { tokens: quote!(-#a), level: Precedence::Sum }
             }
-            Operation::Add(a, b) => self.binary(a, b, Level::Sum, '+'),
-            Operation::Subtract(a, b) => self.binary(a, b, Level::Sum, '-'),
-            Operation::Multiply(a, b) => self.binary(a, b, Level::Product, '*'),
+            Operation::Add(a, b) => self.binary(a, b, Precedence::Sum, '+'),
+            Operation::Subtract(a, b) => self.binary(a, b, Precedence::Sum, '-'),
+            Operation::Multiply(a, b) => self.binary(a, b, Precedence::Product, '*'),
             Operation::Divide(a, b) => self.quotient(&plan.operations[index], a, b),
             Operation::MultiplyAdd(a, b, c) => self.fused([a, b, c], "multiply_add"),
             Operation::MultiplySubtract(a, b, c) => self.fused([a, b, c], "multiply_subtract"),
@@ -208,27 +208,27 @@ impl<'a> Emitter<'a> {
     }
 
     /// Writes a binary operation; only a right operand of equal precedence needs parentheses.
-    fn binary(&mut self, a: Node, b: Node, level: Level, operator: char) -> Expression {
-        let tighter = if level == Level::Sum { Level::Product } else { Level::Atom };
+    fn binary(&mut self, a: Node, b: Node, level: Precedence, operator: char) -> Expression {
+        let tighter = if level == Precedence::Sum { Precedence::Product } else { Precedence::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
         Expression { tokens: infix(a, operator, b), level }
     }
 
     fn fused(&mut self, [a, b, c]: [Node; 3], method: &str) -> Expression {
-        let (a, b, c) = (self.operand(a).grouped(Level::Atom), self.operand(b), self.operand(c));
+        let (a, b, c) = (self.operand(a).grouped(Precedence::Atom), self.operand(b), self.operand(c));
         Expression::atom(call(a, method, infix(b.tokens, ',', c.tokens)))
     }
 
     /// Writes `a / b`; in a kernel `b.reciprocal()?` or `a.quotient(b)?`, which report a pole.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
-            return self.binary(a, b, Level::Product, '/');
+            return self.binary(a, b, Precedence::Product, '/');
         }
         if let Some(divisor) = self.reciprocal_of(operation) {
-            let divisor = self.operand(divisor).grouped(Level::Atom);
+            let divisor = self.operand(divisor).grouped(Precedence::Atom);
             return Expression::atom(quote!(#divisor.reciprocal()?));
         }
-        let (a, b) = (self.operand(a).grouped(Level::Atom), self.operand(b).tokens);
+        let (a, b) = (self.operand(a).grouped(Precedence::Atom), self.operand(b).tokens);
         Expression::atom(quote!(#a.quotient(#b)?))
     }
 }

@@ -12,7 +12,7 @@ const MOST_TOKENS: usize = 500_000;
 
 /// The reason why an expansion has no text.
 #[derive(Debug)]
-pub enum NoText {
+pub enum ExpansionTextError {
     /// The block does not consist of Rust tokens; `x²` is an example.
     NotRust(LexError),
     /// The expansion has too many tokens to format.
@@ -24,30 +24,30 @@ pub enum NoText {
     },
 }
 
-impl fmt::Display for NoText {
+impl fmt::Display for ExpansionTextError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NoText::NotRust(why) => {
+            ExpansionTextError::NotRust(why) => {
                 write!(f, "the text is not made of Rust's tokens, so no macro can read it: {why}")
             }
-            NoText::TooLong { tokens, most } => {
+            ExpansionTextError::TooLong { tokens, most } => {
                 write!(f, "the macro makes {tokens} tokens of this block, and at most {most} are shown")
             }
         }
     }
 }
 
-impl Error for NoText {}
+impl Error for ExpansionTextError {}
 
 /// Returns the formatted expansion of `kahan! { block }`, in a function if it has no header.
 ///
 /// # Errors
-/// [`NoText`]: the block is not made of Rust tokens, or the expansion is too long.
-pub fn text(core: &TokenStream, block: &str) -> Result<String, NoText> {
-    let expansion = expand(core, block.parse().map_err(NoText::NotRust)?);
+/// [`ExpansionTextError`]: the block is not made of Rust tokens, or the expansion is too long.
+pub fn text(core: &TokenStream, block: &str) -> Result<String, ExpansionTextError> {
+    let expansion = expand(core, block.parse().map_err(ExpansionTextError::NotRust)?);
     let tokens = count(&expansion.tokens);
     if tokens > MOST_TOKENS {
-        return Err(NoText::TooLong { tokens, most: MOST_TOKENS });
+        return Err(ExpansionTextError::TooLong { tokens, most: MOST_TOKENS });
     }
     Ok(formatted(&expansion.tokens))
 }

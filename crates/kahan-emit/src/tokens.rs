@@ -14,7 +14,7 @@ pub(crate) struct Source {
     pub(crate) origin: String,
 }
 
-pub(crate) struct Flat {
+pub(crate) struct FlatTokens {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,
     /// The tree that begins at each token, and the index of its last; `None` at closing brackets.
@@ -23,15 +23,15 @@ pub(crate) struct Flat {
     pub(crate) source: Option<Source>,
 }
 
-pub(crate) fn of_text(text: String, origin: String, span: Span) -> Flat {
+pub(crate) fn of_text(text: String, origin: String, span: Span) -> FlatTokens {
     let Lexed { tokens, ranges, .. } = lex(&text);
     let spans = vec![span; tokens.len()];
-    Flat { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
+    FlatTokens { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
 }
 
 /// Flattens a token stream with an explicit stack instead of recursion.
-pub(crate) fn flatten(stream: TokenStream) -> Flat {
-    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new(), source: None };
+pub(crate) fn flatten(stream: TokenStream) -> FlatTokens {
+    let mut flat = FlatTokens { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new(), source: None };
     let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<(Group, usize)>)> =
         vec![(stream.into_iter(), None)];
     while let Some((trees, _)) = open.last_mut() {
@@ -68,7 +68,7 @@ fn brackets(group: &Group) -> (char, char) {
     }
 }
 
-impl Flat {
+impl FlatTokens {
     /// Returns the compiler's tokens of a part that only Rust understands.
     pub(crate) fn rust(&self, written: &Written) -> TokenStream {
         match (&self.source, written.span) {

@@ -9,7 +9,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod combined;
+mod crt_factors;
 pub mod dense;
 mod lifted;
 mod modular;

@@ -9,8 +9,8 @@ use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use kahan_algebra::rational::Rational;
 
-use super::combined::Combined;
-use super::sparse::{self, Problem};
+use super::crt_factors::CrtFactors;
+use super::sparse::{self, SparseLiftingProblem};
 use super::{Powers, irreducible, univariate, without_monomial};
 
 /// The most attempts with new points after a failed lift; the range of the points grows each time.
@@ -44,7 +44,7 @@ pub(super) fn factors(
         }
         let Some(image) = best else { continue };
         if lead.is_none() {
-            lead = Lead::of(whole, main, budget)?;
+            lead = LeadingCoefficient::of(whole, main, budget)?;
         }
         let Some(lead) = &lead else { return Ok(None) };
         if let Some(factors) = image.lifted(whole, &order, lead, &mut rng, budget)? {
@@ -104,7 +104,7 @@ impl Image {
         &self,
         whole: &Polynomial,
         order: &[Variable],
-        lead: &Lead,
+        lead: &LeadingCoefficient,
         rng: &mut SplitMix64,
         budget: &mut Budget,
     ) -> Result<Option<Powers>, OverBudget> {
@@ -112,10 +112,15 @@ impl Image {
         for (_, exponent) in &self.factors {
             multipliers.push(lead.multiplier(*exponent, budget)?);
         }
-        let problem =
-            Problem { whole, order, points: &self.points, images: &self.factors, multipliers: &multipliers };
+        let problem = SparseLiftingProblem {
+            whole,
+            order,
+            points: &self.points,
+            images: &self.factors,
+            multipliers: &multipliers,
+        };
         let words: u64 = multipliers.iter().map(Polynomial::coefficient_words).max().unwrap_or(1);
-        let mut known = Combined::default();
+        let mut known = CrtFactors::default();
         for _ in 0..whole.coefficient_words() + words + 2 {
             let field = PrimeField::random(rng);
             let Some(residues) = sparse::lift(field, &problem, rng, budget)? else { continue };
@@ -124,7 +129,7 @@ impl Image {
             if self.agree(whole, lead, &multipliers, &candidates) {
                 let mut factors = Vec::new();
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
-                    factors.push((lead.taken_out(candidate, budget)?, *exponent));
+                    factors.push((lead.without_multiplier(candidate, budget)?, *exponent));
                 }
                 // If every factor has the degree of its image and the product is right, each factor
                 // belongs to its image.
@@ -147,7 +152,7 @@ impl Image {
     fn agree(
         &self,
         whole: &Polynomial,
-        lead: &Lead,
+        lead: &LeadingCoefficient,
         multipliers: &[Polynomial],
         candidates: &[Polynomial],
     ) -> bool {
@@ -191,13 +196,13 @@ fn is_product(
 }
 
 /// The leading coefficient in the main variable, and its factors.
-struct Lead {
+struct LeadingCoefficient {
     whole: Polynomial,
     content: Rational,
     factors: Powers,
 }
 
-impl Lead {
+impl LeadingCoefficient {
     fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
         let whole = whole.leading_coefficient_in(main);
         let (mut factors, core) = without_monomial(&whole);
@@ -217,7 +222,11 @@ impl Lead {
 
     /// Divides by factors of the leading coefficient that the multiplier introduced; returns the
     /// primitive part.
-    fn taken_out(&self, polynomial: Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+    fn without_multiplier(
+        &self,
+        polynomial: Polynomial,
+        budget: &mut Budget,
+    ) -> Result<Polynomial, OverBudget> {
         let (_, mut rest) = without_monomial(&polynomial);
         for (factor, exponent) in self.factors.iter().filter(|(factor, _)| factor.len() > 1) {
             for _ in 0..*exponent {

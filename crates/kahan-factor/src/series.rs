@@ -10,11 +10,11 @@ use kahan_algebra::prime_field::PrimeField;
 use super::dense::{self, Dense};
 
 /// A polynomial in x and y (or t): for each power of x, the coefficients by powers of y.
-pub(super) type Rows = Vec<Vec<u64>>;
+pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
-pub(super) struct Question<'a> {
+pub(super) struct LiftingProblem<'a> {
     /// The product, up to a factor without x; all rows have equal length.
-    pub(super) whole: &'a Rows,
+    pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
     /// For each factor a multiple of its leading coefficient, by powers of y, as long as a row.
     pub(super) multipliers: &'a [Dense],
@@ -23,12 +23,13 @@ pub(super) struct Question<'a> {
 
 /// Lifts the factors, each multiplied by multiplier / leading coefficient. `None` if the leading
 /// coefficient vanishes at the point, or two factors agree there.
-pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Rows>> {
-    let Question { whole, factors, multipliers, point } = question;
+pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<Vec<BivariateCoefficients>> {
+    let LiftingProblem { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
-    let shifted: Rows = whole.iter().map(|row| shift(field, row, *point)).collect();
+    let shifted: BivariateCoefficients = whole.iter().map(|row| shift(field, row, *point)).collect();
     let unit = reciprocal(field, shifted.last()?)?;
-    let monic: Rows = shifted.iter().map(|row| dense::product_to(field, row, &unit, len)).collect();
+    let monic: BivariateCoefficients =
+        shifted.iter().map(|row| dense::product_to(field, row, &unit, len)).collect();
     let mut powers: Vec<Dense> = Vec::new();
     for (factor, exponent) in *factors {
         let factor = dense::monic(field, factor);
@@ -49,7 +50,11 @@ pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Row
 
 /// Lifts monic factors from t = 0; returns for each factor its coefficients by powers of t, which
 /// are polynomials in x.
-fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Vec<Vec<Dense>>> {
+fn lift_monic(
+    field: PrimeField,
+    whole: &BivariateCoefficients,
+    factors: Vec<Dense>,
+) -> Option<Vec<Vec<Dense>>> {
     let by_t = transposed(whole, whole[0].len());
     let inverses = dense::partial_fractions(field, &factors)?;
     // products[i] is the product of factors 0 … i.
@@ -97,7 +102,7 @@ fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Ve
     Some(lifted)
 }
 
-fn transposed(rows: &[Dense], columns: usize) -> Rows {
+fn transposed(rows: &[Dense], columns: usize) -> BivariateCoefficients {
     let column = |place: usize| rows.iter().map(|row| row.get(place).copied().unwrap_or(0)).collect();
     (0..columns).map(column).collect()
 }
@@ -106,13 +111,18 @@ fn transposed(rows: &[Dense], columns: usize) -> Rows {
 ///
 /// Let h(1/x)·x^(kd) be the power and α = 1/k. The series h^α follows from h·(h^α)′ = α·h′·h^α
 /// (Knuth, The Art of Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
-fn root(field: PrimeField, power: Rows, exponent: u32, len: usize) -> Option<Rows> {
+fn root(
+    field: PrimeField,
+    power: BivariateCoefficients,
+    exponent: u32,
+    len: usize,
+) -> Option<BivariateCoefficients> {
     if exponent == 1 {
         return Some(power);
     }
     let alpha = field.inverse(u64::from(exponent) % field.prime())?;
     let degree = (power.len() - 1) / exponent as usize;
-    let mut root: Rows = vec![power[power.len() - 1].clone()];
+    let mut root: BivariateCoefficients = vec![power[power.len() - 1].clone()];
     for m in 1..=degree {
         let mut sums = vec![0; len];
         for l in 1..=m {

@@ -14,14 +14,14 @@ use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use kahan_algebra::table::Table;
 
 use super::dense::{self, Dense};
-use super::series::{self, Question, Rows};
+use super::series::{self, BivariateCoefficients, LiftingProblem};
 use super::vandermonde;
 
 /// A polynomial over F_p: coefficients by exponents, the main variable first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
 /// A polynomial to factor, with the factors of one of its images.
-pub(super) struct Problem<'a> {
+pub(super) struct SparseLiftingProblem<'a> {
     pub(super) whole: &'a Polynomial,
     /// The variables of the polynomial, the main one first.
     pub(super) order: &'a [Variable],
@@ -35,7 +35,7 @@ pub(super) struct Problem<'a> {
 /// Lifts the factors modulo p, each times multiplier / leading coefficient; `None` at a bad point.
 pub(super) fn lift(
     field: PrimeField,
-    problem: &Problem<'_>,
+    problem: &SparseLiftingProblem<'_>,
     rng: &mut SplitMix64,
     budget: &mut Budget,
 ) -> Result<Option<Vec<Residues>>, OverBudget> {
@@ -110,19 +110,22 @@ impl Step<'_> {
         let (degree, len) = (highest(0), highest(last) + 1);
         let base: Vec<u64> = (1..last).map(|_| 1 + rng.below(field.prime() - 1)).collect();
         budget.charge((self.whole.len() * last) as u64)?;
-        let shapes: Vec<Shape> =
-            self.factors.iter().map(|(factor, _)| Shape::new(field, factor, &base)).collect();
-        let samples = shapes.iter().map(Shape::samples).max().unwrap_or(1);
+        let shapes: Vec<FactorSupport> =
+            self.factors.iter().map(|(factor, _)| FactorSupport::new(field, factor, &base)).collect();
+        let samples = shapes.iter().map(FactorSupport::samples).max().unwrap_or(1);
         let size = (degree as u64 + 1).saturating_mul(len as u64);
         let each = size.saturating_mul(size).saturating_add(self.whole.len() as u64);
         budget.charge(each.saturating_mul(samples as u64) / RESIDUES_PER_TERM)?;
 
-        let mut whole = Walk::new(field, self.whole, &base, Some(last));
-        let mut multipliers: Vec<Walk> =
-            self.multipliers.iter().map(|each| Walk::new(field, each, &base, Some(last))).collect();
-        let mut factors: Vec<Walk> =
-            self.factors.iter().map(|(factor, _)| Walk::new(field, factor, &base, None)).collect();
-        let mut lifts: Vec<Vec<Rows>> = vec![Vec::new(); factors.len()];
+        let mut whole = PowerEvaluation::new(field, self.whole, &base, Some(last));
+        let mut multipliers: Vec<PowerEvaluation> = self
+            .multipliers
+            .iter()
+            .map(|each| PowerEvaluation::new(field, each, &base, Some(last)))
+            .collect();
+        let mut factors: Vec<PowerEvaluation> =
+            self.factors.iter().map(|(factor, _)| PowerEvaluation::new(field, factor, &base, None)).collect();
+        let mut lifts: Vec<Vec<BivariateCoefficients>> = vec![Vec::new(); factors.len()];
         for _ in 0..samples {
             let known: Vec<(Dense, u32)> = factors
                 .iter_mut()
@@ -131,7 +134,7 @@ impl Step<'_> {
                 .collect();
             let multipliers: Vec<Dense> =
                 multipliers.iter_mut().map(|walk| walk.next(field, 1, len).remove(0)).collect();
-            let question = Question {
+            let question = LiftingProblem {
                 whole: &whole.next(field, degree + 1, len),
                 factors: &known,
                 multipliers: &multipliers,
@@ -148,7 +151,7 @@ impl Step<'_> {
     }
 }
 
-fn column(rows: &Rows) -> Dense {
+fn column(rows: &BivariateCoefficients) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
@@ -159,13 +162,13 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
 }
 
 /// A polynomial that is evaluated at successive powers of a point.
-struct Walk {
+struct PowerEvaluation {
     /// For each term: exponents of the two free variables, current value, and ratio to the next
     /// value.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
-impl Walk {
+impl PowerEvaluation {
     /// Starts at power 0. The main variable and the variable with index `second` stay free.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
@@ -176,7 +179,7 @@ impl Walk {
     }
 
     /// Returns the coefficients at the next power, by powers of the main and the second variable.
-    fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> Rows {
+    fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> BivariateCoefficients {
         let mut values = vec![vec![0; columns]; rows];
         for (row, column, value, ratio) in &mut self.terms {
             *value = field.mul(*value, *ratio);
@@ -188,11 +191,11 @@ impl Walk {
 }
 
 /// The monomials of a factor by powers of the main variable, and their values.
-struct Shape {
+struct FactorSupport {
     groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }
 
-impl Shape {
+impl FactorSupport {
     fn new(field: PrimeField, factor: &Residues, base: &[u64]) -> Self {
         let mut groups: Table<usize, Vec<(Vec<u32>, u64)>> = Table::new();
         for (exponents, _) in factor.iter().filter(|(_, coefficient)| **coefficient != 0) {
@@ -210,7 +213,12 @@ impl Shape {
         self.groups.values().map(|group| group.len() * group.len() * len).sum()
     }
 
-    fn interpolated(&self, field: PrimeField, lifts: &[Rows], len: usize) -> Option<Residues> {
+    fn interpolated(
+        &self,
+        field: PrimeField,
+        lifts: &[BivariateCoefficients],
+        len: usize,
+    ) -> Option<Residues> {
         let mut terms = Residues::new();
         for (&row, group) in self.groups.iter() {
             let nodes: Vec<u64> = group.iter().map(|(_, node)| *node).collect();

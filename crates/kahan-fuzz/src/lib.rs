@@ -17,8 +17,8 @@ mod words;
 
 // The included files of `kahan-jit` refer to these names by `crate`.
 use kahan_jit::{
-    Called, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
-    Program, Refusal, Shape, Sweep,
+    CalledFunction, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
+    Program, CompileError, Shape, Sweep,
 };
 
 pub use expansion::expand;

@@ -6,12 +6,12 @@
 
 use std::marker::PhantomData;
 
-use crate::Refusal;
+use crate::CompileError;
 use crate::pages::Pages;
 
 /// The minimum sizes of the arrays that code reads and writes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Extent {
+pub(crate) struct MemoryExtent {
     /// Numbers per register; the other fields count registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
@@ -19,7 +19,7 @@ pub(crate) struct Extent {
     pub(crate) results: usize,
 }
 
-impl Extent {
+impl MemoryExtent {
     pub(crate) fn numbers(self) -> [usize; 3] {
         [self.states * self.width, self.constants * self.width, self.results * self.width]
     }
@@ -28,7 +28,7 @@ impl Extent {
 #[derive(Debug)]
 pub(crate) struct Code<T> {
     pages: Pages,
-    extent: Extent,
+    extent: MemoryExtent,
     floats: PhantomData<fn(T)>,
 }
 
@@ -40,11 +40,11 @@ impl<T: 'static> Code<T> {
     /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. It may be
     /// entered only by the method below that passes its arguments. With these, and slices of the
     /// lengths in `extent`, it must read and write nothing else but its own stack.
-    pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
-        Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
+    pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {
+        Ok(Code { pages: Pages::new(bytes).map_err(CompileError::Pages)?, extent, floats: PhantomData })
     }
 
-    pub(crate) fn extent(&self) -> Extent {
+    pub(crate) fn extent(&self) -> MemoryExtent {
         self.extent
     }
 
@@ -124,7 +124,7 @@ impl<T: 'static> Code<T> {
         own: bool,
         steps: u64,
     ) {
-        let Extent { width, states: s, .. } = self.extent;
+        let MemoryExtent { width, states: s, .. } = self.extent;
         assert!(columns.len() >= s && columns.len() <= ROOM, "{s} columns, not {}", columns.len());
         let len = columns.first_mut().map_or(0, |column| column.as_mut().len());
         assert!(len.is_multiple_of(width), "columns of whole registers");

@@ -1,7 +1,7 @@
 //! Instruction sets and shapes of compiled code.
 
-use crate::Refusal;
-use crate::assembler::{Element, Form, Width};
+use crate::CompileError;
+use crate::assembler::{Element, OperandForm, Width};
 
 /// An extension: Intel's name, and a test whether processor and system support it.
 type Extension = (&'static str, fn() -> bool);
@@ -49,11 +49,11 @@ impl InstructionSet {
     /// are; macOS would need `MAP_JIT`, and other systems are untested.
     ///
     /// # Errors
-    /// [`Refusal::System`].
-    pub(crate) fn may_run(self) -> Result<(), Refusal> {
+    /// [`CompileError::System`].
+    pub(crate) fn may_run(self) -> Result<(), CompileError> {
         let is_known = cfg!(all(any(target_os = "linux", target_os = "android"), target_endian = "little"));
         if self == Self::Neon && cfg!(target_arch = "aarch64") && !is_known {
-            return Err(Refusal::System);
+            return Err(CompileError::System);
         }
         Ok(())
     }
@@ -128,7 +128,7 @@ impl Shape {
         self.form::<T>().bytes() / size_of::<T>()
     }
 
-    pub(crate) fn form<T: Float>(self) -> Form {
+    pub(crate) fn form<T: Float>(self) -> OperandForm {
         let width = match (self.lanes, self.instructions) {
             (LaneCount::One, _) => Width::Scalar,
             (LaneCount::All, InstructionSet::Avx | InstructionSet::Neon) => Width::Bits128,
@@ -136,7 +136,7 @@ impl Shape {
             (LaneCount::All, InstructionSet::Avx512) => Width::Bits512,
         };
         let element = if T::IS_DOUBLE { Element::Double } else { Element::Single };
-        Form { element, width }
+        OperandForm { element, width }
     }
 }
 

@@ -13,16 +13,16 @@
 mod allocation;
 mod assembler;
 mod call;
+mod compile_error;
 mod instructions;
 mod lowering;
 mod pages;
 mod program;
-mod refusal;
 mod routine;
 #[cfg(test)]
 mod tests;
 
+pub use compile_error::CompileError;
 pub use instructions::{Float, InstructionSet, LaneCount, Shape};
-pub use program::{Called, Input, Instruction, Program};
-pub use refusal::Refusal;
+pub use program::{CalledFunction, Input, Instruction, Program};
 pub use routine::{ComposedOrbit, Constants, Function, Orbit, Sweep};

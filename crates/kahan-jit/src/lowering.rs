@@ -8,11 +8,11 @@ use kahan_program::Operation::{
 };
 use kahan_program::{Builder, Float, Node};
 
-use crate::program::{Called, Input, Instruction, Program};
+use crate::program::{CalledFunction, Input, Instruction, Program};
 
 /// The destination of a program's results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ends {
+pub(crate) enum ResultDestination {
     /// Result i becomes state i of the next round, in register i.
     Carried,
     /// Result i is stored in the location of state i.
@@ -25,7 +25,7 @@ pub(crate) enum Ends {
 pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 
 /// Lowers a program. If a number is negated, [`SIGN`] is an operation without being an operand.
-pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
+pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
     // Unneeded operations are skipped; their entry in `places` is never read.
     let (is_needed, mut places) = (program.needed(), vec![Node(usize::MAX); program.operations.len()]);
@@ -40,7 +40,7 @@ pub(crate) fn lowered(program: &Program, fuses: bool, ends: Ends) -> Program {
 }
 
 struct Lowering {
-    lowered: Builder<Input, Float, Called>,
+    lowered: Builder<Input, Float, CalledFunction>,
     fuses: bool,
 }
 
@@ -48,7 +48,7 @@ impl Lowering {
     /// Adds an operation on nodes of the lowered program, and returns its node.
     fn write(&mut self, operation: Instruction) -> Node {
         let operation = match operation {
-            Call(Called::Copy, a, _) => return a,
+            Call(CalledFunction::Copy, a, _) => return a,
             Negate(a) => match self.lowered.operations()[a.0] {
                 Constant(number) => Constant(Float::of(-number.value())),
                 _ => {
@@ -65,12 +65,12 @@ impl Lowering {
     }
 
     /// Returns the node of result `i`: a copy if the value lives in another location.
-    fn result(&mut self, i: usize, place: Node, ends: Ends) -> Node {
+    fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
-            (Instruction::Input(Input::State(_)), Ends::Carried) => true,
-            (Instruction::Input(Input::State(j)), Ends::InPlace) => i == j,
+            (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,
+            (Instruction::Input(Input::State(j)), ResultDestination::InPlace) => i == j,
             (operation, _) => !operation.is_given(),
         };
-        if stays { place } else { self.lowered.push(Call(Called::Copy, place, place)) }
+        if stays { place } else { self.lowered.push(Call(CalledFunction::Copy, place, place)) }
     }
 }

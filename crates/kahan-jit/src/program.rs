@@ -13,7 +13,7 @@ pub enum Input {
 
 /// A function that a program may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Called {
+pub enum CalledFunction {
     /// a if a > b, else b.
     Maximum,
     /// a if a < b, else b.
@@ -24,7 +24,7 @@ pub enum Called {
     Copy,
 }
 
-impl Function for Called {
+impl Function for CalledFunction {
     fn arguments(&self) -> usize {
         match self {
             Self::Maximum | Self::Minimum => 2,
@@ -34,7 +34,7 @@ impl Function for Called {
 }
 
 /// An operation. Single-precision code rounds the program's constants.
-pub type Instruction = Operation<Input, Float, Called>;
+pub type Instruction = Operation<Input, Float, CalledFunction>;
 
 /// A straight-line program with several results.
 pub type Program = kahan_program::Program<Vec<Instruction>>;

@@ -29,16 +29,16 @@ mod trial;
 use std::fmt;
 
 use kahan_study::trade::CannotRun;
-use kahan_study::{Count, Study, Subject, Watch};
+use kahan_study::{Study, Subject, Watch, WorkCount};
 use kahan_systems::{registry, volterra};
 use serde::Serialize;
 
 use random_fields::odd::odd;
 use random_fields::{RandomField, numbered};
-use survey::{Tried, survey, survey_odd, total, total_of_odd};
+use survey::{TestedMap, survey, survey_odd, total, total_of_odd};
 
 pub use regime::Regime;
-pub use tally::{Broken, Cell, Failure, Place, Tally};
+pub use tally::{BrokenPromises, Cell, CellKey, Failure, Tally};
 
 /// Returns the default systems: the paper's, and the Volterra lattice of three sites, whose det A
 /// cancels in long steps.
@@ -109,16 +109,16 @@ impl Extremes {
         let begun = watch.now();
         let of_study = |study: &Study| {
             let name = study.name();
-            Tried::new(name, study.system(), study.given().to_vec())
+            TestedMap::new(name, study.system(), study.given().to_vec())
                 .map_err(|why| CannotJudge { system: name.to_owned(), why })
         };
         let mut tried = studies.iter().map(of_study).collect::<Result<Vec<_>, _>>()?;
         let fields: Vec<RandomField> =
             (0..self.random_fields).map(|number| numbered(self.seed, number)).collect();
-        tried.extend(fields.iter().map(|field| Tried::drawn(&field.name, field.block())));
+        tried.extend(fields.iter().map(|field| TestedMap::drawn(&field.name, field.block())));
         let random_fields: Vec<(String, String)> =
             fields.iter().map(|field| (field.name.clone(), field.equations())).collect();
-        let count = Count::new("trials", self.total(), watch);
+        let count = WorkCount::new("trials", self.total(), watch);
         let mut tally = survey(&tried, self.trials, self.seed, &count);
         tally.add(survey_odd(self.odd_fields, self.odd_trials, self.seed, &count));
         for (name, broken) in &mut tally.broken {
@@ -127,7 +127,7 @@ impl Extremes {
             let drawn = random_fields.iter().cloned().chain(odd).find(|(drawn, _)| drawn == name);
             broken.text = drawn.map(|(_, text)| text).unwrap_or_default();
         }
-        let names = |is_meant: fn(&Tried) -> bool| {
+        let names = |is_meant: fn(&TestedMap) -> bool| {
             tried.iter().filter(|one| is_meant(one)).map(|one| one.target.name.clone()).collect::<Vec<_>>()
         };
         let systems = names(|_| true);

@@ -7,7 +7,7 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 use super::float::Float;
-use super::judge::{Judge, Zeros};
+use super::judge::{ExactMap, PolePolynomial};
 use super::regime::Regime;
 use super::roots::root;
 
@@ -36,15 +36,15 @@ impl<T: Float> Inputs<T> {
 }
 
 /// A source of inputs for one system; `fixed` holds the given parameters.
-pub(crate) struct Points<'a, T> {
-    pub(crate) judge: &'a dyn Judge,
+pub(crate) struct InputSampler<'a, T> {
+    pub(crate) judge: &'a dyn ExactMap,
     pub(crate) fixed: &'a [Option<T>],
     /// Draws parameters from the whole range, and often scales ε to the field.
     pub(crate) is_odd: bool,
     pub(crate) random: SplitMix64,
 }
 
-impl<T: Float> Points<'_, T> {
+impl<T: Float> InputSampler<'_, T> {
     pub(crate) fn draw(&mut self, regime: Regime) -> Inputs<T> {
         match regime {
             Regime::Ordinary => self.ordinary(),
@@ -123,7 +123,7 @@ impl<T: Float> Points<'_, T> {
             let mut inputs = if self.random.below(2) == 0 { self.ordinary() } else { self.mixed() };
             let Some(point) = inputs.exact() else { break };
             let Some(zeros) = self.judge.zeros(is_removable, &point, &mut self.random) else { continue };
-            let Zeros { variable, coefficients } = zeros;
+            let PolePolynomial { variable, coefficients } = zeros;
             let Some(zero) = root(&coefficients, T::BITS, &mut self.random) else { continue };
             let is_eps = variable == self.judge.equation().epsilon();
             let limit = if is_eps { T::EPS_BINADES } else { T::STATE_BINADES };

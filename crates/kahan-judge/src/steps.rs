@@ -15,7 +15,7 @@ use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension};
 use super::float::Float;
 
 /// The steps of one map over one scalar; results have the length of x.
-pub(crate) trait Steps<T>: Debug + Send + Sync {
+pub(crate) trait StepMethods<T>: Debug + Send + Sync {
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
@@ -31,7 +31,7 @@ pub(crate) trait Steps<T>: Debug + Send + Sync {
 ///
 /// # Errors
 /// [`UnsupportedDimension`] for maps with more than eight variables.
-pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn Steps<T>>, UnsupportedDimension> {
+pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn StepMethods<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),
         5..=8 => Ok(among::<T, 8>(map)),
@@ -39,11 +39,11 @@ pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn Steps<T>>, Unsupporte
     }
 }
 
-fn among<T: Float, const N: usize>(map: &Map) -> Box<dyn Steps<T>> {
+fn among<T: Float, const N: usize>(map: &Map) -> Box<dyn StepMethods<T>> {
     Box::new(map.as_kahan_map::<T, N>().expect("N is no less than the number of its variables"))
 }
 
-impl<T: Float, const N: usize> Steps<T> for Interpreted<T, N> {
+impl<T: Float, const N: usize> StepMethods<T> for Interpreted<T, N> {
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T> {
         own(x, &KahanMap::step(&self.with_parameters(parameters), &vector(x), eps))
     }

@@ -9,17 +9,17 @@ use kahan_core::num_rational::BigRational;
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, UnsupportedDimension};
 use kahan_runtime::threads::for_each;
 use kahan_runtime::{Field, FieldText, Map};
-use kahan_study::Count;
+use kahan_study::WorkCount;
 use kahan_study::trade::CannotRun;
 
 use super::float::Float;
-use super::judge::{self, Judge};
+use super::judge::{self, ExactMap};
 use super::random_fields::odd::odd;
 use super::tally::Tally;
-use super::trial::{Ready, with_special_inputs};
+use super::trial::{PreparedTrials, with_special_inputs};
 
 #[derive(Debug)]
-pub(crate) struct Tried {
+pub(crate) struct TestedMap {
     pub(crate) target: Target,
     pub(crate) map: Map,
 }
@@ -31,10 +31,10 @@ pub(crate) struct Target {
     pub(crate) parameters: Vec<Option<Rational>>,
     /// Whether parameters are drawn from the whole range.
     pub(crate) is_odd: bool,
-    pub(crate) judge: Box<dyn Judge>,
+    pub(crate) judge: Box<dyn ExactMap>,
 }
 
-impl Tried {
+impl TestedMap {
     /// Prepares a system under a name, with a given value or `None` for each parameter.
     pub(crate) fn new(
         name: &str,
@@ -81,15 +81,15 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
 /// (at least eight) each is added with subnormal inputs, with nonfinite inputs, and with large
 /// steps, for which elimination is also tested. Without removable poles, their quarter goes to the
 /// poles.
-pub(crate) fn survey(tried: &[Tried], trials: u64, seed: u64, count: &Count<'_>) -> Tally {
+pub(crate) fn survey(tried: &[TestedMap], trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }
 
-fn on_threads(tried: &[Tried], trials: u64, seed: u64, threads: usize, count: &Count<'_>) -> Tally {
+fn on_threads(tried: &[TestedMap], trials: u64, seed: u64, threads: usize, count: &WorkCount<'_>) -> Tally {
     let mut tally = Tally::default();
-    tally.add(of_scalar(&Ready::<f32>::new(tried, trials, seed), threads, count));
-    tally.add(of_scalar(&Ready::<f64>::new(tried, trials, seed), threads, count));
-    tally.add(of_scalar(&Ready::<Dd>::new(tried, trials, seed), threads, count));
+    tally.add(of_scalar(&PreparedTrials::<f32>::new(tried, trials, seed), threads, count));
+    tally.add(of_scalar(&PreparedTrials::<f64>::new(tried, trials, seed), threads, count));
+    tally.add(of_scalar(&PreparedTrials::<Dd>::new(tried, trials, seed), threads, count));
     tally
 }
 
@@ -99,14 +99,14 @@ pub(crate) fn total(trials: u64) -> u64 {
 
 /// Runs trials over `fields` random fields with extreme coefficients; every twentieth field has ten
 /// times as many. Each field is drawn on its thread.
-pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &Count<'_>) -> Tally {
+pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     let all = Mutex::new(Tally::default());
     for_each(fields, Some(count.threads()), &|k| {
         if count.is_stopped() {
             return;
         }
         let field = odd(seed, k);
-        let tried = [Tried::drawn(&field.name, field.block()).of_odd_temper()];
+        let tried = [TestedMap::drawn(&field.name, field.block()).of_odd_temper()];
         let own = if k % 20 == 19 { 10 * trials } else { trials };
         // Different fields draw from different streams.
         let seed = seed.wrapping_add((k as u64 + 1) << 32);
@@ -122,7 +122,7 @@ pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
 }
 
 /// Runs all trials of one scalar in blocks, which idle threads take.
-fn of_scalar<T: Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) -> Tally {
+fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &WorkCount<'_>) -> Tally {
     const BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");
     let all = Mutex::new(Tally::default());

@@ -27,7 +27,7 @@ pub struct Cell {
 }
 
 /// The regime, the tier and the scalar of a cell.
-pub type Place = (Regime, &'static str, &'static str);
+pub type CellKey = (Regime, &'static str, &'static str);
 
 /// A trial in which the stable tier violated its error bound, or flagged without justification.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -48,10 +48,10 @@ pub struct Failure {
 pub struct Tally {
     /// The cells.
     #[serde(serialize_with = "by_place")]
-    pub cells: BTreeMap<Place, Cell>,
+    pub cells: BTreeMap<CellKey, Cell>,
     /// The systems whose stable tier failed, by name.
     #[serde(serialize_with = "by_system")]
-    pub broken: BTreeMap<String, Broken>,
+    pub broken: BTreeMap<String, BrokenPromises>,
     /// The first failures of the stable tier: silently wrong results, then unjustified flags, each
     /// by index.
     pub failures: Vec<Failure>,
@@ -59,7 +59,7 @@ pub struct Tally {
 
 /// The failures of the stable tier in one system.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Broken {
+pub struct BrokenPromises {
     /// The equations of a random field; empty for systems of the catalog.
     pub text: String,
     /// The number of silently wrong results.
@@ -76,7 +76,7 @@ fn finite<S: Serializer>(error: &Option<f64>, serializer: S) -> Result<S::Ok, S:
     error.map(|error| error.min(f64::MAX)).serialize(serializer)
 }
 
-fn by_place<S: Serializer>(cells: &BTreeMap<Place, Cell>, serializer: S) -> Result<S::Ok, S::Error> {
+fn by_place<S: Serializer>(cells: &BTreeMap<CellKey, Cell>, serializer: S) -> Result<S::Ok, S::Error> {
     #[derive(Serialize)]
     struct Object<'a> {
         regime: &'static str,
@@ -94,12 +94,15 @@ fn by_place<S: Serializer>(cells: &BTreeMap<Place, Cell>, serializer: S) -> Resu
     }))
 }
 
-fn by_system<S: Serializer>(systems: &BTreeMap<String, Broken>, serializer: S) -> Result<S::Ok, S::Error> {
+fn by_system<S: Serializer>(
+    systems: &BTreeMap<String, BrokenPromises>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     #[derive(Serialize)]
     struct Object<'a> {
         name: &'a str,
         #[serde(flatten)]
-        broken: &'a Broken,
+        broken: &'a BrokenPromises,
     }
     serializer.collect_seq(systems.iter().map(|(name, broken)| Object { name, broken }))
 }
@@ -107,18 +110,19 @@ fn by_system<S: Serializer>(systems: &BTreeMap<String, Broken>, serializer: S) -
 const SHOWN: usize = 3;
 
 impl Tally {
-    pub(crate) fn cell(&mut self, place: Place) -> &mut Cell {
+    pub(crate) fn cell(&mut self, place: CellKey) -> &mut Cell {
         self.cells.entry(place).or_default()
     }
 
     pub(crate) fn fail(&mut self, name: &str, failure: Failure) {
         let (silently_wrong, unjustified) = (u64::from(!failure.is_flag), u64::from(failure.is_flag));
-        let broken = Broken { text: String::new(), silently_wrong, unjustified, first: failure.clone() };
+        let broken =
+            BrokenPromises { text: String::new(), silently_wrong, unjustified, first: failure.clone() };
         self.note_broken(name.to_owned(), broken);
         self.show(failure);
     }
 
-    fn note_broken(&mut self, name: String, more: Broken) {
+    fn note_broken(&mut self, name: String, more: BrokenPromises) {
         match self.broken.entry(name) {
             Entry::Vacant(place) => drop(place.insert(more)),
             Entry::Occupied(mut place) => {

@@ -4,11 +4,11 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 use super::float::Float;
-use super::judge::Exact;
-use super::points::{Inputs, Points};
+use super::judge::ExactStep;
+use super::points::{InputSampler, Inputs};
 use super::regime::Regime;
-use super::steps::{Steps, steps};
-use super::survey::{Target, Tried};
+use super::steps::{StepMethods, steps};
+use super::survey::{Target, TestedMap};
 use super::tally::{Cell, Failure, Tally};
 
 pub(crate) struct Trials<'a, T> {
@@ -21,9 +21,9 @@ pub(crate) struct Trials<'a, T> {
     seed: u64,
 }
 
-pub(crate) struct Ready<'a, T> {
+pub(crate) struct PreparedTrials<'a, T> {
     trials: Trials<'a, T>,
-    steps: Vec<Box<dyn Steps<T>>>,
+    steps: Vec<Box<dyn StepMethods<T>>>,
 }
 
 pub(crate) struct Trial<'a, T> {
@@ -33,13 +33,13 @@ pub(crate) struct Trial<'a, T> {
     place: usize,
     inputs: Inputs<T>,
     /// `None` for inputs that are not finite.
-    known: Option<Known>,
+    known: Option<ExactTrial>,
 }
 
 /// Finite inputs and the exact step; `None` at a pole.
-struct Known {
+struct ExactTrial {
     point: Vec<Dyadic>,
-    exact: Option<Box<dyn Exact>>,
+    exact: Option<Box<dyn ExactStep>>,
 }
 
 /// Returns the number of trials of one scalar, including special inputs.
@@ -51,9 +51,9 @@ fn special(trials: u64) -> u64 {
     (trials / 32).max(8)
 }
 
-impl<'a, T: Float> Ready<'a, T> {
-    pub(crate) fn new(tried: &'a [Tried], trials: u64, seed: u64) -> Self {
-        let steps = |tried: &Tried| steps(&tried.map).expect("what is tried has no more variables");
+impl<'a, T: Float> PreparedTrials<'a, T> {
+    pub(crate) fn new(tried: &'a [TestedMap], trials: u64, seed: u64) -> Self {
+        let steps = |tried: &TestedMap| steps(&tried.map).expect("what is tried has no more variables");
         Self {
             steps: tried.iter().map(steps).collect(),
             trials: Trials::new(tried.iter().map(|tried| &tried.target).collect(), trials, seed),
@@ -105,7 +105,7 @@ impl<'a, T: Float> Trials<'a, T> {
     pub(crate) fn draw(&self, index: u64) -> Trial<'a, T> {
         let (place, inputs) = self.inputs(index);
         let target = self.targets[place];
-        let known = inputs.exact().map(|point| Known { exact: target.judge.step(&point), point });
+        let known = inputs.exact().map(|point| ExactTrial { exact: target.judge.step(&point), point });
         Trial { index, target, place, inputs, known }
     }
 
@@ -115,7 +115,10 @@ impl<'a, T: Float> Trials<'a, T> {
         // Neighbouring indices get independent streams.
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
         let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
-        (place, Points { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
+        (
+            place,
+            InputSampler { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime),
+        )
     }
 
     /// Returns regime and target of a trial, cycling through regimes, then through targets.
@@ -149,7 +152,7 @@ impl<T: Float> Trial<'_, T> {
         cell.trials += 1;
         match (exact_values(next), &self.known) {
             (None, _) => cell.flagged += 1,
-            (Some(next), Some(Known { exact: Some(exact), .. })) => {
+            (Some(next), Some(ExactTrial { exact: Some(exact), .. })) => {
                 let verdict = exact.judge(&T::FORMAT, &next);
                 cell.note_error(Some(verdict.error_u));
                 cell.silently_wrong += u64::from(!verdict.is_rough);
@@ -174,7 +177,7 @@ impl<T: Float> Trial<'_, T> {
                 }
             }
             Some(next) => match (exact_values(&next), known) {
-                (Some(next), Some(Known { exact: Some(exact), .. })) => {
+                (Some(next), Some(ExactTrial { exact: Some(exact), .. })) => {
                     let verdict = exact.judge(&T::FORMAT, &next);
                     cell.note_error(Some(verdict.error_u));
                     if !verdict.keeps_promise {
@@ -207,7 +210,7 @@ impl<T: Float> Trial<'_, T> {
     /// unjustified if the field is defined, the format holds x̃, and the condition number is below
     /// the bound.
     fn forbidden_flag(&self) -> Option<f64> {
-        let (Known { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
+        let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;
         if !exact.as_ref()?.fits(&T::FORMAT) || !judge.equation().at(point).is_defined() {
             return None;

@@ -1,13 +1,13 @@
 //! LaTeX of products as the user wrote them.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Level, Notation, at_least, written};
+use kahan_algebra::render::{Notation, Precedence, at_least, written};
 use kahan_algebra::syntax::{Expr, ExprKind, Factor};
 
 use crate::notation::Latex;
 
 /// Writes a product: numbers combined, divisors below a fraction bar, factors 1 omitted.
-pub(crate) fn product(factors: &[Factor]) -> (String, Level) {
+pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     let mut coefficient = Rational::from(1);
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
     for factor in factors {
@@ -35,24 +35,24 @@ pub(crate) fn product(factors: &[Factor]) -> (String, Level) {
     } else {
         let above = number_times(&Rational::from(size.numerator()), &sides[0]).0;
         let below = number_times(&Rational::from(size.denominator()), &sides[1]).0;
-        (Latex.quotient(&above, &below), Level::Power)
+        (Latex.quotient(&above, &below), Precedence::Power)
     };
     match coefficient.is_negative() {
-        true if level < Level::Product => (format!("-{}", parenthesized(&text)), Level::Sum),
-        true => (format!("-{text}"), Level::Sum),
+        true if level < Precedence::Product => (format!("-{}", parenthesized(&text)), Precedence::Sum),
+        true => (format!("-{text}"), Precedence::Sum),
         false => (text, level),
     }
 }
 
 /// Writes a number, unless it is 1, followed by factors.
-fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Level) {
+fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Precedence) {
     match factors {
-        [] => (Latex.number(number), Level::Atom),
+        [] => (Latex.number(number), Precedence::Atom),
         [single] if number.is_one() => written(&Latex, single),
         _ => {
             let number = (!number.is_one()).then(|| Latex.number(number));
-            let others = factors.iter().map(|factor| at_least(&Latex, factor, Level::Power));
-            (Latex.product(&number.into_iter().chain(others).collect::<Vec<_>>()), Level::Product)
+            let others = factors.iter().map(|factor| at_least(&Latex, factor, Precedence::Power));
+            (Latex.product(&number.into_iter().chain(others).collect::<Vec<_>>()), Precedence::Product)
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Level, Notation};
+use kahan_algebra::render::{Notation, Precedence};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Factor;
 
@@ -118,12 +118,12 @@ impl Notation for Latex {
         }
     }
 
-    fn written_product(&self, factors: &[Factor]) -> (String, Level) {
+    fn written_product(&self, factors: &[Factor]) -> (String, Precedence) {
         expression::product(factors)
     }
 
-    fn behind_sign(&self) -> Level {
-        Level::Product
+    fn behind_sign(&self) -> Precedence {
+        Precedence::Product
     }
 
     fn over_sites(&self, summand: &str) -> String {

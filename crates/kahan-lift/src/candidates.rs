@@ -23,7 +23,7 @@ use crate::search::{MOST_VARIABLES, Problem, founded, search};
 const MOST_SETS: usize = 8;
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Effort {
+pub(crate) struct SearchEffort {
     pub(crate) nodes: usize,
     /// Whether to search also for sets with one more variable, and for sets in which each variable
     /// has a defining relation.
@@ -45,7 +45,7 @@ pub(crate) struct Candidate {
 }
 
 /// Returns the lifts with the fewest new variables found, and with one more.
-pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
+pub(crate) fn ordinary_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let surplus = usize::from(effort.surplus);
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
     let found: Vec<_> = rings
@@ -83,7 +83,7 @@ fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Cand
 }
 
 /// Returns the lifts of a mechanical system whose map preserves an energy; empty for other systems.
-pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
+pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let lifts = |ring: &Ring, least: usize| {
         let ring = Rc::new(ring.clone());
@@ -106,7 +106,7 @@ fn energy_lifts(
     ring: &Rc<Ring>,
     mechanical: &Mechanical,
     as_sums: bool,
-    effort: Effort,
+    effort: SearchEffort,
     least: usize,
 ) -> Vec<Candidate> {
     let states = ring.field.len();

@@ -9,12 +9,12 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::candidates::{Candidate, field_of, modified};
 use crate::laurent::{Laurent, Monomial};
 use crate::quadratic::Quadratic;
-use crate::ring::{Function, Meaning};
-use crate::stability::{Growth, Orbit};
+use crate::ring::{CoordinateDefinition, Function};
+use crate::stability::{ErrorGrowth, Orbit};
 
 /// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Which {
+pub enum LiftCriterion {
     /// The first that exists: an energy lift; a lift whose relations are preserved exactly; one
     /// whose relation errors do not grow along the orbit; one with the fewest new variables.
     #[default]
@@ -29,10 +29,15 @@ pub enum Which {
     Smallest,
 }
 
-impl Which {
+impl LiftCriterion {
     /// All criteria.
-    pub const ALL: [Which; 5] =
-        [Which::Automatic, Which::Energy, Which::Relations, Which::Stable, Which::Smallest];
+    pub const ALL: [LiftCriterion; 5] = [
+        LiftCriterion::Automatic,
+        LiftCriterion::Energy,
+        LiftCriterion::Relations,
+        LiftCriterion::Stable,
+        LiftCriterion::Smallest,
+    ];
 
     /// Returns the name, as in `--lift=NAME`.
     #[must_use]
@@ -58,46 +63,46 @@ const MOST_FOLLOWED: usize = 32;
 
 /// A candidate with one quadratic field, the relations that the map preserves, and error growth.
 #[derive(Debug)]
-pub(crate) struct Judged<'a> {
+pub(crate) struct RatedCandidate<'a> {
     pub(crate) candidate: &'a Candidate,
     pub(crate) form: Vec<Quadratic>,
     pub(crate) kept: Vec<(Quadratic, ModifiedIntegral)>,
-    pub(crate) growth: Option<Growth>,
+    pub(crate) growth: Option<ErrorGrowth>,
 }
 
 /// Returns the best candidate with its best quadratic field, and the reason for the choice.
 pub(crate) fn choose<'a>(
     candidates: &'a [Candidate],
-    which: Which,
+    which: LiftCriterion,
     orbit: Option<&Orbit>,
-) -> Option<(Judged<'a>, String)> {
-    let mut judged: Vec<Judged<'_>> = Vec::new();
+) -> Option<(RatedCandidate<'a>, String)> {
+    let mut judged: Vec<RatedCandidate<'_>> = Vec::new();
     // The limit drops the least preferred fields.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
             let Some(form) = candidate.forms.get(place) else { continue };
             if judged.len() < MOST_FOLLOWED {
-                judged.push(Judged::new(candidate, form.clone()));
+                judged.push(RatedCandidate::new(candidate, form.clone()));
             }
         }
     }
-    let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
+    let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
     // Prefer x² to x·p: functions of fewer variables.
-    let spread = |one: &Judged<'_>| {
+    let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
     };
-    let best = |judged: Vec<Judged<'a>>| {
+    let best = |judged: Vec<RatedCandidate<'a>>| {
         judged.into_iter().min_by(|a, b| {
-            let key = |one: &Judged<'_>| (one.order(), usize::MAX - one.kept.len());
+            let key = |one: &RatedCandidate<'_>| (one.order(), usize::MAX - one.kept.len());
             let by_exponent = exponent(a).total_cmp(&exponent(b));
             key(a).cmp(&key(b)).then(by_exponent).then(spread(a).cmp(&spread(b)))
         })
     };
     if candidates[0].energy.is_some() {
         judged = followed(judged, orbit);
-        let class = |one: &Judged<'_>| match one.growth {
+        let class = |one: &RatedCandidate<'_>| match one.growth {
             Some(growth) if !growth.is_stable() => 1 + usize::from(!growth.is_polynomial()),
             _ => 0,
         };
@@ -105,27 +110,29 @@ pub(crate) fn choose<'a>(
         judged.retain(|one| class(one) == least);
         return Some((best(judged)?, "its map keeps the energy exactly".to_owned()));
     }
-    if matches!(which, Which::Automatic | Which::Relations) {
-        let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(Judged::keeps_all);
+    if matches!(which, LiftCriterion::Automatic | LiftCriterion::Relations) {
+        let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(RatedCandidate::keeps_all);
         if !kept.is_empty() {
             let chosen = "its map keeps every relation between its variables exactly".to_owned();
             return Some((best(followed(kept, orbit))?, chosen));
         }
         judged = others;
-        if which == Which::Relations {
+        if which == LiftCriterion::Relations {
             let most = judged.iter().map(|one| one.kept.len()).max()?;
             judged.retain(|one| one.kept.len() == most);
             let chosen = format!("its map keeps {most} of the relations exactly, and no other one more");
             return Some((best(followed(judged, orbit))?, chosen));
         }
     }
-    if which == Which::Smallest || orbit.is_none() {
-        let least = judged.iter().map(Judged::order).min()?;
+    if which == LiftCriterion::Smallest || orbit.is_none() {
+        let least = judged.iter().map(RatedCandidate::order).min()?;
         judged.retain(|one| one.order() == least);
-        let why = if which == Which::Smallest { "" } else { "; without a start, no orbit was followed" };
+        let why =
+            if which == LiftCriterion::Smallest { "" } else { "; without a start, no orbit was followed" };
         return Some((best(followed(judged, orbit))?, format!("no other lift has fewer new variables{why}")));
     }
-    let (stable, others): (Vec<_>, Vec<_>) = followed(judged, orbit).into_iter().partition(Judged::is_stable);
+    let (stable, others): (Vec<_>, Vec<_>) =
+        followed(judged, orbit).into_iter().partition(RatedCandidate::is_stable);
     if !stable.is_empty() {
         let chosen = "errors of its relations do not grow along the orbit";
         return Some((best(stable)?, chosen.to_owned()));
@@ -146,13 +153,13 @@ pub(crate) fn choose<'a>(
 
 /// Computes the error growth along the orbit, in order of the number of new variables. Stops after
 /// the first number with a stable lift, and drops the remaining lifts.
-fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
+fn followed<'a>(judged: Vec<RatedCandidate<'a>>, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
     let Some(orbit) = orbit else { return judged };
-    let orders: BTreeSet<usize> = judged.iter().map(Judged::order).collect();
+    let orders: BTreeSet<usize> = judged.iter().map(RatedCandidate::order).collect();
     let mut judged = judged;
     for order in orders {
         judged.iter_mut().filter(|one| one.order() == order).for_each(|one| one.follow(orbit));
-        if judged.iter().any(Judged::is_stable) {
+        if judged.iter().any(RatedCandidate::is_stable) {
             break;
         }
     }
@@ -160,7 +167,7 @@ fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a
     judged
 }
 
-impl<'a> Judged<'a> {
+impl<'a> RatedCandidate<'a> {
     pub(crate) fn new(candidate: &'a Candidate, form: Vec<Quadratic>) -> Self {
         let field = field_of(&candidate.ring, &form);
         let kept = candidate
@@ -168,7 +175,7 @@ impl<'a> Judged<'a> {
             .iter()
             .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
             .collect();
-        Judged { candidate, form, kept, growth: None }
+        RatedCandidate { candidate, form, kept, growth: None }
     }
 
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
@@ -189,7 +196,7 @@ impl<'a> Judged<'a> {
     /// Returns fields with damping: w′ −= κ R, for a relation R that is linear in w.
     ///
     /// κ exceeds the rate at which errors grow, so that they should decay.
-    fn damped(&self, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
+    fn damped(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
         let damped = |factor: f64| {
@@ -207,7 +214,7 @@ impl<'a> Judged<'a> {
                 let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
             }
-            let mut damped = Judged::new(self.candidate, form);
+            let mut damped = RatedCandidate::new(self.candidate, form);
             orbit.into_iter().for_each(|orbit| damped.follow(orbit));
             Some(damped)
         };
@@ -220,7 +227,9 @@ impl<'a> Judged<'a> {
         let Candidate { ring, new, .. } = self.candidate;
         let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);
         let meanings = single.flat_map(Monomial::powers).map(|(index, _)| &ring.coordinates[index].meaning);
-        let is_cosine = |one: &&Meaning| matches!(one, Meaning::Function(Function::Cos | Function::Cosh, _));
+        let is_cosine = |one: &&CoordinateDefinition| {
+            matches!(one, CoordinateDefinition::Function(Function::Cos | Function::Cosh, _))
+        };
         self.kept.len() + meanings.filter(is_cosine).count() >= new.len()
     }
 }

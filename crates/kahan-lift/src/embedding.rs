@@ -11,7 +11,7 @@ use kahan_algebra::rational_function::RationalFunction;
 use kahan_program::{Calls, Node, Program};
 
 use crate::laurent::Laurent;
-use crate::ring::{Function, Meaning, Ring};
+use crate::ring::{CoordinateDefinition, Function, Ring};
 
 /// An input of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,7 +24,7 @@ pub enum Input {
 
 /// A function that the program calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Called {
+pub enum CalledFunction {
     /// aⁿ by repeated squaring; 1/a⁻ⁿ for negative n.
     Power(i32),
     /// a^b by `libm::pow`.
@@ -37,48 +37,48 @@ pub enum Called {
     Elementary(Function),
 }
 
-impl Called {
+impl CalledFunction {
     /// Returns the name of the function in generated code. All but `power` are names of `libm`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Called::Power(_) => "power",
-            Called::RealPower => "pow",
-            Called::SquareRoot => "sqrt",
-            Called::CubeRoot => "cbrt",
-            Called::Elementary(function) => function.name(),
+            CalledFunction::Power(_) => "power",
+            CalledFunction::RealPower => "pow",
+            CalledFunction::SquareRoot => "sqrt",
+            CalledFunction::CubeRoot => "cbrt",
+            CalledFunction::Elementary(function) => function.name(),
         }
     }
 }
 
-impl kahan_program::Function for Called {
+impl kahan_program::Function for CalledFunction {
     fn arguments(&self) -> usize {
-        if *self == Called::RealPower { 2 } else { 1 }
+        if *self == CalledFunction::RealPower { 2 } else { 1 }
     }
 }
 
 /// An instruction of the program.
-pub type Operation = kahan_program::Operation<Input, Rational, Called>;
+pub type Operation = kahan_program::Operation<Input, Rational, CalledFunction>;
 
-impl Calls<Called> for Float64 {
-    fn call(&self, function: &Called, a: &f64, b: &f64) -> Option<f64> {
+impl Calls<CalledFunction> for Float64 {
+    fn call(&self, function: &CalledFunction, a: &f64, b: &f64) -> Option<f64> {
         Some(match *function {
-            Called::Power(exponent) => {
+            CalledFunction::Power(exponent) => {
                 let power = num_traits::pow(*a, exponent.unsigned_abs() as usize);
                 if exponent < 0 { 1.0 / power } else { power }
             }
-            Called::RealPower => libm::pow(*a, *b),
-            Called::SquareRoot => libm::sqrt(*a),
-            Called::CubeRoot => libm::cbrt(*a),
-            Called::Elementary(function) => function.at(*a),
+            CalledFunction::RealPower => libm::pow(*a, *b),
+            CalledFunction::SquareRoot => libm::sqrt(*a),
+            CalledFunction::CubeRoot => libm::cbrt(*a),
+            CalledFunction::Elementary(function) => function.at(*a),
         })
     }
 }
 
-impl Calls<Called> for Exact {
-    fn call(&self, function: &Called, a: &Rational, _: &Rational) -> Option<Rational> {
+impl Calls<CalledFunction> for Exact {
+    fn call(&self, function: &CalledFunction, a: &Rational, _: &Rational) -> Option<Rational> {
         match *function {
-            Called::Power(exponent) => a.pow(exponent),
+            CalledFunction::Power(exponent) => a.pow(exponent),
             _ => None,
         }
     }
@@ -115,7 +115,7 @@ impl Embedding {
         let floats = self.run(&floats, &of);
         let operations = self.program.operations.iter().zip(floats).map(|(operation, float)| {
             Some(match operation {
-                Operation::Call(Called::Power(_), ..) => operation.clone(),
+                Operation::Call(CalledFunction::Power(_), ..) => operation.clone(),
                 Operation::Call(..) => Operation::Constant(Rational::from_f64(float)?),
                 _ => operation.clone(),
             })
@@ -144,7 +144,7 @@ impl Embedding {
 
 pub(crate) struct Builder<'a> {
     ring: &'a Ring,
-    program: kahan_program::Builder<Input, Rational, Called>,
+    program: kahan_program::Builder<Input, Rational, CalledFunction>,
     coordinates: Vec<Option<Node>>,
 }
 
@@ -164,12 +164,12 @@ impl<'a> Builder<'a> {
         self.push(Operation::Constant(number.clone()))
     }
 
-    fn call(&mut self, function: Called, argument: Node) -> Node {
+    fn call(&mut self, function: CalledFunction, argument: Node) -> Node {
         self.push(Operation::Call(function, argument, argument))
     }
 
     fn power(&mut self, base: Node, exponent: i32) -> Node {
-        if exponent == 1 { base } else { self.call(Called::Power(exponent), base) }
+        if exponent == 1 { base } else { self.call(CalledFunction::Power(exponent), base) }
     }
 
     /// Returns number·factors from left to right, without a factor ±1.
@@ -238,22 +238,26 @@ impl<'a> Builder<'a> {
         let meaning = &ring.coordinates[index].meaning;
         let argument = meaning.argument().map(|argument| self.laurent(argument));
         let place = match (meaning, argument) {
-            (Meaning::State(state), _) => self.push(Operation::Input(Input::State(*state))),
-            (Meaning::Function(function, _), Some(argument)) => {
-                self.call(Called::Elementary(*function), argument)
+            (CoordinateDefinition::State(state), _) => self.push(Operation::Input(Input::State(*state))),
+            (CoordinateDefinition::Function(function, _), Some(argument)) => {
+                self.call(CalledFunction::Elementary(*function), argument)
             }
-            (Meaning::Root(_, 2), Some(argument)) => self.call(Called::SquareRoot, argument),
-            (Meaning::Root(_, 3), Some(argument)) => self.call(Called::CubeRoot, argument),
-            (Meaning::Root(_, degree @ 4..), Some(argument)) => {
+            (CoordinateDefinition::Root(_, 2), Some(argument)) => {
+                self.call(CalledFunction::SquareRoot, argument)
+            }
+            (CoordinateDefinition::Root(_, 3), Some(argument)) => {
+                self.call(CalledFunction::CubeRoot, argument)
+            }
+            (CoordinateDefinition::Root(_, degree @ 4..), Some(argument)) => {
                 let exponent = self.number(&Rational::new(1, i64::from(*degree)));
-                self.push(Operation::Call(Called::RealPower, argument, exponent))
+                self.push(Operation::Call(CalledFunction::RealPower, argument, exponent))
             }
-            (Meaning::Power(_, exponent), Some(argument)) => {
+            (CoordinateDefinition::Power(_, exponent), Some(argument)) => {
                 let (number, factor) = self.coefficient(exponent);
                 let exponent = factor.unwrap_or_else(|| self.number(&number));
-                self.push(Operation::Call(Called::RealPower, argument, exponent))
+                self.push(Operation::Call(CalledFunction::RealPower, argument, exponent))
             }
-            (Meaning::Root(..) | Meaning::Sum(_), Some(argument)) => argument,
+            (CoordinateDefinition::Root(..) | CoordinateDefinition::Sum(_), Some(argument)) => argument,
             (_, None) => unreachable!("every coordinate but a state has an argument"),
         };
         self.coordinates[index] = Some(place);

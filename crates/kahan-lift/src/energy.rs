@@ -13,7 +13,7 @@ use kahan_algebra::rational_function::RationalFunction;
 
 use crate::laurent::{Laurent, Monomial};
 use crate::linear::null_space;
-use crate::ring::{Function, Meaning, Ring};
+use crate::ring::{CoordinateDefinition, Function, Ring};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Mechanical {
@@ -259,13 +259,13 @@ fn integrals(ring: &Ring, monomial: &Monomial, position: usize) -> Vec<Monomial>
     for (coordinate, _) in monomial.powers() {
         let one = Monomial::power(coordinate, 1);
         match &ring.coordinates[coordinate].meaning {
-            Meaning::Function(Function::Sin | Function::Sinh, _) => {
+            CoordinateDefinition::Function(Function::Sin | Function::Sinh, _) => {
                 integrals.push(monomial.over(&one).times(&Monomial::power(coordinate + 1, 1)));
             }
-            Meaning::Function(Function::Cos | Function::Cosh, _) => {
+            CoordinateDefinition::Function(Function::Cos | Function::Cosh, _) => {
                 integrals.push(monomial.over(&one).times(&Monomial::power(coordinate - 1, 1)));
             }
-            Meaning::Root(_, index) => {
+            CoordinateDefinition::Root(_, index) => {
                 let raised = monomial.times(&one.pow(*index));
                 integrals.extend([raised.over(&x), raised.clone()]);
             }
@@ -273,7 +273,7 @@ fn integrals(ring: &Ring, monomial: &Monomial, position: usize) -> Vec<Monomial>
         }
     }
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
-        if let Meaning::Function(Function::Log, _) = coordinate.meaning {
+        if let CoordinateDefinition::Function(Function::Log, _) = coordinate.meaning {
             integrals.push(monomial.times(&x).times(&Monomial::power(index, 1)));
             integrals.push(Monomial::power(index, 1));
         }

@@ -14,13 +14,13 @@ use crate::search::Problem;
 pub(crate) struct Equations {
     /// The header, if the block has one.
     pub header: Option<Header>,
-    pub stated: Stated,
+    pub stated: EquationNames,
     pub ring: Ring,
 }
 
 /// The names in the equations of a block to be lifted.
 #[derive(Clone, Debug)]
-pub struct Stated {
+pub struct EquationNames {
     /// The states in the order of their equations, then `t` if the time occurs.
     pub states: Vec<String>,
     /// The parameters in the order of the header, otherwise in order of occurrence.
@@ -34,7 +34,7 @@ pub struct Stated {
 ///
 /// # Errors
 /// All mistakes, each with its place and a remedy.
-pub fn stated(tokens: &[Token]) -> Result<Stated, Vec<Diagnostic>> {
+pub fn stated(tokens: &[Token]) -> Result<EquationNames, Vec<Diagnostic>> {
     Ok(Equations::read(tokens)?.stated)
 }
 
@@ -125,5 +125,5 @@ fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equat
         return None;
     }
     let Reader { states, parameters, ring, .. } = reader;
-    Some(Equations { header: block.header, stated: Stated { states, parameters, has_time }, ring })
+    Some(Equations { header: block.header, stated: EquationNames { states, parameters, has_time }, ring })
 }

@@ -40,9 +40,9 @@ mod lift;
 
 mod reembedding;
 
-pub use choice::Which;
-pub use embedding::{Called, Embedding, Input, Operation};
-pub use equations::{Stated, stated};
-pub use lift::{Along, Lift, NewVariable, Options, Relation, lift, lifts};
+pub use choice::LiftCriterion;
+pub use embedding::{CalledFunction, Embedding, Input, Operation};
+pub use equations::{EquationNames, stated};
+pub use lift::{Lift, NewVariable, Options, Relation, RelationBehaviour, lift, lifts};
 pub use reembedding::Reembedding;
 pub use ring::Function;

@@ -13,23 +13,23 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
 
-use crate::candidates::{Effort, energy_candidates, field_of, modified, ordinary_candidates};
-use crate::choice::{Judged, Which, choose};
+use crate::candidates::{SearchEffort, energy_candidates, field_of, modified, ordinary_candidates};
+use crate::choice::{LiftCriterion, RatedCandidate, choose};
 use crate::embedding::{Builder, Embedding};
 use crate::energy::{Mechanical, slopes};
-use crate::equations::{Equations, Stated};
+use crate::equations::{EquationNames, Equations};
 use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
 use crate::quadratic::component;
-use crate::ring::{Function, Meaning, Ring};
+use crate::ring::{CoordinateDefinition, Function, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
 /// The criterion, orbit and budget for the choice of a lift.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The criterion.
-    pub which: Which,
-    /// Initial values and parameters, in the order of [`Stated`]. Without them the choice uses no
+    pub which: LiftCriterion,
+    /// Initial values and parameters, in the order of [`EquationNames`]. Without them the choice uses no
     /// orbit.
     pub orbit: Option<(Vec<f64>, Vec<f64>)>,
     /// The largest number of nodes of a search; 0 means 20 000.
@@ -52,7 +52,7 @@ pub struct NewVariable {
 
 /// The behaviour of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
+pub enum RelationBehaviour {
     /// The map preserves a modified relation exactly.
     Kept,
     /// Its error stays bounded.
@@ -71,7 +71,7 @@ pub struct Relation {
     /// The function that vanishes where the relation holds, as text.
     pub text: String,
     /// The behaviour along the given orbit. Without an orbit, `Kept` or `None`.
-    pub along: Option<Along>,
+    pub along: Option<RelationBehaviour>,
     /// The modified function that the map preserves exactly, as text.
     pub formula: Option<String>,
     /// The largest growth exponent of the linearised errors of all relations, per unit of time.
@@ -123,10 +123,11 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         Err(vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())])
     };
     let mut candidates = Vec::new();
-    if matches!(options.which, Which::Automatic | Which::Energy) && !equations.stated.has_time {
-        candidates = energy_candidates(&equations, Effort { nodes, surplus: options.orbit.is_some() });
+    if matches!(options.which, LiftCriterion::Automatic | LiftCriterion::Energy) && !equations.stated.has_time
+    {
+        candidates = energy_candidates(&equations, SearchEffort { nodes, surplus: options.orbit.is_some() });
     }
-    if candidates.is_empty() && options.which == Which::Energy {
+    if candidates.is_empty() && options.which == LiftCriterion::Energy {
         let (message, help) = if Mechanical::recognise(&equations.ring).is_some() {
             (
                 "no energy lift of this mechanical system was found within the budget",
@@ -141,8 +142,8 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         return nothing(Kind::NotAPolynomial, message, help);
     }
     if candidates.is_empty() {
-        let surplus = options.which != Which::Smallest;
-        candidates = ordinary_candidates(&equations, Effort { nodes, surplus });
+        let surplus = options.which != LiftCriterion::Smallest;
+        candidates = ordinary_candidates(&equations, SearchEffort { nodes, surplus });
     }
     let orbit = followed(&equations, options);
     let Some((judged, chosen)) = choose(&candidates, options.which, orbit.as_ref()) else {
@@ -165,13 +166,13 @@ fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
 pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let orbit = followed(&equations, options);
-    let effort = Effort { nodes: NODES, surplus: true };
+    let effort = SearchEffort { nodes: NODES, surplus: true };
     let candidates =
         [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
     let mut lifts = Vec::new();
     for candidate in &candidates {
         for form in &candidate.forms {
-            let mut judged = Judged::new(candidate, form.clone());
+            let mut judged = RatedCandidate::new(candidate, form.clone());
             orbit.iter().for_each(|orbit| judged.follow(orbit));
             lifts.push(described(&equations, &judged, String::new()));
         }
@@ -179,8 +180,8 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
     Ok(lifts)
 }
 
-fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift {
-    let Stated { states, parameters, has_time } = equations.stated.clone();
+fn described(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String) -> Lift {
+    let EquationNames { states, parameters, has_time } = equations.stated.clone();
     let ring = &judged.candidate.ring;
     let writer = Writer::new(ring, &states, &parameters);
     let mut taken: Vec<String> =
@@ -211,7 +212,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         .iter()
         .map(|(relation, kept)| Relation {
             text: text(component(relation, field.dimension()).numerator()),
-            along: Some(Along::Kept),
+            along: Some(RelationBehaviour::Kept),
             formula: Some(fraction(&kept.of_map)),
             rate: None,
             defines: None,
@@ -226,10 +227,10 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
             continue;
         }
         let along = judged.growth.map(|growth| match growth {
-            growth if growth.exponent < -LARGEST_EXPONENT => Along::Decays,
-            growth if growth.is_stable() => Along::Bounded,
-            growth if growth.is_polynomial() => Along::Drifts,
-            _ => Along::Grows,
+            growth if growth.exponent < -LARGEST_EXPONENT => RelationBehaviour::Decays,
+            growth if growth.is_stable() => RelationBehaviour::Bounded,
+            growth if growth.is_polynomial() => RelationBehaviour::Drifts,
+            _ => RelationBehaviour::Grows,
         });
         relations.push(Relation {
             text: format!("{} - ({expression})", variable.name),
@@ -279,13 +280,14 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
         match &coordinate.meaning {
             // 1/(1 − exp u) is infinite at u = 0, where the equations may contain the finite u/(1 −
             // exp u).
-            Meaning::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
+            CoordinateDefinition::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
                 let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
                 let Some((monomial, value)) = slope else { continue };
                 let is_zero = (value + &base.coefficient(&Monomial::one())).is_zero();
                 let mut powers = monomial.powers().filter(|_| is_zero).map(|(index, _)| index);
                 if let (Some(inner), None) = (powers.next(), powers.next())
-                    && let Meaning::Function(Function::Exp, argument) = &ring.coordinates[inner].meaning
+                    && let CoordinateDefinition::Function(Function::Exp, argument) =
+                        &ring.coordinates[inner].meaning
                 {
                     let place = zero(argument, writer)
                         .unwrap_or_else(|| format!("{} = 0", writer.polynomial(argument, &Text)));
@@ -295,7 +297,7 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
                     ));
                 }
             }
-            Meaning::Function(Function::Sin, argument) if occurs(index, 1) => {
+            CoordinateDefinition::Function(Function::Sin, argument) if occurs(index, 1) => {
                 let frequency = ring.derivative(argument);
                 if frequency.as_constant().is_some() {
                     notes.push(format!(
@@ -321,7 +323,7 @@ impl Lift {
     /// Returns a warning if errors of the relations grow along the orbit, which makes orbits wrong.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
-        let growing = |relation: &&Relation| relation.along == Some(Along::Grows);
+        let growing = |relation: &&Relation| relation.along == Some(RelationBehaviour::Grows);
         let rate = self.relations.iter().find(growing)?.rate?;
         Some(format!(
             "errors of the lift's relations grow like e^({rate:.3}*t), so that its orbits are wrong after some time: compare with \

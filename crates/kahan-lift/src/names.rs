@@ -7,7 +7,7 @@ use kahan_algebra::render::{Notation, push_term};
 use kahan_algebra::symbols::Symbols;
 
 use crate::laurent::{Laurent, Monomial};
-use crate::ring::{Function, Meaning, Ring};
+use crate::ring::{CoordinateDefinition, Function, Ring};
 
 #[derive(Debug)]
 pub(crate) struct Writer<'a> {
@@ -66,7 +66,7 @@ impl<'a> Writer<'a> {
         let mut rest = Vec::new();
         for (coordinate, exponent) in monomial.powers() {
             match &self.ring.coordinates[coordinate].meaning {
-                Meaning::Function(Function::Exp, argument) => {
+                CoordinateDefinition::Function(Function::Exp, argument) => {
                     let times = RationalFunction::constant(Rational::from(i64::from(exponent)));
                     sum.add_scaled(argument, &times);
                 }
@@ -90,18 +90,18 @@ impl<'a> Writer<'a> {
             notation.power(&notation.call(name, &argument), i64::from(exponent))
         };
         match &self.ring.coordinates[coordinate].meaning {
-            Meaning::State(state) => {
+            CoordinateDefinition::State(state) => {
                 notation.power(&notation.name(&self.states[*state]), i64::from(exponent))
             }
-            Meaning::Function(function, argument) => call(function.name(), argument),
-            Meaning::Root(base, 1) | Meaning::Sum(base) => call("", base),
-            Meaning::Root(base, 2) => call("sqrt", base),
-            Meaning::Root(base, 3) => call("cbrt", base),
-            Meaning::Root(base, index) => {
+            CoordinateDefinition::Function(function, argument) => call(function.name(), argument),
+            CoordinateDefinition::Root(base, 1) | CoordinateDefinition::Sum(base) => call("", base),
+            CoordinateDefinition::Root(base, 2) => call("sqrt", base),
+            CoordinateDefinition::Root(base, 3) => call("cbrt", base),
+            CoordinateDefinition::Root(base, index) => {
                 let base = notation.call("", &self.polynomial(base, notation));
                 notation.raised(&base, &format!("{exponent}/{index}"))
             }
-            Meaning::Power(base, power) => {
+            CoordinateDefinition::Power(base, power) => {
                 let power = power * &RationalFunction::constant(Rational::from(i64::from(exponent)));
                 let power = self.polynomial(&Laurent::constant(power), notation);
                 let base = self.polynomial(base, notation);
@@ -143,26 +143,24 @@ impl<'a> Writer<'a> {
     }
 
     fn coordinate_name(&self, coordinate: usize) -> String {
-        let of_kind = |kind: &dyn Fn(&Meaning) -> bool| {
+        let of_kind = |kind: &dyn Fn(&CoordinateDefinition) -> bool| {
             let earlier = &self.ring.coordinates[..coordinate];
             earlier.iter().filter(|one| kind(&one.meaning)).count()
         };
         match &self.ring.coordinates[coordinate].meaning {
-            Meaning::State(state) => self.states[*state].clone(),
-            Meaning::Function(function, argument) => match self.short(argument) {
+            CoordinateDefinition::State(state) => self.states[*state].clone(),
+            CoordinateDefinition::Function(function, argument) => match self.short(argument) {
                 Some(short) => format!("{}_{short}", function.name()),
                 None => {
-                    let is_same =
-                        |one: &Meaning| matches!(one, Meaning::Function(known, _) if known == function);
+                    let is_same = |one: &CoordinateDefinition| matches!(one, CoordinateDefinition::Function(known, _) if known == function);
                     format!("{}_{}", function.name(), of_kind(&is_same) + 1)
                 }
             },
-            Meaning::Root(base, index) => match (self.short(base), index) {
+            CoordinateDefinition::Root(base, index) => match (self.short(base), index) {
                 (Some(short), 2) => format!("sqrt_{short}"),
                 (Some(short), _) => format!("root_{short}"),
                 (None, index) => {
-                    let is_root =
-                        |one: &Meaning| matches!(one, Meaning::Root(base, _) if self.short(base).is_none());
+                    let is_root = |one: &CoordinateDefinition| matches!(one, CoordinateDefinition::Root(base, _) if self.short(base).is_none());
                     let letters = if *index == 1 { ["P", "Q", "R", "S"] } else { ["r", "s", "u", "w"] };
                     let earlier = of_kind(&is_root);
                     letters
@@ -170,11 +168,13 @@ impl<'a> Writer<'a> {
                         .map_or_else(|| format!("{}{earlier}", letters[0]), |&one| one.to_owned())
                 }
             },
-            Meaning::Power(base, _) => match self.short(base) {
+            CoordinateDefinition::Power(base, _) => match self.short(base) {
                 Some(short) => format!("{short}_pow"),
-                None => format!("pow{}", of_kind(&|one| matches!(one, Meaning::Power(..))) + 1),
+                None => format!("pow{}", of_kind(&|one| matches!(one, CoordinateDefinition::Power(..))) + 1),
             },
-            Meaning::Sum(_) => format!("sum{}", of_kind(&|one| matches!(one, Meaning::Sum(_))) + 1),
+            CoordinateDefinition::Sum(_) => {
+                format!("sum{}", of_kind(&|one| matches!(one, CoordinateDefinition::Sum(_))) + 1)
+            }
         }
     }
 

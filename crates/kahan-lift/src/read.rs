@@ -13,12 +13,12 @@ use kahan_algebra::syntax::{Constant, Expr, ExprKind, Factor, InFormula};
 use kahan_algebra::token::Span;
 
 use crate::laurent::{Laurent, Monomial};
-use crate::ring::{Function, Meaning, Ring};
+use crate::ring::{CoordinateDefinition, Function, Ring};
 
 const LARGEST_POWER: i64 = 64;
 const MOST_TERMS: usize = 20_000;
 
-type Read<T> = Result<T, Diagnostic>;
+type ReadResult<T> = Result<T, Diagnostic>;
 
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
@@ -42,7 +42,7 @@ enum Family {
     Root,
 }
 
-fn refuse<T>(span: Span, message: impl Into<String>, help: impl Into<String>) -> Read<T> {
+fn refuse<T>(span: Span, message: impl Into<String>, help: impl Into<String>) -> ReadResult<T> {
     Err(Diagnostic::new(Kind::NotAPolynomial, span, message, help))
 }
 
@@ -52,21 +52,21 @@ impl Reader {
         &mut self,
         sides: &[&Expr<InFormula>],
         constants: &[Constant<InFormula>],
-    ) -> Read<()> {
+    ) -> ReadResult<()> {
         loop {
             let before = self.units.clone();
             self.constants.clear();
             self.ring = Ring::default();
             self.ring.parameters = self.parameters.len();
             for state in 0..self.states.len() {
-                self.ring.add(Meaning::State(state), Laurent::number(Rational::one()));
+                self.ring.add(CoordinateDefinition::State(state), Laurent::number(Rational::one()));
             }
             for constant in constants {
                 let value =
                     constant.value.as_ref().map_or_else(|| Ok(Laurent::zero()), |value| self.expr(value))?;
                 self.constants.push((constant.name.text.clone(), value));
             }
-            let mut field = sides.iter().map(|side| self.expr(side)).collect::<Read<Vec<_>>>()?;
+            let mut field = sides.iter().map(|side| self.expr(side)).collect::<ReadResult<Vec<_>>>()?;
             if field.len() < self.states.len() {
                 field.push(Laurent::number(Rational::one()));
             }
@@ -78,13 +78,13 @@ impl Reader {
         }
     }
 
-    pub(crate) fn expr(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
+    pub(crate) fn expr(&mut self, expr: &Expr<InFormula>) -> ReadResult<Laurent> {
         self.signed(expr, 1)
     }
 
     /// Reads expr^sign, sign = ±1. Factors of a product are inverted one by one, so that 1/P² and
     /// 1/P³ are powers of one coordinate 1/P.
-    fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> Read<Laurent> {
+    fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> ReadResult<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {
                 let mut product = Laurent::number(Rational::one());
@@ -152,7 +152,7 @@ impl Reader {
         Ok(value)
     }
 
-    fn name(&self, name: &str, span: Span) -> Read<Laurent> {
+    fn name(&self, name: &str, span: Span) -> ReadResult<Laurent> {
         if matches!(name, "eps" | "ε") {
             let help =
                 "write a parameter for the coefficient; a quadratic field without a lift may have `eps^2`";
@@ -181,14 +181,14 @@ impl Reader {
         }
     }
 
-    fn product(&self, left: &Laurent, right: &Laurent, span: Span) -> Read<Laurent> {
+    fn product(&self, left: &Laurent, right: &Laurent, span: Span) -> ReadResult<Laurent> {
         if left.len().saturating_mul(right.len()) > 50 * MOST_TERMS {
             return refuse(span, "the product has too many terms once it is expanded", "name a factor");
         }
         Ok(self.ring.product(left, right))
     }
 
-    fn integer_power(&self, base: &Laurent, exponent: i64, span: Span) -> Read<Laurent> {
+    fn integer_power(&self, base: &Laurent, exponent: i64, span: Span) -> ReadResult<Laurent> {
         let mut power = Laurent::number(Rational::one());
         for _ in 0..exponent {
             power = self.product(&power, base, span)?;
@@ -196,7 +196,7 @@ impl Reader {
         Ok(power)
     }
 
-    fn power(&mut self, base: &Laurent, exponent: &Rational, span: Span) -> Read<Laurent> {
+    fn power(&mut self, base: &Laurent, exponent: &Rational, span: Span) -> ReadResult<Laurent> {
         let Some((numerator, denominator)) = exponent
             .as_small_ratio()
             .filter(|(above, below)| above.abs() <= LARGEST_POWER && *below <= LARGEST_POWER)
@@ -234,7 +234,7 @@ impl Reader {
     fn root(&mut self, base: &Laurent, index: i16, exponent: i16) -> Monomial {
         let unit = self.unit(Family::Root, base, &Rational::new(1, i64::from(index)));
         let finest = small(unit.recip().and_then(|unit| unit.as_i64()).expect("the inverse of an index"));
-        let meaning = Meaning::Root(base.clone(), finest);
+        let meaning = CoordinateDefinition::Root(base.clone(), finest);
         let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
             let coordinate = self.ring.coordinates.len();
             let factor = RationalFunction::constant(Rational::new(1, i64::from(finest)));
@@ -262,7 +262,7 @@ impl Reader {
         }
     }
 
-    fn general_power(&mut self, base: &Laurent, exponent: &Laurent, span: Span) -> Read<Laurent> {
+    fn general_power(&mut self, base: &Laurent, exponent: &Laurent, span: Span) -> ReadResult<Laurent> {
         if let Some(number) = exponent.as_number() {
             return self.power(base, &number, span);
         }
@@ -280,7 +280,7 @@ impl Reader {
         });
         let symbolic = &exponent - &RationalFunction::constant(constant.clone());
         let (content, primitive) = signed_content(&symbolic);
-        let meaning = Meaning::Power(base.clone(), primitive.clone());
+        let meaning = CoordinateDefinition::Power(base.clone(), primitive.clone());
         let inverse = self.power(base, &Rational::from(-1), span)?.scale(&primitive);
         let slope = |own| inverse.shifted(&Monomial::power(own, 1));
         let coordinate = self.ring.coordinate(meaning, slope);
@@ -293,7 +293,7 @@ impl Reader {
         self.product(&symbolic, &number, span)
     }
 
-    fn call(&mut self, function: &str, argument: &Laurent, span: Span) -> Read<Laurent> {
+    fn call(&mut self, function: &str, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         let inverse = |reader: &mut Self, value: &Laurent| reader.power(value, &Rational::from(-1), span);
         if let Some((_, above, below)) = QUOTIENTS.iter().find(|(name, ..)| *name == function) {
             let below = self.call(below, argument, span)?;
@@ -333,7 +333,7 @@ impl Reader {
     }
 
     fn function(&mut self, function: Function, argument: &Laurent, slope: Laurent) -> Laurent {
-        let meaning = Meaning::Function(function, argument.clone());
+        let meaning = CoordinateDefinition::Function(function, argument.clone());
         Laurent::coordinate(self.ring.coordinate(meaning, |_| slope))
     }
 
@@ -346,7 +346,7 @@ impl Reader {
     }
 
     /// Returns exp u, as a product over the terms of u unless u has a constant term.
-    fn exponential(&mut self, argument: &Laurent, span: Span) -> Read<Laurent> {
+    fn exponential(&mut self, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         if argument.is_zero() {
             return Ok(Laurent::number(Rational::one()));
         }
@@ -361,14 +361,14 @@ impl Reader {
             let (multiple, primitive) = part.primitive();
             let unit = self.unit(Family::Exponential, &primitive, &multiple);
             let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-            let meaning = Meaning::Function(Function::Exp, inner);
+            let meaning = CoordinateDefinition::Function(Function::Exp, inner);
             let coordinate = self.ring.coordinate(meaning, Laurent::coordinate);
             product = product.times(&Monomial::power(coordinate, self.times(&multiple, &unit, span)?));
         }
         Ok(Laurent::from(product))
     }
 
-    fn times(&self, multiple: &Rational, unit: &Rational, span: Span) -> Read<i16> {
+    fn times(&self, multiple: &Rational, unit: &Rational, span: Span) -> ReadResult<i16> {
         let times = multiple.checked_div(unit).and_then(|times| times.as_i64());
         match times.filter(|times| times.abs() <= LARGEST_POWER) {
             Some(times) => Ok(small(times)),
@@ -379,7 +379,7 @@ impl Reader {
         }
     }
 
-    fn circular(&mut self, family: Family, argument: &Laurent, span: Span) -> Read<[Laurent; 2]> {
+    fn circular(&mut self, family: Family, argument: &Laurent, span: Span) -> ReadResult<[Laurent; 2]> {
         let one = Laurent::number(Rational::one());
         if argument.is_zero() {
             return Ok([Laurent::zero(), one]);
@@ -393,11 +393,14 @@ impl Reader {
             _ => ([Function::Sinh, Function::Cosh], 1),
         };
         let sign = whole(sign);
-        let sine = Meaning::Function(functions[0], inner.clone());
+        let sine = CoordinateDefinition::Function(functions[0], inner.clone());
         let at = self.ring.find(&sine).unwrap_or_else(|| {
             let at = self.ring.coordinates.len();
             self.ring.add(sine, Laurent::coordinate(at + 1));
-            self.ring.add(Meaning::Function(functions[1], inner), Laurent::coordinate(at).scale(&sign));
+            self.ring.add(
+                CoordinateDefinition::Function(functions[1], inner),
+                Laurent::coordinate(at).scale(&sign),
+            );
             let [from, other] = if sign == RationalFunction::one() { [at + 1, at] } else { [at, at + 1] };
             let mut square = one.clone();
             square.add_term(Monomial::power(other, 2), &sign);

@@ -1,7 +1,7 @@
 //! Symmetric projection onto the relations of a lift (E. Hairer, "Symmetric projection methods for
 //! differential equations on manifolds", BIT 40, 2000), and the signs of new variables.
 
-use crate::embedding::{Called, Embedding, Operation};
+use crate::embedding::{CalledFunction, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
@@ -75,14 +75,15 @@ impl Embedding {
         for operation in operations {
             positive.push(match operation {
                 Operation::Call(function, a, exponent) => match function {
-                    Called::SquareRoot | Called::Elementary(Function::Exp | Function::Cosh) => true,
+                    CalledFunction::SquareRoot
+                    | CalledFunction::Elementary(Function::Exp | Function::Cosh) => true,
                     // Odd roots have the sign of their argument.
-                    Called::RealPower => !matches!(
+                    CalledFunction::RealPower => !matches!(
                         &operations[exponent.0],
                         Operation::Constant(value) if value.to_f64().recip().round() % 2.0 != 0.0
                     ),
-                    Called::Power(_) => positive[a.0],
-                    Called::CubeRoot | Called::Elementary(_) => false,
+                    CalledFunction::Power(_) => positive[a.0],
+                    CalledFunction::CubeRoot | CalledFunction::Elementary(_) => false,
                 },
                 Operation::Constant(value) => value.to_f64() > 0.0,
                 Operation::Add(a, b) | Operation::Multiply(a, b) | Operation::Divide(a, b) => {

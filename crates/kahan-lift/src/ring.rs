@@ -75,7 +75,7 @@ impl Function {
 
 /// The function of the states that is a coordinate.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Meaning {
+pub(crate) enum CoordinateDefinition {
     State(usize),
     /// An elementary function of a polynomial in coordinates.
     Function(Function, Laurent),
@@ -87,22 +87,22 @@ pub(crate) enum Meaning {
     Sum(Laurent),
 }
 
-impl Meaning {
+impl CoordinateDefinition {
     /// Returns the polynomial to which the function is applied, `None` for a state.
     pub(crate) fn argument(&self) -> Option<&Laurent> {
         match self {
-            Meaning::State(_) => None,
-            Meaning::Function(_, inner)
-            | Meaning::Root(inner, _)
-            | Meaning::Power(inner, _)
-            | Meaning::Sum(inner) => Some(inner),
+            CoordinateDefinition::State(_) => None,
+            CoordinateDefinition::Function(_, inner)
+            | CoordinateDefinition::Root(inner, _)
+            | CoordinateDefinition::Power(inner, _)
+            | CoordinateDefinition::Sum(inner) => Some(inner),
         }
     }
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
-    pub meaning: Meaning,
+    pub meaning: CoordinateDefinition,
     /// F′(u) as a polynomial in coordinates, 1 for a state.
     pub slope: Laurent,
 }
@@ -126,23 +126,23 @@ pub(crate) struct Ring {
     rules: Vec<Rule>,
     pub field: Vec<Laurent>,
     pub parameters: usize,
-    derivatives: Memory,
-    normal: Memory,
+    derivatives: PolynomialCache,
+    normal: PolynomialCache,
 }
 
 /// A cache of polynomials by monomial, behind a mutex, as threads share rings. A clone is empty.
 #[derive(Debug, Default)]
-struct Memory(Mutex<FxHashMap<Monomial, Laurent>>);
+struct PolynomialCache(Mutex<FxHashMap<Monomial, Laurent>>);
 
-impl Memory {
+impl PolynomialCache {
     fn known(&self) -> MutexGuard<'_, FxHashMap<Monomial, Laurent>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Clone for Memory {
+impl Clone for PolynomialCache {
     fn clone(&self) -> Self {
-        Memory::default()
+        PolynomialCache::default()
     }
 }
 
@@ -155,18 +155,22 @@ fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
 }
 
 impl Ring {
-    pub(crate) fn add(&mut self, meaning: Meaning, slope: Laurent) -> usize {
+    pub(crate) fn add(&mut self, meaning: CoordinateDefinition, slope: Laurent) -> usize {
         self.coordinates.push(Coordinate { meaning, slope });
         self.coordinates.len() - 1
     }
 
-    pub(crate) fn find(&self, meaning: &Meaning) -> Option<usize> {
+    pub(crate) fn find(&self, meaning: &CoordinateDefinition) -> Option<usize> {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
     /// Returns the coordinate with this meaning. A new one gets F′(u) from `slope`, called with its
     /// index.
-    pub(crate) fn coordinate(&mut self, meaning: Meaning, slope: impl FnOnce(usize) -> Laurent) -> usize {
+    pub(crate) fn coordinate(
+        &mut self,
+        meaning: CoordinateDefinition,
+        slope: impl FnOnce(usize) -> Laurent,
+    ) -> usize {
         self.find(&meaning).unwrap_or_else(|| {
             let slope = slope(self.coordinates.len());
             self.add(meaning, slope)
@@ -197,7 +201,7 @@ impl Ring {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
         let bases = self.coordinates.iter().filter_map(|coordinate| match &coordinate.meaning {
-            Meaning::Root(base, _) if base.len() > 1 => Some(base),
+            CoordinateDefinition::Root(base, _) if base.len() > 1 => Some(base),
             _ => None,
         });
         for base in bases {
@@ -205,10 +209,13 @@ impl Ring {
             for _ in 0..3 {
                 let derivative = ring.derivative(&sum).filtered(is_polynomial);
                 sum = derivative.primitive().1;
-                if !(2..=12).contains(&sum.len()) || ring.find(&Meaning::Sum(sum.clone())).is_some() {
+                if !(2..=12).contains(&sum.len())
+                    || ring.find(&CoordinateDefinition::Sum(sum.clone())).is_some()
+                {
                     break;
                 }
-                let coordinate = ring.add(Meaning::Sum(sum.clone()), Laurent::number(Rational::one()));
+                let coordinate =
+                    ring.add(CoordinateDefinition::Sum(sum.clone()), Laurent::number(Rational::one()));
                 let (leading, instead) = solved(&sum, Monomial::power(coordinate, 1));
                 ring.replace(leading, instead);
             }

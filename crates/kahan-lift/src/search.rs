@@ -13,8 +13,8 @@ use kahan_algebra::prime_field::Shake256;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::laurent::{Laurent, Monomial};
-use crate::ring::{Meaning, Ring};
-use crate::table::{Id, Table};
+use crate::ring::{CoordinateDefinition, Ring};
+use crate::table::{MonomialId, Table};
 
 /// The task of a search: given variables and monomials to be written.
 #[derive(Clone, Debug, Default)]
@@ -30,7 +30,7 @@ pub(crate) struct Problem {
 }
 
 #[derive(Clone, Debug)]
-pub(crate) struct Found {
+pub(crate) struct VariableSets {
     /// Sets of new variables: those of the smallest size found, then larger ones.
     pub sets: Vec<Vec<Laurent>>,
     /// Whether all smaller sets were excluded, among those in which each missing monomial is a
@@ -46,14 +46,14 @@ const LOCAL_CHANGES: usize = 40;
 
 /// The monomials that can be written in some variables.
 #[derive(Clone, Debug, Default)]
-struct Cover {
-    covered: FxHashSet<Id>,
+struct MonomialCover {
+    covered: FxHashSet<MonomialId>,
     /// For each product with several uncovered monomials, the list of its monomials.
-    composite: Vec<Rc<[Id]>>,
+    composite: Vec<Rc<[MonomialId]>>,
 }
 
-impl Cover {
-    fn add(&mut self, support: &Rc<[Id]>) {
+impl MonomialCover {
+    fn add(&mut self, support: &Rc<[MonomialId]>) {
         let mut missing = support.iter().filter(|one| !self.covered.contains(*one));
         match (missing.next().copied(), missing.next()) {
             (None, _) => {}
@@ -81,14 +81,14 @@ struct Search<'a> {
     table: Table<'a>,
     ring: &'a Ring,
     problem: &'a Problem,
-    given: Vec<Id>,
-    required: Vec<Id>,
+    given: Vec<MonomialId>,
+    required: Vec<MonomialId>,
     nodes: usize,
     largest: u32,
     /// Whether new variables must be coordinates, their inverses, or products of two variables.
     founded: bool,
-    visited: FxHashMap<Vec<Id>, usize>,
-    sets: Vec<Vec<Id>>,
+    visited: FxHashMap<Vec<MonomialId>, usize>,
+    sets: Vec<Vec<MonomialId>>,
 }
 
 /// Returns the smallest closed sets of at most `most` variables that are found within `budget`
@@ -99,7 +99,7 @@ pub(crate) fn search(
     budget: usize,
     surplus: usize,
     most: usize,
-) -> Option<Found> {
+) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
     // If `most` is the result of another ring, success is unlikely after a failed greedy closure.
@@ -122,19 +122,19 @@ pub(crate) fn search(
             let larger = search.sets.drain(..).filter(|set| set.len() > size);
             sets.extend(larger);
         }
-        return Some(Found { sets: search.monomials(sets), is_optimal: true });
+        return Some(VariableSets { sets: search.monomials(sets), is_optimal: true });
     }
     let set = search.improved(greedy?, budget / NODES_A_CHANGE);
-    Some(Found { sets: search.monomials(vec![set]), is_optimal: false })
+    Some(VariableSets { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
 /// Finds a closed set, not always a smallest one, in which each variable has a defining quadratic
 /// relation: it is a product of two others, or the inverse of a polynomial.
 pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
-    let mut seeds: Vec<Id> = Vec::new();
+    let mut seeds: Vec<MonomialId> = Vec::new();
     for coordinate in &ring.coordinates {
-        let Meaning::Root(base, 1) = &coordinate.meaning else { continue };
+        let CoordinateDefinition::Root(base, 1) = &coordinate.meaning else { continue };
         for (term, _) in base.terms() {
             // x⁴ is the square of x², x³ the product of x² and x.
             let mut power = term.clone();
@@ -173,7 +173,7 @@ impl<'a> Search<'a> {
 
     /// Returns whether a monomial is a coordinate, the inverse of one, or a product of two
     /// variables.
-    fn is_founded(&mut self, id: Id, new: &[Id]) -> bool {
+    fn is_founded(&mut self, id: MonomialId, new: &[MonomialId]) -> bool {
         if !self.founded || self.table.monomial(id).size() == 1 {
             return true;
         }
@@ -181,31 +181,34 @@ impl<'a> Search<'a> {
         self.is_product(&monomial, new)
     }
 
-    fn is_product(&mut self, monomial: &Monomial, new: &[Id]) -> bool {
+    fn is_product(&mut self, monomial: &Monomial, new: &[MonomialId]) -> bool {
         let own = self.table.id(monomial);
-        let variables: Vec<Id> = self.given.iter().chain(new).copied().filter(|&one| one != own).collect();
+        let variables: Vec<MonomialId> =
+            self.given.iter().chain(new).copied().filter(|&one| one != own).collect();
         variables.iter().any(|&variable| {
             let other = monomial.over(self.table.monomial(variable));
             variables.contains(&self.table.id(&other))
         })
     }
 
-    fn are_founded(&mut self, set: &[Id]) -> bool {
+    fn are_founded(&mut self, set: &[MonomialId]) -> bool {
         set.iter().all(|&id| {
             let monomial = self.table.monomial(id).clone();
             let (coordinate, _) = monomial.powers().next().expect("no variable is 1");
             match &self.ring.coordinates[coordinate].meaning {
-                Meaning::Root(base, _) if monomial.size() == 1 => base.terms().all(|(term, _)| {
-                    let product = term.times(&monomial);
-                    product == monomial || self.is_product(&product, set)
-                }),
+                CoordinateDefinition::Root(base, _) if monomial.size() == 1 => {
+                    base.terms().all(|(term, _)| {
+                        let product = term.times(&monomial);
+                        product == monomial || self.is_product(&product, set)
+                    })
+                }
                 _ => monomial.size() == 1 || self.is_product(&monomial, set),
             }
         })
     }
 
-    fn monomials(&self, sets: Vec<Vec<Id>>) -> Vec<Vec<Laurent>> {
-        let set = |ids: Vec<Id>| {
+    fn monomials(&self, sets: Vec<Vec<MonomialId>>) -> Vec<Vec<Laurent>> {
+        let set = |ids: Vec<MonomialId>| {
             let mut set: Vec<Monomial> = ids.iter().map(|&id| self.table.monomial(id).clone()).collect();
             set.sort_unstable_by_key(|one| (one.size(), Reverse(one.clone())));
             set.into_iter().map(Laurent::from).collect()
@@ -220,8 +223,8 @@ impl<'a> Search<'a> {
     }
 
     /// Returns the cover of `new`: the monomials of products of at most two variables.
-    fn cover(&mut self, new: &[Id]) -> Cover {
-        let mut cover = Cover::default();
+    fn cover(&mut self, new: &[MonomialId]) -> MonomialCover {
+        let mut cover = MonomialCover::default();
         cover.covered.insert(Table::ONE);
         for (i, sum) in self.problem.sums.iter().enumerate() {
             cover.composite.push(self.table.support(sum));
@@ -230,7 +233,7 @@ impl<'a> Search<'a> {
             }
         }
         let given = self.given.clone();
-        let mut variables: Vec<Id> = Vec::new();
+        let mut variables: Vec<MonomialId> = Vec::new();
         for &variable in given.iter().chain(new) {
             self.join(&mut cover, &variables, variable);
             variables.push(variable);
@@ -240,7 +243,7 @@ impl<'a> Search<'a> {
     }
 
     /// Adds the products of a variable with itself, with others and with the sums.
-    fn join(&mut self, cover: &mut Cover, others: &[Id], variable: Id) {
+    fn join(&mut self, cover: &mut MonomialCover, others: &[MonomialId], variable: MonomialId) {
         cover.covered.insert(variable);
         for &other in others.iter().chain([&variable]) {
             let product = self.table.product(other, variable);
@@ -257,16 +260,16 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn joined(&mut self, cover: &Cover, new: &[Id], variable: Id) -> Cover {
+    fn joined(&mut self, cover: &MonomialCover, new: &[MonomialId], variable: MonomialId) -> MonomialCover {
         let mut joined = cover.clone();
-        let others: Vec<Id> = self.given.iter().chain(new).copied().collect();
+        let others: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
         self.join(&mut joined, &others, variable);
         joined.close();
         joined
     }
 
     /// Returns the monomials that are required but not covered, in ascending order.
-    fn missing(&mut self, cover: &Cover, new: &[Id]) -> Vec<Id> {
+    fn missing(&mut self, cover: &MonomialCover, new: &[MonomialId]) -> Vec<MonomialId> {
         let mut missing = self.required.clone();
         new.iter().for_each(|&variable| missing.extend(self.table.derivative(variable).iter()));
         missing.retain(|one| !cover.covered.contains(one));
@@ -275,7 +278,7 @@ impl<'a> Search<'a> {
         missing
     }
 
-    fn is_allowed(&self, id: Id) -> bool {
+    fn is_allowed(&self, id: MonomialId) -> bool {
         let monomial = self.table.monomial(id);
         let negative = &self.problem.negative;
         id != Table::ONE
@@ -286,21 +289,21 @@ impl<'a> Search<'a> {
     }
 
     /// Returns the monomials that, as single new variables, make `target` a product.
-    fn singles(&mut self, target: Id, new: &[Id]) -> Vec<Id> {
+    fn singles(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
-        let variables: Vec<Id> = self.given.iter().chain(new).copied().collect();
+        let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
         let quotients = variables.iter().map(|&variable| monomial.over(self.table.monomial(variable)));
         let mut candidates: Vec<Monomial> =
             std::iter::once(monomial.clone()).chain(monomial.square_root()).chain(quotients).collect();
         candidates.sort_unstable_by(|a, b| a.size().cmp(&b.size()).then_with(|| a.cmp(b)));
         candidates.dedup();
-        let ids: Vec<Id> = candidates.iter().map(|one| self.table.id(one)).collect();
+        let ids: Vec<MonomialId> = candidates.iter().map(|one| self.table.id(one)).collect();
         ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
     }
 
     /// Returns pairs of new monomials with product `target`, with exponents between 0 and those of
     /// it.
-    fn pairs(&mut self, target: Id) -> Vec<[Id; 2]> {
+    fn pairs(&mut self, target: MonomialId) -> Vec<[MonomialId; 2]> {
         let target = self.table.monomial(target).clone();
         let mut halves = vec![Monomial::one()];
         for (coordinate, exponent) in target.powers() {
@@ -322,7 +325,7 @@ impl<'a> Search<'a> {
         pairs
     }
 
-    fn extend(&mut self, new: &mut Vec<Id>, cover: &Cover, more: usize) {
+    fn extend(&mut self, new: &mut Vec<MonomialId>, cover: &MonomialCover, more: usize) {
         if self.nodes == 0 || self.sets.len() >= MOST_SETS {
             return;
         }
@@ -343,7 +346,7 @@ impl<'a> Search<'a> {
         if more == 0 {
             return;
         }
-        let mut options: Option<(Vec<Id>, Id)> = None;
+        let mut options: Option<(Vec<MonomialId>, MonomialId)> = None;
         for &target in missing.iter().take(40) {
             let singles = self.singles(target, new);
             if options.as_ref().is_none_or(|(best, _)| singles.len() < best.len()) {
@@ -376,13 +379,13 @@ impl<'a> Search<'a> {
 
     /// Returns a closed set: adds the variable that leaves the fewest monomials missing, step by
     /// step, then removes unnecessary ones.
-    fn greedy(&mut self, most: usize) -> Option<Vec<Id>> {
+    fn greedy(&mut self, most: usize) -> Option<Vec<MonomialId>> {
         let closed = self.closure(Vec::new(), most, 0)?;
         Some(self.reduced(closed))
     }
 
     /// Removes variables without which a closure is smaller, one by one.
-    fn reduced(&mut self, mut best: Vec<Id>) -> Vec<Id> {
+    fn reduced(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {
             let mut fewer = best.clone();
@@ -398,19 +401,20 @@ impl<'a> Search<'a> {
 
     /// Extends `new` to a closed set of at most `most` variables. A nonzero `twist` breaks ties at
     /// random, and sometimes takes the second best variable.
-    fn closure(&mut self, mut new: Vec<Id>, most: usize, twist: u64) -> Option<Vec<Id>> {
+    fn closure(&mut self, mut new: Vec<MonomialId>, most: usize, twist: u64) -> Option<Vec<MonomialId>> {
         let mut cover = self.cover(&new);
         loop {
             let missing = self.missing(&cover, &new);
-            let turn = |id: Id| u64::from(id).wrapping_mul(twist | 1).rotate_left(17).wrapping_mul(twist);
-            let size = |id: Id| self.table.monomial(id).size();
+            let turn =
+                |id: MonomialId| u64::from(id).wrapping_mul(twist | 1).rotate_left(17).wrapping_mul(twist);
+            let size = |id: MonomialId| self.table.monomial(id).size();
             let Some(&target) = missing.iter().min_by_key(|&&id| (size(id), turn(id), id)) else {
                 return Some(new);
             };
             if new.len() >= most {
                 return None;
             }
-            let mut ranked: Vec<(usize, u64, Id, Cover)> = Vec::new();
+            let mut ranked: Vec<(usize, u64, MonomialId, MonomialCover)> = Vec::new();
             for single in self.singles(target, &new) {
                 if !self.is_founded(single, &new) {
                     continue;
@@ -426,7 +430,7 @@ impl<'a> Search<'a> {
             let Some((_, _, next, joined)) = ranked.into_iter().nth(usize::from(second)) else {
                 // No single variable helps; continue with a factor of the target.
                 let pairs = self.pairs(target).into_iter().flatten();
-                let next = pairs.filter(|one| !new.contains(one)).collect::<Vec<Id>>();
+                let next = pairs.filter(|one| !new.contains(one)).collect::<Vec<MonomialId>>();
                 let next = next.into_iter().find(|&one| self.is_founded(one, &new))?;
                 cover = self.joined(&cover, &new, next);
                 new.push(next);
@@ -437,7 +441,7 @@ impl<'a> Search<'a> {
     }
 
     /// Improves a closed set: removes up to four variables at random and closes again.
-    fn improved(&mut self, mut best: Vec<Id>, most: usize) -> Vec<Id> {
+    fn improved(&mut self, mut best: Vec<MonomialId>, most: usize) -> Vec<MonomialId> {
         let mut random = Shake256::new(b"local changes");
         let mut since = 0;
         let mut current = best.clone();

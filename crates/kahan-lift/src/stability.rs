@@ -25,7 +25,7 @@ const TOLERANCE: f64 = 1e-6;
 
 /// The growth of errors of the relations along an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Growth {
+pub(crate) struct ErrorGrowth {
     /// The mean rate, per unit of time.
     pub(crate) exponent: f64,
     pub(crate) amplification: f64,
@@ -33,7 +33,7 @@ pub(crate) struct Growth {
     half: f64,
 }
 
-impl Growth {
+impl ErrorGrowth {
     pub(crate) fn is_stable(&self) -> bool {
         self.exponent <= LARGEST_EXPONENT && self.amplification <= LARGEST_AMPLIFICATION
     }
@@ -106,10 +106,10 @@ impl Orbit {
 
     /// Computes the growth of errors along the orbit. `field` has one equation a variable, states
     /// first.
-    pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> Growth {
+    pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> ErrorGrowth {
         let (states, count) = (ring.field.len(), new.len());
         if count == 0 {
-            return Growth { exponent: 0.0, amplification: 1.0, half: 1.0 };
+            return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
         // Dg, then ∂F/∂w at the values of the variables.
         let mut entries = slopes(ring, states, new.iter());
@@ -170,7 +170,7 @@ impl Orbit {
             }
             time += h;
             if !norm.is_finite() {
-                return Growth { exponent: f64::INFINITY, amplification: f64::INFINITY, half: 1.0 };
+                return ErrorGrowth { exponent: f64::INFINITY, amplification: f64::INFINITY, half: 1.0 };
             }
             last = logarithm + norm.ln();
             most = most.max(last);
@@ -178,7 +178,7 @@ impl Orbit {
                 half = most;
             }
             if most > HOPELESS.ln() && most / time > 10.0 * LARGEST_EXPONENT {
-                return Growth { exponent: most / time, amplification: most.exp(), half: 1.0 };
+                return ErrorGrowth { exponent: most / time, amplification: most.exp(), half: 1.0 };
             }
             if !(1e-100..1e100).contains(&norm) && norm > 0.0 {
                 logarithm += norm.ln();
@@ -186,6 +186,6 @@ impl Orbit {
             }
         }
         let exponent = if time > 0.0 { last / time } else { 0.0 };
-        Growth { exponent, amplification: most.exp(), half: half.exp() }
+        ErrorGrowth { exponent, amplification: most.exp(), half: half.exp() }
     }
 }

@@ -7,26 +7,26 @@ use rustc_hash::FxHashMap;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
-pub(crate) type Id = u32;
+pub(crate) type MonomialId = u32;
 
 #[derive(Clone, Debug)]
 struct Entry {
     monomial: Monomial,
     /// The monomials of its normal form; `None` if it is in normal form.
-    rewritten: Option<Rc<[Id]>>,
-    derivative: Option<Rc<[Id]>>,
+    rewritten: Option<Rc<[MonomialId]>>,
+    derivative: Option<Rc<[MonomialId]>>,
 }
 
 #[derive(Debug)]
 pub(crate) struct Table<'a> {
     ring: &'a Ring,
     entries: Vec<Entry>,
-    ids: FxHashMap<Monomial, Id>,
-    products: FxHashMap<(Id, Id), Id>,
+    ids: FxHashMap<Monomial, MonomialId>,
+    products: FxHashMap<(MonomialId, MonomialId), MonomialId>,
 }
 
 impl<'a> Table<'a> {
-    pub(crate) const ONE: Id = 0;
+    pub(crate) const ONE: MonomialId = 0;
 
     pub(crate) fn new(ring: &'a Ring) -> Self {
         let mut table =
@@ -36,11 +36,11 @@ impl<'a> Table<'a> {
     }
 
     /// Returns the number of a monomial; a new one is added.
-    pub(crate) fn id(&mut self, monomial: &Monomial) -> Id {
+    pub(crate) fn id(&mut self, monomial: &Monomial) -> MonomialId {
         if let Some(&id) = self.ids.get(monomial) {
             return id;
         }
-        let id = Id::try_from(self.entries.len()).expect("a search meets fewer monomials");
+        let id = MonomialId::try_from(self.entries.len()).expect("a search meets fewer monomials");
         self.ids.insert(monomial.clone(), id);
         self.entries.push(Entry { monomial: monomial.clone(), rewritten: None, derivative: None });
         if !self.ring.is_normal(monomial) {
@@ -49,20 +49,20 @@ impl<'a> Table<'a> {
         id
     }
 
-    pub(crate) fn support(&mut self, polynomial: &Laurent) -> Rc<[Id]> {
+    pub(crate) fn support(&mut self, polynomial: &Laurent) -> Rc<[MonomialId]> {
         polynomial.terms().map(|(monomial, _)| self.id(monomial)).collect()
     }
 
-    pub(crate) fn monomial(&self, id: Id) -> &Monomial {
+    pub(crate) fn monomial(&self, id: MonomialId) -> &Monomial {
         &self.entries[id as usize].monomial
     }
 
     /// Returns the monomials of the normal form; `None` if the monomial is in normal form.
-    pub(crate) fn rewritten(&self, id: Id) -> Option<&Rc<[Id]>> {
+    pub(crate) fn rewritten(&self, id: MonomialId) -> Option<&Rc<[MonomialId]>> {
         self.entries[id as usize].rewritten.as_ref()
     }
 
-    pub(crate) fn product(&mut self, left: Id, right: Id) -> Id {
+    pub(crate) fn product(&mut self, left: MonomialId, right: MonomialId) -> MonomialId {
         let key = (left.min(right), left.max(right));
         if let Some(&known) = self.products.get(&key) {
             return known;
@@ -73,7 +73,7 @@ impl<'a> Table<'a> {
         id
     }
 
-    pub(crate) fn derivative(&mut self, id: Id) -> Rc<[Id]> {
+    pub(crate) fn derivative(&mut self, id: MonomialId) -> Rc<[MonomialId]> {
         if let Some(known) = &self.entries[id as usize].derivative {
             return Rc::clone(known);
         }

@@ -23,12 +23,12 @@ pub struct Claim {
     pub erratum: Option<Erratum>,
     /// The statement, in the language of [`formula`](super::formula) or as a claim of `kahan!`.
     pub statement: String,
-    pub(super) basis: Basis,
+    pub(super) basis: ProofMethod,
 }
 
 /// The method by which a claim is established.
 #[derive(Clone, Debug)]
-pub(super) enum Basis {
+pub(super) enum ProofMethod {
     /// A claim of the system's own `kahan!` block.
     Block {
         /// The claim's index in the block.
@@ -131,7 +131,7 @@ impl Claim {
     /// Says whether the claim is about measurements on an exact orbit.
     #[must_use]
     pub fn is_measured(&self) -> bool {
-        matches!(self.basis, Basis::Formula { orbit: Some(_), .. })
+        matches!(self.basis, ProofMethod::Formula { orbit: Some(_), .. })
     }
 
     pub(super) fn new<const N: usize>(
@@ -141,13 +141,14 @@ impl Claim {
         place: impl Into<String>,
         statement: impl Into<String>,
     ) -> Self {
-        let basis = Basis::Formula { given: String::new(), domain: Vec::new(), orbit: None, misprint: None };
+        let basis =
+            ProofMethod::Formula { given: String::new(), domain: Vec::new(), orbit: None, misprint: None };
         let (place, statement) = (place.into(), statement.into());
         Claim { id: Id::of(id), section, system, place, erratum: None, statement, basis }
     }
 
-    pub(super) fn given(mut self, definitions: &str) -> Self {
-        if let Basis::Formula { given, .. } = &mut self.basis {
+    pub(super) fn given_definitions(mut self, definitions: &str) -> Self {
+        if let ProofMethod::Formula { given, .. } = &mut self.basis {
             definitions.clone_into(given);
         }
         self
@@ -161,14 +162,14 @@ impl Claim {
     }
 
     pub(super) fn within(mut self, name: &str, low: Rational, high: Rational) -> Self {
-        if let Basis::Formula { domain, .. } = &mut self.basis {
+        if let ProofMethod::Formula { domain, .. } = &mut self.basis {
             domain.push((name.to_owned(), low, high));
         }
         self
     }
 
     pub(super) fn on(mut self, figure: &'static Figure) -> Self {
-        if let Basis::Formula { orbit, .. } = &mut self.basis {
+        if let ProofMethod::Formula { orbit, .. } = &mut self.basis {
             *orbit = Some(figure);
         }
         self
@@ -179,14 +180,14 @@ impl Claim {
     }
 
     pub(super) fn misprinted(mut self, erratum: Erratum, printed: &str) -> Self {
-        if let Basis::Formula { misprint, .. } = &mut self.basis {
+        if let ProofMethod::Formula { misprint, .. } = &mut self.basis {
             *misprint = Some(Misprint { printed: printed.to_owned(), counterexample: String::new() });
         }
         self.explaining(erratum)
     }
 
     pub(super) fn refuted(mut self, point: &str) -> Self {
-        if let Basis::Formula { misprint: Some(misprint), .. } = &mut self.basis {
+        if let ProofMethod::Formula { misprint: Some(misprint), .. } = &mut self.basis {
             point.clone_into(&mut misprint.counterexample);
         }
         self
@@ -196,7 +197,7 @@ impl Claim {
     #[must_use]
     pub fn printed(&self) -> Option<&str> {
         match &self.basis {
-            Basis::Formula { misprint: Some(misprint), .. } => Some(&misprint.printed),
+            ProofMethod::Formula { misprint: Some(misprint), .. } => Some(&misprint.printed),
             _ => None,
         }
     }

@@ -13,19 +13,19 @@ use super::model::Model;
 /// An arithmetic with some transcendental functions.
 pub(super) trait Calculus: Arithmetic<Constant = Rational> {
     /// Evaluates a function by name; by default none is known.
-    fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, Trouble> {
-        Err(Trouble::Unknown(name.to_owned()))
+    fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, EvaluationError> {
+        Err(EvaluationError::Unknown(name.to_owned()))
     }
 
     /// Evaluates base^exponent if the exponent is not an integer literal.
-    fn power(&self, _: &Self::Value, _: &Self::Value) -> Result<Self::Value, Trouble> {
-        Err(Trouble::Unknown("^".to_owned()))
+    fn power(&self, _: &Self::Value, _: &Self::Value) -> Result<Self::Value, EvaluationError> {
+        Err(EvaluationError::Unknown("^".to_owned()))
     }
 }
 
 /// A reason why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Trouble {
+pub(super) enum EvaluationError {
     /// A division by zero, or an argument outside a function's domain.
     Undefined,
     Unknown(String),
@@ -34,21 +34,21 @@ pub(super) enum Trouble {
 pub(super) type Models = BTreeMap<&'static str, Model>;
 
 /// The values of names, and the cached next and previous points of the map.
-pub(super) struct Frame<V> {
+pub(super) struct Environment<V> {
     values: BTreeMap<String, V>,
-    next: OnceCell<Result<Vec<V>, Trouble>>,
-    back: OnceCell<Result<Vec<V>, Trouble>>,
+    next: OnceCell<Result<Vec<V>, EvaluationError>>,
+    back: OnceCell<Result<Vec<V>, EvaluationError>>,
 }
 
-impl<V: Clone> Frame<V> {
+impl<V: Clone> Environment<V> {
     pub(super) fn new(values: BTreeMap<String, V>) -> Self {
-        Frame { values, next: OnceCell::new(), back: OnceCell::new() }
+        Environment { values, next: OnceCell::new(), back: OnceCell::new() }
     }
 
     fn with(&self, changes: impl IntoIterator<Item = (String, V)>) -> Self {
         let mut values = self.values.clone();
         values.extend(changes);
-        Frame::new(values)
+        Environment::new(values)
     }
 }
 
@@ -60,10 +60,14 @@ pub(super) struct Evaluator<'a, A> {
 }
 
 impl<A: Calculus> Evaluator<'_, A> {
-    pub(super) fn value(&self, formula: &Formula, frame: &Frame<A::Value>) -> Result<A::Value, Trouble> {
+    pub(super) fn value(
+        &self,
+        formula: &Formula,
+        frame: &Environment<A::Value>,
+    ) -> Result<A::Value, EvaluationError> {
         let arithmetic = self.arithmetic;
         match formula {
-            Formula::Number(value) => arithmetic.constant(value).ok_or(Trouble::Undefined),
+            Formula::Number(value) => arithmetic.constant(value).ok_or(EvaluationError::Undefined),
             Formula::Name(name) => match frame.values.get(name) {
                 Some(value) => Ok(value.clone()),
                 None if name == "detA" || name == "detJ" => self.call(name, &[], frame),
@@ -106,15 +110,15 @@ impl<A: Calculus> Evaluator<'_, A> {
         }
     }
 
-    fn constant(&self, n: i64) -> Result<A::Value, Trouble> {
-        self.arithmetic.constant(&Rational::from(n)).ok_or(Trouble::Undefined)
+    fn constant(&self, n: i64) -> Result<A::Value, EvaluationError> {
+        self.arithmetic.constant(&Rational::from(n)).ok_or(EvaluationError::Undefined)
     }
 
-    fn quotient(&self, a: &A::Value, b: &A::Value) -> Result<A::Value, Trouble> {
-        self.arithmetic.divide(a, b).ok_or(Trouble::Undefined)
+    fn quotient(&self, a: &A::Value, b: &A::Value) -> Result<A::Value, EvaluationError> {
+        self.arithmetic.divide(a, b).ok_or(EvaluationError::Undefined)
     }
 
-    fn integer_power(&self, base: &A::Value, exponent: i64) -> Result<A::Value, Trouble> {
+    fn integer_power(&self, base: &A::Value, exponent: i64) -> Result<A::Value, EvaluationError> {
         let mut power = self.constant(1)?;
         for _ in 0..exponent.unsigned_abs() {
             power = self.arithmetic.multiply(&power, base);
@@ -122,16 +126,21 @@ impl<A: Calculus> Evaluator<'_, A> {
         if exponent < 0 { self.quotient(&self.constant(1)?, &power) } else { Ok(power) }
     }
 
-    fn call(&self, name: &str, arguments: &[Formula], frame: &Frame<A::Value>) -> Result<A::Value, Trouble> {
+    fn call(
+        &self,
+        name: &str,
+        arguments: &[Formula],
+        frame: &Environment<A::Value>,
+    ) -> Result<A::Value, EvaluationError> {
         // A first argument that names a system selects that system for the call.
         if let Some((Formula::Name(system), rest)) = arguments.split_first()
             && is_of_the_map(name)
             && let Some(model) = self.models.get(system.as_str())
         {
             let evaluator = Evaluator { model, ..*self };
-            return evaluator.call(name, rest, &Frame::new(frame.values.clone()));
+            return evaluator.call(name, rest, &Environment::new(frame.values.clone()));
         }
-        let unknown = || Trouble::Unknown(name.to_owned());
+        let unknown = || EvaluationError::Unknown(name.to_owned());
         let states = &self.model.system().field.symbols.states;
         match (name, arguments) {
             ("next" | "back", [inner]) => {
@@ -171,7 +180,7 @@ impl<A: Calculus> Evaluator<'_, A> {
             }
             ("detA" | "detJ", []) => {
                 let matrix = self.entries(&name["det".len()..], frame)?;
-                determinant(self.arithmetic, &self.model.rows(&matrix)).ok_or(Trouble::Undefined)
+                determinant(self.arithmetic, &self.model.rows(&matrix)).ok_or(EvaluationError::Undefined)
             }
             _ => {
                 let arguments: Vec<A::Value> =
@@ -186,27 +195,27 @@ impl<A: Calculus> Evaluator<'_, A> {
         (index < self.model.dimension()).then_some(index)
     }
 
-    fn entries(&self, object: &str, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
-        self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined)
+    fn entries(&self, object: &str, frame: &Environment<A::Value>) -> Result<Vec<A::Value>, EvaluationError> {
+        self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(EvaluationError::Undefined)
     }
 
-    fn here(&self, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
-        let value = |name: String| frame.values.get(&name).cloned().ok_or(Trouble::Unknown(name));
+    fn here(&self, frame: &Environment<A::Value>) -> Result<Vec<A::Value>, EvaluationError> {
+        let value = |name: String| frame.values.get(&name).cloned().ok_or(EvaluationError::Unknown(name));
         self.model.names().into_iter().map(value).collect()
     }
 
-    fn next(&self, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
-        let step = || self.model.next(self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined);
+    fn next(&self, frame: &Environment<A::Value>) -> Result<Vec<A::Value>, EvaluationError> {
+        let step = || self.model.next(self.arithmetic, &self.here(frame)?).ok_or(EvaluationError::Undefined);
         frame.next.get_or_init(step).clone()
     }
 
-    fn back(&self, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
+    fn back(&self, frame: &Environment<A::Value>) -> Result<Vec<A::Value>, EvaluationError> {
         let step = || {
             let mut here = self.here(frame)?;
             if let Some(eps) = here.last_mut() {
                 *eps = self.arithmetic.negate(eps);
             }
-            self.model.next(self.arithmetic, &here).ok_or(Trouble::Undefined)
+            self.model.next(self.arithmetic, &here).ok_or(EvaluationError::Undefined)
         };
         frame.back.get_or_init(step).clone()
     }

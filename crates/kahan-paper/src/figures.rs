@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use kahan_algebra::rational::Rational;
 
 use kahan_core::prelude::*;
-use kahan_runtime::heights::{Growth, HeightsOrbit, Survey};
+use kahan_runtime::heights::{DiophantineTest, Growth, HeightsOrbit};
 
 use super::formula::Formula;
 use super::model::Model;
@@ -96,7 +96,7 @@ pub struct Measurement {
     /// The names of the variables.
     pub variables: Vec<String>,
     /// The heights; index 0 is the initial state.
-    pub survey: Survey,
+    pub survey: DiophantineTest,
 }
 
 impl Figure {
@@ -116,7 +116,7 @@ impl Figure {
         let start: Vec<Rational> = self.start.iter().map(exact).collect();
         let mut orbit = HeightsOrbit::new(system, &parameters, &exact(&self.eps), &start)
             .expect("the field has a value at these parameters");
-        let survey = Survey::of(&mut orbit, self.steps);
+        let survey = DiophantineTest::of(&mut orbit, self.steps);
         Measurement { variables: system.field.symbols.states.clone(), survey }
     }
 }

@@ -2,7 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 
-use kahan_systems::special::{Precise, Real, digamma};
+use kahan_systems::special::{Float256, Real, digamma};
 
 use super::formula::Formula;
 
@@ -33,20 +33,20 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     if integer(&a.denominator())? != modulus {
         return None;
     }
-    let mut sum = Precise::from(0);
+    let mut sum = Float256::from(0);
     let units: Vec<i64> = (1..=modulus).filter(|&r| gcd(r, modulus) == 1).collect();
     for &r in &units {
         let inverse = (1..=modulus).find(|&s| (r * s).rem_euclid(modulus) == 1 % modulus)?;
         let residue = |above: i64| {
             let residue = (above.rem_euclid(modulus) * inverse).rem_euclid(modulus);
-            Precise::from_ratio(if residue == 0 { modulus } else { residue }, modulus)
+            Float256::from_ratio(if residue == 0 { modulus } else { residue }, modulus)
         };
         let difference = digamma(&residue(above_b)) - digamma(&residue(above_a));
         if difference.is_positive() {
             sum += difference;
         }
     }
-    let mean = sum / Precise::from(i64::try_from(units.len()).ok()?);
+    let mean = sum / Float256::from(i64::try_from(units.len()).ok()?);
     Rational::parse(&mean.to_digits(50))
 }
 

@@ -32,5 +32,5 @@ pub use erratum::Erratum;
 pub use id::Id;
 pub use registry::Paper;
 pub use section::Section;
-pub use sections::{OPEN, Structure, structure};
-pub use verdict::{Open, Verdict, Verdicts, in_one_line};
+pub use sections::{OPEN, StructureRow, structure};
+pub use verdict::{OpenQuestion, Verdict, Verdicts, in_one_line};

@@ -5,55 +5,55 @@ use kahan_algebra::rational::Rational;
 use kahan_core::Pivot;
 use kahan_core::nalgebra::SVector;
 
-use kahan_systems::special::{Modulus, Precise, Real, elliptic_f, elliptic_k, jacobi, theta};
+use kahan_systems::special::{Float256, Modulus, Real, elliptic_f, elliptic_k, jacobi, theta};
 use kahan_systems::{e7, e8};
 
-use super::evaluate::{Calculus, Trouble};
+use super::evaluate::{Calculus, EvaluationError};
 
 /// 256-bit floating point, 77 decimal digits.
-pub(super) struct Decimals;
+pub(super) struct Arithmetic256;
 
-impl Arithmetic for Decimals {
-    type Value = Precise;
+impl Arithmetic for Arithmetic256 {
+    type Value = Float256;
     type Constant = Rational;
 
-    fn constant(&self, value: &Rational) -> Option<Precise> {
+    fn constant(&self, value: &Rational) -> Option<Float256> {
         Some(Real::from_rational(&value.to_big()))
     }
 
-    fn add(&self, a: &Precise, b: &Precise) -> Precise {
+    fn add(&self, a: &Float256, b: &Float256) -> Float256 {
         *a + *b
     }
 
-    fn subtract(&self, a: &Precise, b: &Precise) -> Precise {
+    fn subtract(&self, a: &Float256, b: &Float256) -> Float256 {
         *a - *b
     }
 
-    fn multiply(&self, a: &Precise, b: &Precise) -> Precise {
+    fn multiply(&self, a: &Float256, b: &Float256) -> Float256 {
         *a * *b
     }
 
-    fn negate(&self, a: &Precise) -> Precise {
+    fn negate(&self, a: &Float256) -> Float256 {
         -*a
     }
 
-    fn divide(&self, a: &Precise, b: &Precise) -> Option<Precise> {
+    fn divide(&self, a: &Float256, b: &Float256) -> Option<Float256> {
         (!self.is_zero(b)).then(|| *a / *b)
     }
 
-    fn is_zero(&self, a: &Precise) -> bool {
-        *a == Precise::from(0)
+    fn is_zero(&self, a: &Float256) -> bool {
+        *a == Float256::from(0)
     }
 
-    fn is_better_pivot(&self, a: &Precise, than: &Precise) -> bool {
+    fn is_better_pivot(&self, a: &Float256, than: &Float256) -> bool {
         a.abs() > than.abs()
     }
 }
 
-impl Calculus for Decimals {
-    fn function(&self, name: &str, arguments: &[Precise]) -> Result<Precise, Trouble> {
+impl Calculus for Arithmetic256 {
+    fn function(&self, name: &str, arguments: &[Float256]) -> Result<Float256, EvaluationError> {
         let value = match (name, arguments) {
-            ("pi", []) => Precise::pi(),
+            ("pi", []) => Float256::pi(),
             ("abs", [u]) => u.abs(),
             ("sqrt", [u]) => u.sqrt(),
             ("exp", [u]) => u.exp(),
@@ -64,18 +64,18 @@ impl Calculus for Decimals {
             ("sinh", [u]) => u.sinh(),
             ("cosh", [u]) => u.cosh(),
             ("tanh", [u]) => u.tanh(),
-            ("coth", [u]) => Precise::from(1) / u.tanh(),
-            ("sech", [u]) => Precise::from(1) / u.cosh(),
+            ("coth", [u]) => Float256::from(1) / u.tanh(),
+            ("sech", [u]) => Float256::from(1) / u.cosh(),
             ("atanh", [u]) => u.atanh(),
             ("atan2", [y, x]) => y.atan2(x),
             ("gamma", [u]) => u.gamma(),
             ("digamma", [u]) => u.digamma(),
             // The second integrals of dE7 and dE8, which are series.
             ("K7", [x, y, z, eps, xi]) => {
-                e7::integral_k(xi, &point([x, y, z]), eps).map_err(|_| Trouble::Undefined)?
+                e7::integral_k(xi, &point([x, y, z]), eps).map_err(|_| EvaluationError::Undefined)?
             }
             ("K8", [x, y, z, eps]) => {
-                e8::integral_k(&point([x, y, z]), eps).map_err(|_| Trouble::Undefined)?
+                e8::integral_k(&point([x, y, z]), eps).map_err(|_| EvaluationError::Undefined)?
             }
             ("K", [k]) => elliptic_k(k),
             ("F", [phi, k]) => elliptic_f(phi, k),
@@ -87,17 +87,17 @@ impl Calculus for Decimals {
             ("theta2", [z, q]) => theta(z, q).two,
             ("theta3", [z, q]) => theta(z, q).three,
             ("theta4", [z, q]) => theta(z, q).four,
-            _ => return Err(Trouble::Unknown(name.to_owned())),
+            _ => return Err(EvaluationError::Unknown(name.to_owned())),
         };
-        if value.is_finite_number() { Ok(value) } else { Err(Trouble::Undefined) }
+        if value.is_finite_number() { Ok(value) } else { Err(EvaluationError::Undefined) }
     }
 
-    fn power(&self, base: &Precise, exponent: &Precise) -> Result<Precise, Trouble> {
+    fn power(&self, base: &Float256, exponent: &Float256) -> Result<Float256, EvaluationError> {
         let value = base.power_real(exponent);
-        if value.is_finite_number() { Ok(value) } else { Err(Trouble::Undefined) }
+        if value.is_finite_number() { Ok(value) } else { Err(EvaluationError::Undefined) }
     }
 }
 
-fn point(coordinates: [&Precise; 3]) -> SVector<Precise, 3> {
+fn point(coordinates: [&Float256; 3]) -> SVector<Float256, 3> {
     SVector::from(coordinates.map(Clone::clone))
 }

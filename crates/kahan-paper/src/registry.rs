@@ -13,7 +13,7 @@ use kahan_runtime::threads;
 use kahan_systems::registry::{all, find};
 
 use super::block::establish_statement;
-use super::claim::{Basis, Claim, Established, Outcome};
+use super::claim::{Claim, Established, Outcome, ProofMethod};
 use super::evaluate::Models;
 use super::figures::{Figure, Measurement, Measurements};
 use super::formula::{Definition, Formula, Item, Relation, inline, parse, statement_latex};
@@ -59,10 +59,10 @@ impl Paper {
     #[must_use]
     pub fn latex(&self, claim: &Claim) -> Vec<String> {
         match &claim.basis {
-            Basis::Formula { .. } => {
+            ProofMethod::Formula { .. } => {
                 parse(&claim.statement).map_or_else(|why| vec![why], |statement| statement_latex(&statement))
             }
-            Basis::Block { index } => {
+            ProofMethod::Block { index } => {
                 let system = self.models.get(claim.system).map(Model::system);
                 let declared = system.and_then(|system| system.claims.get(*index));
                 let statements =
@@ -97,11 +97,11 @@ impl Paper {
     #[must_use]
     pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
         let (outcome, detail) = match &claim.basis {
-            Basis::Block { .. } => {
+            ProofMethod::Block { .. } => {
                 let block = find(claim.system).map_or("", kahan_systems::entry::Entry::text);
                 establish_statement(block, statement)
             }
-            Basis::Formula { misprint, orbit, .. } => match self.relations(claim, statement) {
+            ProofMethod::Formula { misprint, orbit, .. } => match self.relations(claim, statement) {
                 Err(why) => (Outcome::Failed, why),
                 Ok(evidence) => match (misprint, orbit) {
                     (Some(misprint), _) => self.misprint(claim, misprint, &evidence),
@@ -120,7 +120,9 @@ impl Paper {
         claim: &Claim,
         own: &str,
     ) -> Result<(BTreeMap<String, Definition>, Vec<Item>), String> {
-        let Basis::Formula { given, .. } = &claim.basis else { return Ok((BTreeMap::new(), Vec::new())) };
+        let ProofMethod::Formula { given, .. } = &claim.basis else {
+            return Ok((BTreeMap::new(), Vec::new()));
+        };
         let mut definitions = BTreeMap::new();
         let mut relations = Vec::new();
         let field = self.model(claim)?.field_definitions();
@@ -138,7 +140,7 @@ impl Paper {
     }
 
     fn relations(&self, claim: &Claim, statement: &str) -> Result<Evidence, String> {
-        let Basis::Formula { domain, .. } = &claim.basis else {
+        let ProofMethod::Formula { domain, .. } = &claim.basis else {
             return Err("a claim of a block".to_owned());
         };
         let (definitions, relations) = self.definitions(claim, statement)?;
@@ -184,7 +186,7 @@ impl Paper {
             growth_constants::put_into(&inline(left, definitions)?)?,
             growth_constants::put_into(&inline(right, definitions)?)?,
         ];
-        if let Basis::Formula { orbit: Some(figure), .. } = &claim.basis {
+        if let ProofMethod::Formula { orbit: Some(figure), .. } = &claim.basis {
             let measurement = self.measurement(figure)?;
             for side in &mut sides {
                 *side = measurement.put_into(side)?;

@@ -26,7 +26,7 @@ pub struct Verdict {
 
 /// A question that the paper leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Open {
+pub struct OpenQuestion {
     /// The subject of the question.
     pub statement: &'static str,
     /// The reason why the question is open.
@@ -41,7 +41,7 @@ pub struct Verdicts {
     /// The number of failed claims.
     pub failed: usize,
     /// The open questions, if the whole paper was asked for.
-    pub open: &'static [Open],
+    pub open: &'static [OpenQuestion],
     /// The total time in seconds; `None` without a clock.
     pub seconds: Option<f64>,
 }
@@ -49,7 +49,7 @@ pub struct Verdicts {
 impl Verdicts {
     /// Makes verdicts, and counts failed claims.
     #[must_use]
-    pub fn of(claims: Vec<Verdict>, open: &'static [Open], seconds: Option<f64>) -> Self {
+    pub fn of(claims: Vec<Verdict>, open: &'static [OpenQuestion], seconds: Option<f64>) -> Self {
         let failed = claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed).count();
         Verdicts { claims, failed, open, seconds }
     }

@@ -7,7 +7,7 @@ use std::time::Instant;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{read, system::System};
-use kahan_runtime::heights::{Heights, HeightsOrbit, Survey};
+use kahan_runtime::heights::{DiophantineTest, Heights, HeightsOrbit};
 
 struct Test {
     system: &'static str,
@@ -69,14 +69,14 @@ fn main() {
 }
 
 impl Test {
-    fn run(&self, system: &System) -> (f64, Survey) {
+    fn run(&self, system: &System) -> (f64, DiophantineTest) {
         let number = |text: &&str| Rational::parse(text).expect("a number");
         let numbers = |texts: &[&'static str]| texts.iter().map(number).collect::<Vec<_>>();
         let begun = Instant::now();
         let mut orbit =
             HeightsOrbit::new(system, &numbers(self.parameters), &number(&self.eps), &numbers(self.start))
                 .expect("the field is defined");
-        let survey = Survey::of(&mut orbit, self.steps);
+        let survey = DiophantineTest::of(&mut orbit, self.steps);
         assert_eq!(survey.heights.len() as u64, self.steps + 1, "{:?}", survey.stopped);
         (begun.elapsed().as_secs_f64(), survey)
     }

@@ -15,7 +15,7 @@ mod tests;
 pub use adjoint::Gradient;
 pub use drift::IntegralDrift;
 pub use observe::WhileFinite;
-pub use passed_poles::{Passed, PassedPoles};
+pub use passed_poles::{PassedPoleCount, PassedPoles};
 
 use std::sync::{Arc, OnceLock};
 

@@ -25,21 +25,21 @@ use crate::{Diagnostics, Field, FieldText};
 pub struct Coefficients {
     symbols: Symbols,
     /// For each component its coefficients, each with the monomial as key.
-    components: Vec<Vec<(Place, f64)>>,
+    components: Vec<Vec<(TermKey, f64)>>,
 }
 
 /// A monomial packed into an integer: two states in increasing order, then a parameter, [`BITS`]
 /// bits each. A single state is the second. Monomials are ordered as a polynomial's terms.
-type Place = u64;
+type TermKey = u64;
 
 /// The bits of an index in a packed monomial; states and parameters have indices of at most 16.
 const BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
-const NONE: Place = (1 << BITS) - 1;
+const NONE: TermKey = (1 << BITS) - 1;
 
-fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> Place {
+fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> TermKey {
     let [first, second, parameter] =
-        [states[0], states[1], parameter].map(|index| index.map_or(NONE, |index| index as Place));
+        [states[0], states[1], parameter].map(|index| index.map_or(NONE, |index| index as TermKey));
     let (first, second) = match (first.min(second), first.max(second)) {
         (state, NONE) => (NONE, state),
         both => both,
@@ -180,29 +180,29 @@ impl Coefficients {
 
 /// The numbers of an array, row by row.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Entries(Vec<f64>);
+pub struct ArrayRows(Vec<f64>);
 
-impl From<&[f64]> for Entries {
+impl From<&[f64]> for ArrayRows {
     fn from(rows: &[f64]) -> Self {
-        Entries(rows.to_vec())
+        ArrayRows(rows.to_vec())
     }
 }
 
-impl<const N: usize> From<&[f64; N]> for Entries {
+impl<const N: usize> From<&[f64; N]> for ArrayRows {
     fn from(rows: &[f64; N]) -> Self {
-        Entries(rows.to_vec())
+        ArrayRows(rows.to_vec())
     }
 }
 
-impl From<&Vec<f64>> for Entries {
+impl From<&Vec<f64>> for ArrayRows {
     fn from(rows: &Vec<f64>) -> Self {
-        Entries(rows.clone())
+        ArrayRows(rows.clone())
     }
 }
 
-impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for Entries {
+impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for ArrayRows {
     fn from(matrix: &Matrix<f64, R, C, S>) -> Self {
-        Entries(matrix.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()).collect())
+        ArrayRows(matrix.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()).collect())
     }
 }
 
@@ -226,11 +226,11 @@ impl Field {
     /// assert_eq!(field.unwrap().system().field, text.system().field);
     /// ```
     pub fn from_coefficients(
-        c: impl Into<Entries>,
-        b: impl Into<Entries>,
-        q: impl Into<Entries>,
+        c: impl Into<ArrayRows>,
+        b: impl Into<ArrayRows>,
+        q: impl Into<ArrayRows>,
     ) -> Result<Self, CoefficientError> {
-        let [Entries(c), Entries(b), Entries(q)] = [c.into(), b.into(), q.into()];
+        let [ArrayRows(c), ArrayRows(b), ArrayRows(q)] = [c.into(), b.into(), q.into()];
         let fits_q =
             |n: &usize| [n * n * n, n * n * (n + 1) / 2].contains(&q.len()) || n * n * n > 2 * q.len();
         let n = match (c.len(), b.len().isqrt()) {

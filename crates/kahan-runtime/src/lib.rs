@@ -58,11 +58,11 @@ mod text;
 pub mod threads;
 
 pub use at::{
-    Gradient, IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimeFloat, RuntimePoint,
+    Gradient, IntegralDrift, MachineFloat, MapAt, PassedPoleCount, PassedPoles, RuntimeFloat, RuntimePoint,
     WhileFinite,
 };
 pub use claim::ClaimError;
-pub use coefficients::{CoefficientError, Coefficients, Entries};
+pub use coefficients::{ArrayRows, CoefficientError, Coefficients};
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;
 pub use end::End;
@@ -70,11 +70,11 @@ pub use field::Field;
 pub use follow::{Follow, Followed};
 pub use fraction::Fraction;
 pub use kahan_algebra::rational::Rational;
-pub use kahan_algebra::variational::By;
+pub use kahan_algebra::variational::Sensitivity;
 pub use kahan_core::{Composition, Level};
 pub use lattice::{ChainAt, Lattice, LatticeError};
 pub use map::Map;
-pub use observed::{Observable, ObservedFloat, Observing, Relations, Seen};
+pub use observed::{Observable, ObservationRequest, ObservedFloat, ObservedValue, Relations};
 pub use parameters::{ParameterError, ParameterValue};
 pub use periodic::{MOST_DIGITS as MOST_DIGITS_OF_CYCLES, ParametricAt, RationalCycle};
 pub use text::FieldText;

@@ -33,12 +33,12 @@ struct Shared {
     /// The range of the block in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
     origin: String,
-    said: OnceLock<Said>,
+    said: OnceLock<TextReading>,
     unproved: OnceLock<Checked>,
 }
 
 #[derive(Debug)]
-struct Said {
+struct TextReading {
     /// The block translated to the language of `kahan!`, if written in another notation.
     canonical: Option<String>,
     /// The parsed block, without its tokens.
@@ -77,7 +77,7 @@ impl FieldText {
     /// `origin` names it in reports.
     #[must_use]
     pub fn of_system(system: System, origin: String) -> Self {
-        let said = Said { canonical: None, reading: Reading::default() };
+        let said = TextReading { canonical: None, reading: Reading::default() };
         let (said, unproved) = (OnceLock::from(said), OnceLock::from(Checked::System(system)));
         let text = OnceLock::new();
         FieldText { shared: Arc::new(Shared { text, body: None, origin, said, unproved }) }
@@ -109,11 +109,11 @@ impl FieldText {
         self.shared.unproved.get_or_init(|| read_unproved_text(self.given()))
     }
 
-    fn said(&self) -> &Said {
+    fn reading(&self) -> &TextReading {
         self.shared.said.get_or_init(|| {
             let reading = lenient::read(self.given());
             let canonical = (!reading.is_canonical).then(|| reading.canonical());
-            Said { canonical, reading: Reading { lexed: Lexed::default(), ..reading } }
+            TextReading { canonical, reading: Reading { lexed: Lexed::default(), ..reading } }
         })
     }
 
@@ -190,25 +190,25 @@ impl FieldText {
     /// Returns the field in the language of `kahan!`: the text as given if it is in that language.
     #[must_use]
     pub fn text(&self) -> &str {
-        self.said().canonical.as_deref().unwrap_or_else(|| self.given())
+        self.reading().canonical.as_deref().unwrap_or_else(|| self.given())
     }
 
     /// Returns the values that the text gives to parameters: `par a=1`, `a = 1`.
     #[must_use]
     pub fn parameters(&self) -> &[(String, Rational)] {
-        &self.said().reading.parameters
+        &self.reading().reading.parameters
     }
 
     /// Returns the initial values that the text gives to states: `init x=1`, `x(0) = 1`.
     #[must_use]
     pub fn start(&self) -> &[(String, Rational)] {
-        &self.said().reading.start
+        &self.reading().reading.start
     }
 
     /// Returns notes on interpretations that the author may not expect.
     #[must_use]
     pub fn notes(&self) -> &[String] {
-        &self.said().reading.notes
+        &self.reading().reading.notes
     }
 
     /// Returns the seed of the macro's random proof.

@@ -8,7 +8,7 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dual, ExtendScalars, KahanMap, Pivot, PreparedStep, Scalar};
 use kahan_runtime::interpreted::{Interpreted, round};
-use kahan_runtime::{By, Field, MapAt, Rational};
+use kahan_runtime::{Field, MapAt, Rational, Sensitivity};
 
 mod support;
 use support::{q, read, samples};
@@ -269,7 +269,8 @@ fn derivatives_are_those_of_the_step() {
         let slopes = slopes(composition);
         let map = at(CURVED, &[1.5, -0.75], eps).composed(composition);
         let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-11 * b.abs().max(1.0), "{a} for {b}");
-        let by = [By::Start, By::Parameter(0), By::Parameter(1), By::Epsilon];
+        let by =
+            [Sensitivity::Start, Sensitivity::Parameter(0), Sensitivity::Parameter(1), Sensitivity::Epsilon];
         let mut state = vec![0.0; 15];
         state[..3].copy_from_slice(start.as_slice());
         state[3] = 1.0;

@@ -1,7 +1,7 @@
 //! Observers of maps read at run time, against those of the macro's maps.
 
 use kahan_core::observe::{
-    AtMost, Direction, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum, TangentMap,
+    Direction, FirstCrossings, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum, TangentMap,
 };
 use kahan_core::prelude::*;
 use kahan_core::{Compensated, Orbit, Step, Workspace};
@@ -62,13 +62,17 @@ fn reports_are_those_of_the_macro() {
 fn sections_are_refined_by_parts_of_a_step() {
     let (lorenz, map) = lorenz();
     let plane = |x: &[f64]| x[2] - 27.0;
-    let found =
-        observed(&map, &[1.0, 2.0, 20.0], 1000, Section::new(&map, plane, Direction::Rising, AtMost::new(9)))
-            .points;
+    let found = observed(
+        &map,
+        &[1.0, 2.0, 20.0],
+        1000,
+        Section::new(&map, plane, Direction::Rising, FirstCrossings::new(9)),
+    )
+    .points;
     let own = lorenz.at(0.005);
     let own = lorenz
         .orbit(vector![1.0, 2.0, 20.0], 0.005)
-        .observe(1000, Section::new(&own, plane, Direction::Rising, AtMost::new(9)))
+        .observe(1000, Section::new(&own, plane, Direction::Rising, FirstCrossings::new(9)))
         .points;
     assert!(found.all == own.all && found.all > 3);
     let (first, own) = (&found.kept[0], &own.kept[0]);
@@ -112,7 +116,7 @@ fn modes_are_maps_of_their_own() {
         let (mut x, mut v) = (start, vec![0.5, -1.0, 2.0]);
         let beside = [&x[..], &v].concat();
         for _ in 0..steps {
-            map.carry(&x, &mut v);
+            map.push_forward(&x, &mut v);
             map.advance(&mut x, 1).unwrap();
         }
         let with_vector = Orbit::new(map.tangent(), beside).nth(steps as usize).unwrap();

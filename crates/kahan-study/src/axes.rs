@@ -1,7 +1,7 @@
 //! Axes of a question in JSON: an object from names to values, `{"a": "0:1:/9", "eps":
 //! "1/10:1:5"}`.
 //!
-//! Use `#[serde(with = "axes")]` on an [`Entry`], an optional entry or a list of entries.
+//! Use `#[serde(with = "axes")]` on a [`NamedValues`], an optional entry or a list of entries.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::range::{Axis, Range};
 
 /// A name with the values on its axis.
-pub(crate) trait Entry: Sized {
+pub(crate) trait NamedValues: Sized {
     fn name(&self) -> &str;
 
     fn to_json(&self) -> Value;
@@ -25,7 +25,7 @@ pub(crate) trait Entry: Sized {
     fn of_json(name: &str, values: Value) -> Result<Self, String>;
 }
 
-impl Entry for Axis {
+impl NamedValues for Axis {
     fn name(&self) -> &str {
         &self.name
     }
@@ -43,8 +43,8 @@ impl Entry for Axis {
 }
 
 /// One entry, an optional entry, or a list of entries.
-pub(crate) trait Entries: Sized {
-    type Entry: Entry;
+pub(crate) trait NamedValueList: Sized {
+    type Entry: NamedValues;
 
     fn entries(&self) -> &[Self::Entry];
 
@@ -55,7 +55,7 @@ pub(crate) trait Entries: Sized {
     fn of(entries: Vec<Self::Entry>) -> Result<Self, &'static str>;
 }
 
-impl<E: Entry> Entries for Vec<E> {
+impl<E: NamedValues> NamedValueList for Vec<E> {
     type Entry = E;
 
     fn entries(&self) -> &[E] {
@@ -67,7 +67,7 @@ impl<E: Entry> Entries for Vec<E> {
     }
 }
 
-impl<E: Entry> Entries for Option<E> {
+impl<E: NamedValues> NamedValueList for Option<E> {
     type Entry = E;
 
     fn entries(&self) -> &[E] {
@@ -85,7 +85,7 @@ impl<E: Entry> Entries for Option<E> {
     }
 }
 
-impl Entries for Axis {
+impl NamedValueList for Axis {
     type Entry = Self;
 
     fn entries(&self) -> &[Self] {
@@ -101,7 +101,10 @@ impl Entries for Axis {
 ///
 /// # Errors
 /// Errors of the serializer.
-pub(crate) fn serialize<T: Entries, S: Serializer>(axes: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn serialize<T: NamedValueList, S: Serializer>(
+    axes: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     serializer.collect_map(axes.entries().iter().map(|entry| (entry.name(), entry.to_json())))
 }
 
@@ -109,14 +112,16 @@ pub(crate) fn serialize<T: Entries, S: Serializer>(axes: &T, serializer: S) -> R
 ///
 /// # Errors
 /// The first mistake, with its path if the deserializer tracks paths.
-pub(crate) fn deserialize<'de, T: Entries, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+pub(crate) fn deserialize<'de, T: NamedValueList, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<T, D::Error> {
     let entries = deserializer.deserialize_any(Object(PhantomData))?;
     T::of(entries).map_err(D::Error::custom)
 }
 
 struct Object<E>(PhantomData<E>);
 
-impl<'de, E: Entry> Visitor<'de> for Object<E> {
+impl<'de, E: NamedValues> Visitor<'de> for Object<E> {
     type Value = Vec<E>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -139,7 +144,7 @@ impl<'de, E: Entry> Visitor<'de> for Object<E> {
 /// Deserializes the values of one name, so that errors carry their path.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
-impl<'de, E: Entry> DeserializeSeed<'de> for Named<'_, E> {
+impl<'de, E: NamedValues> DeserializeSeed<'de> for Named<'_, E> {
     type Value = E;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<E, D::Error> {

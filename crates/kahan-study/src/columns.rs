@@ -10,7 +10,7 @@ use kahan_algebra::check::nearest;
 
 /// The names that columns may have.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted<'a> {
+pub struct ExpectedColumns<'a> {
     /// The states. Each of the first [`least`](Self::least) needs a column.
     pub states: &'a [String],
     /// The number of leading states that need a column. The others are new variables of a lift, for
@@ -19,12 +19,12 @@ pub struct Wanted<'a> {
     /// The parameters of the field.
     pub parameters: &'a [String],
     /// The treatment of columns that are not states.
-    pub others: Others,
+    pub others: OtherColumns,
 }
 
 /// The treatment of columns that are not states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Others {
+pub enum OtherColumns {
     /// Parameters and `eps` have a value in each row; other columns are refused.
     Used,
     /// Parameters and `eps` have one value each, given elsewhere; all other columns are refused.
@@ -35,7 +35,7 @@ pub enum Others {
 
 /// The indices of the matched columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Places {
+pub struct ColumnIndices {
     /// The column of each state.
     pub states: Vec<usize>,
     /// The parameters, and `eps`, that have a column, with its index, in the order of the table.
@@ -68,18 +68,18 @@ pub enum ColumnError {
     },
 }
 
-impl<'a> Wanted<'a> {
+impl<'a> ExpectedColumns<'a> {
     /// Requires a column for each of `states`.
     #[must_use]
-    pub fn new(states: &'a [String], parameters: &'a [String], others: Others) -> Self {
-        Wanted { states, least: states.len(), parameters, others }
+    pub fn new(states: &'a [String], parameters: &'a [String], others: OtherColumns) -> Self {
+        ExpectedColumns { states, least: states.len(), parameters, others }
     }
 
     /// Finds the columns of a table with these names.
     ///
     /// # Errors
     /// A state without a column, two columns of one name, or a column that cannot be used.
-    pub fn places(&self, names: &[String]) -> Result<Places, ColumnError> {
+    pub fn places(&self, names: &[String]) -> Result<ColumnIndices, ColumnError> {
         let (first, new) = self.states.split_at(self.least);
         let states = if new.iter().any(|state| names.contains(state)) { self.states } else { first };
         let once = |name: &String| {
@@ -91,8 +91,8 @@ impl<'a> Wanted<'a> {
         };
         let state = |state: &String| once(state)?.ok_or_else(|| self.missing(state, names));
         let places = states.iter().map(state).collect::<Result<Vec<_>, _>>()?;
-        let mut found = Places { states: places, others: Vec::new() };
-        if self.others == Others::Ignored {
+        let mut found = ColumnIndices { states: places, others: Vec::new() };
+        if self.others == OtherColumns::Ignored {
             return Ok(found);
         }
         let (others, unusable): (Vec<_>, Vec<_>) = names
@@ -104,7 +104,7 @@ impl<'a> Wanted<'a> {
             return Err(ColumnError::Unusable { names, known: self.known(states) });
         }
         for name in others {
-            if self.others == Others::Refused {
+            if self.others == OtherColumns::Refused {
                 return Err(ColumnError::Single(name.clone()));
             }
             found.others.extend(once(name)?.map(|place| (name.clone(), place)));
@@ -120,7 +120,7 @@ impl<'a> Wanted<'a> {
     }
 
     fn known(&self, states: &[String]) -> Vec<String> {
-        let is_used = self.others == Others::Used;
+        let is_used = self.others == OtherColumns::Used;
         let others = self.parameters.iter().cloned().chain(["eps".to_owned()]);
         states.iter().cloned().chain(others.filter(|_| is_used)).collect()
     }
@@ -168,16 +168,16 @@ impl std::error::Error for ColumnError {}
 
 #[cfg(test)]
 mod tests {
-    use super::{Others, Wanted};
+    use super::{ExpectedColumns, OtherColumns};
 
     fn names(text: &str) -> Vec<String> {
         text.split(',').map(str::to_owned).collect()
     }
 
     /// Matches columns with the states x and y, the new variable u, and the parameters k and m.
-    fn found(others: Others, columns: &str) -> Result<String, String> {
+    fn found(others: OtherColumns, columns: &str) -> Result<String, String> {
         let (states, parameters) = (names("x,y,u"), names("k,m"));
-        let wanted = Wanted { least: 2, ..Wanted::new(&states, &parameters, others) };
+        let wanted = ExpectedColumns { least: 2, ..ExpectedColumns::new(&states, &parameters, others) };
         let places = wanted.places(&names(columns)).map_err(|error| error.to_string())?;
         Ok(format!("{:?} {:?}", places.states, places.others))
     }
@@ -191,9 +191,9 @@ mod tests {
             ("eps,y,k,x", "[3, 1] [(\"eps\", 0), (\"k\", 2)]"),
             ("m,x,y,k", "[1, 2] [(\"m\", 0), (\"k\", 3)]"),
         ] {
-            assert_eq!(found(Others::Used, columns), Ok(wanted.to_owned()), "{columns}");
+            assert_eq!(found(OtherColumns::Used, columns), Ok(wanted.to_owned()), "{columns}");
         }
-        assert_eq!(found(Others::Ignored, "t,y,k,k,x"), Ok("[4, 1] []".to_owned()));
+        assert_eq!(found(OtherColumns::Ignored, "t,y,k,k,x"), Ok("[4, 1] []".to_owned()));
     }
 
     #[test]
@@ -202,24 +202,28 @@ mod tests {
             let said = found(others, columns).expect_err(columns);
             assert!(said.contains(part), "{columns}: {said}");
         };
-        for others in [Others::Used, Others::Refused, Others::Ignored] {
+        for others in [OtherColumns::Used, OtherColumns::Refused, OtherColumns::Ignored] {
             told(others, "x", "has no column `y`; it has x");
             told(others, "Y,x", "has no column `y`; it has Y, x");
             told(others, "x,y,x", "has two columns `x`");
             told(others, "u,x", "has no column `y`");
         }
-        told(Others::Used, "k,k,x,y", "has two columns `k`");
-        told(Others::Used, "x,note,y,t", "cannot be used, `note`, `t`: leave out all but x, y, k, m, eps");
-        told(Others::Refused, "x,note,y", "cannot be used, `note`: leave out all but x, y");
-        told(Others::Refused, ",x,y", "one without a name");
-        told(Others::Refused, "k,x,y", "has a column `k`, and a parameter has one value here");
-        told(Others::Refused, "eps,x,y", "leave the column out and give --eps V, or in Python eps=V");
+        told(OtherColumns::Used, "k,k,x,y", "has two columns `k`");
+        told(
+            OtherColumns::Used,
+            "x,note,y,t",
+            "cannot be used, `note`, `t`: leave out all but x, y, k, m, eps",
+        );
+        told(OtherColumns::Refused, "x,note,y", "cannot be used, `note`: leave out all but x, y");
+        told(OtherColumns::Refused, ",x,y", "one without a name");
+        told(OtherColumns::Refused, "k,x,y", "has a column `k`, and a parameter has one value here");
+        told(OtherColumns::Refused, "eps,x,y", "leave the column out and give --eps V, or in Python eps=V");
     }
 
     #[test]
     fn a_slip_is_guessed() {
-        let (states, others) = (names("theta,v"), Others::Refused);
-        let wanted = Wanted::new(&states, &[], others);
+        let (states, others) = (names("theta,v"), OtherColumns::Refused);
+        let wanted = ExpectedColumns::new(&states, &[], others);
         let said = wanted.places(&names("v,Theta")).expect_err("a slip").to_string();
         assert!(said.ends_with("it has v, Theta; rename `Theta` if that is `theta`"), "{said}");
     }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use kahan_discover::{Progress, Watch};
 
 /// A count of the work done by all threads, reported to a watch.
-pub struct Count<'a> {
+pub struct WorkCount<'a> {
     what: &'static str,
     of: u64,
     watch: &'a dyn Watch,
@@ -14,10 +14,10 @@ pub struct Count<'a> {
     is_stopped: AtomicBool,
 }
 
-impl<'a> Count<'a> {
+impl<'a> WorkCount<'a> {
     /// Starts a count of `of` units of work, called `what` in reports.
     pub fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
-        Count { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
+        WorkCount { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
     }
 
     /// Adds finished work and reports the total.

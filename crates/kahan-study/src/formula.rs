@@ -6,7 +6,7 @@
 //! [`Formulas`] in doubles, single precision and fractions. `kahan_algebra` parses; this module
 //! resolves names and functions.
 
-mod abreast;
+mod lanes;
 
 use std::cell::RefCell;
 use std::f64::consts::PI;
@@ -22,7 +22,7 @@ use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
 use kahan_algebra::token::{Span, Token};
 use kahan_program::{Calls, Function, Node, Program};
 
-pub(crate) use abreast::Abreast;
+pub(crate) use lanes::Abreast;
 
 type Unary = fn(f64) -> f64;
 
@@ -109,7 +109,7 @@ pub struct Formula {
 
 impl Formula {
     /// Builds a formula whose inputs are `count` variables, followed by the numbers `values`.
-    fn new(program: Program<Vec<Operation>>, count: usize, values: &Known) -> Self {
+    fn new(program: Program<Vec<Operation>>, count: usize, values: &NamedConstants) -> Self {
         let mut variables = Vec::new();
         for (place, operation) in program.operations.iter().enumerate() {
             if let Operation::Input(variable) = *operation
@@ -228,7 +228,7 @@ impl Formulas {
 }
 
 /// Values of names, in addition to `pi`.
-pub type Known = [(String, f64)];
+pub type NamedConstants = [(String, f64)];
 
 const OF_SITES: [&str; 1] = ["i"];
 
@@ -259,7 +259,7 @@ impl std::error::Error for NoFormula {}
 ///
 /// # Errors
 /// The first mistake.
-pub fn formula(text: &str, known: &Known) -> Result<Formula, NoFormula> {
+pub fn formula(text: &str, known: &NamedConstants) -> Result<Formula, NoFormula> {
     formula_of(&OF_SITES, text, known)
 }
 
@@ -267,7 +267,7 @@ pub fn formula(text: &str, known: &Known) -> Result<Formula, NoFormula> {
 ///
 /// # Errors
 /// The first mistake.
-pub fn formula_of(variables: &[&str], text: &str, known: &Known) -> Result<Formula, NoFormula> {
+pub fn formula_of(variables: &[&str], text: &str, known: &NamedConstants) -> Result<Formula, NoFormula> {
     read(text, |tokens| Names { variables, known, defined: &[] }.formula(&parse_formula(tokens)?))
 }
 
@@ -275,7 +275,7 @@ pub fn formula_of(variables: &[&str], text: &str, known: &Known) -> Result<Formu
 ///
 /// # Errors
 /// The first mistake.
-pub fn formulas(text: &str, known: &Known) -> Result<Vec<(String, Formula)>, NoFormula> {
+pub fn formulas(text: &str, known: &NamedConstants) -> Result<Vec<(String, Formula)>, NoFormula> {
     read(text, |tokens| {
         let names = Names { variables: &OF_SITES, known, defined: &[] };
         let formulas = parse_formulas(tokens)?.into_iter();
@@ -289,7 +289,7 @@ fn read<R>(text: &str, read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>) -> 
 
 struct Names<'a> {
     variables: &'a [&'a str],
-    known: &'a Known,
+    known: &'a NamedConstants,
     /// Named formulas, with the nodes of their values in the program.
     defined: &'a [(&'a str, Node)],
 }

@@ -36,14 +36,14 @@ pub struct TomlDocument<'t> {
 }
 
 /// A mistake with its line, counted from 1.
-type Misplaced = (usize, String);
+type MistakeAtLine = (usize, String);
 
 impl<'t> TomlDocument<'t> {
     /// Parses a text.
     ///
     /// # Errors
     /// The first mistake in the grammar of TOML, with its line.
-    pub fn parse(text: &'t str) -> Result<Self, Misplaced> {
+    pub fn parse(text: &'t str) -> Result<Self, MistakeAtLine> {
         let root = DeTable::parse(text).map_err(|mistake| {
             (line_of(text, mistake.span().unwrap_or_default()), mistake.message().to_owned())
         })?;
@@ -54,7 +54,7 @@ impl<'t> TomlDocument<'t> {
     ///
     /// # Errors
     /// A value without a form in JSON, with its line.
-    pub fn to_json(&self) -> Result<Map<String, Value>, Misplaced> {
+    pub fn to_json(&self) -> Result<Map<String, Value>, MistakeAtLine> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 

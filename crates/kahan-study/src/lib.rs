@@ -20,6 +20,7 @@
 mod axes;
 #[cfg(feature = "catalog")]
 mod catalog;
+mod colour_column;
 pub mod columns;
 mod count;
 mod draw;
@@ -42,7 +43,6 @@ mod rates;
 pub mod reference;
 mod relations;
 mod rows;
-mod shade;
 mod shown_orbit;
 mod study;
 mod subject;
@@ -51,15 +51,16 @@ pub mod trade;
 
 #[cfg(feature = "catalog")]
 pub use catalog::Systems;
-pub use count::Count;
+pub use colour_column::ColourColumn;
+pub use count::WorkCount;
 pub use error::{Spelling, StudyError};
 #[cfg(feature = "toml")]
 pub use from_toml::{TomlDocument, from_toml};
 pub use kahan_core::observe::Direction;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
-pub use kahan_lift::{Lift, Which};
+pub use kahan_lift::{Lift, LiftCriterion};
 pub use kahan_runtime::End;
-pub use lifted::{Fate, LiftFound, Lifting, NewFound, RelationFound, Watched};
+pub use lifted::{LiftFound, Lifting, NewFound, RelationFate, RelationFound, WatchedOrbit};
 pub use lifted_step::{LiftEnds, LiftedStep};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use misread::{Misread, read};
@@ -68,8 +69,9 @@ pub use question::*;
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rates::Rates;
 pub use relations::RelationErrors;
-pub use rows::{Cell, Column, Ending, Exact, Kept, MOST_CELLS, Rows, Table, Values, csv_line, free_name};
-pub use shade::Shade;
+pub use rows::{
+    Cell, Column, Ending, Exact, MOST_CELLS, Rows, StoredColumn, Table, Values, csv_line, free_name,
+};
 pub use shown_orbit::ShownOrbit;
 pub use study::{MOST_VARIABLES, NoStep, Study};
 pub use subject::{Catalog, Named, Subject};

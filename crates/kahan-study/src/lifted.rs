@@ -14,11 +14,11 @@ use kahan_algebra::render::expression_text;
 use kahan_algebra::syntax::{Claim, ClaimBody, Expr, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_latex::Latex;
-use kahan_lift::{Along, Embedding, Lift, Options, Which, lift, stated};
+use kahan_lift::{Embedding, Lift, LiftCriterion, Options, RelationBehaviour, lift, stated};
 use kahan_runtime::{FieldText, Relations};
 use serde::{Serialize, Serializer};
 
-use crate::columns::{Others, Wanted};
+use crate::columns::{ExpectedColumns, OtherColumns};
 use crate::error::StudyError;
 use crate::relations::RelationErrors;
 use crate::study::Study;
@@ -27,7 +27,7 @@ use crate::study::Study;
 #[derive(Clone, Debug, Default)]
 pub struct Lifting {
     /// The kind of lift.
-    pub which: Which,
+    pub which: LiftCriterion,
     /// The first point of the orbit along which lifts are compared, in the original variables;
     /// defaults to the first point of the text.
     pub start: Option<Vec<Rational>>,
@@ -47,7 +47,7 @@ impl Lifting {
     fn put_in_order(&mut self, states: &[String]) {
         let names = std::mem::take(&mut self.names);
         if !names.is_empty() {
-            let places = Wanted::new(states, &[], Others::Ignored).places(&names);
+            let places = ExpectedColumns::new(states, &[], OtherColumns::Ignored).places(&names);
             let start = self.start.take().zip(places.ok());
             let of = |start: &[Rational], place: &usize| start.get(*place).cloned();
             self.start =
@@ -435,7 +435,7 @@ impl Study {
             let drift = watched.as_ref().and_then(|watched| watched.drift(place));
             RelationFound {
                 relation: relation.text.clone(),
-                along: relation.along.map(|along| Fate::of(along, drift)),
+                along: relation.along.map(|along| RelationFate::of(along, drift)),
                 formula: relation.formula.clone(),
                 rate: relation.rate,
                 defines: relation.defines,
@@ -453,7 +453,7 @@ impl Study {
             relations: relations.collect(),
             energy: lift.energy.clone(),
             notes: lift.notes.clone(),
-            watched: start.zip(watched).map(|(start, errors)| Watched { start, eps, errors }),
+            watched: start.zip(watched).map(|(start, errors)| WatchedOrbit { start, eps, errors }),
         }))
     }
 }
@@ -487,12 +487,12 @@ pub struct LiftFound {
     pub notes: Vec<String>,
     /// The orbit along which the relations were watched.
     #[serde(skip)]
-    pub watched: Option<Watched>,
+    pub watched: Option<WatchedOrbit>,
 }
 
 /// An orbit over 100 units of time along which the relations were watched.
 #[derive(Clone, Debug)]
-pub struct Watched {
+pub struct WatchedOrbit {
     /// The first point, in the original variables.
     pub start: Vec<Rational>,
     /// ε, half the time step.
@@ -524,7 +524,7 @@ pub struct RelationFound {
     pub relation: String,
     /// The behaviour along the orbit; `None` if no start was given and no rule preserves the
     /// relation.
-    pub along: Option<Fate>,
+    pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
     /// The largest exponent of the linearised errors of all relations along the orbit.
@@ -543,7 +543,7 @@ fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::
 /// The behaviour of a relation's error along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Fate {
+pub enum RelationFate {
     /// The map preserves a formula exactly.
     Kept,
     /// The error stays bounded.
@@ -556,17 +556,17 @@ pub enum Fate {
     Grows,
 }
 
-impl Fate {
+impl RelationFate {
     /// Combines the result for the linearised error with the measured growth along an orbit.
-    fn of(along: Along, drift: Option<f64>) -> Self {
+    fn of(along: RelationBehaviour, drift: Option<f64>) -> Self {
         match along {
-            Along::Kept => Fate::Kept,
-            Along::Grows => Fate::Grows,
-            Along::Decays => Fate::Decays,
-            Along::Bounded if drift.is_some_and(|drift| drift > DRIFT) => Fate::Drifts,
-            Along::Bounded => Fate::Bounded,
-            Along::Drifts if drift.is_some_and(|drift| drift <= DRIFT) => Fate::Bounded,
-            Along::Drifts => Fate::Drifts,
+            RelationBehaviour::Kept => RelationFate::Kept,
+            RelationBehaviour::Grows => RelationFate::Grows,
+            RelationBehaviour::Decays => RelationFate::Decays,
+            RelationBehaviour::Bounded if drift.is_some_and(|drift| drift > DRIFT) => RelationFate::Drifts,
+            RelationBehaviour::Bounded => RelationFate::Bounded,
+            RelationBehaviour::Drifts if drift.is_some_and(|drift| drift <= DRIFT) => RelationFate::Bounded,
+            RelationBehaviour::Drifts => RelationFate::Drifts,
         }
     }
 }

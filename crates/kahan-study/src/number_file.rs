@@ -8,10 +8,10 @@
 use csv::{ReaderBuilder, StringRecord, Trim};
 use kahan_algebra::rational::Rational;
 
-use crate::columns::Wanted;
+use crate::columns::ExpectedColumns;
 
 /// A number type read from files.
-pub trait Entry: Sized {
+pub trait FileNumber: Sized {
     /// Reads a cell of text, which may be empty; `None` if the cell is not a number.
     fn of_text(cell: &str) -> Option<Self>;
 
@@ -20,7 +20,7 @@ pub trait Entry: Sized {
 }
 
 /// An empty cell is read as NaN.
-impl Entry for f64 {
+impl FileNumber for f64 {
     fn of_text(cell: &str) -> Option<Self> {
         if cell.is_empty() { Some(f64::NAN) } else { cell.parse().ok() }
     }
@@ -31,7 +31,7 @@ impl Entry for f64 {
 }
 
 /// An exact number; `None` for an empty cell or a float that is not finite.
-impl Entry for Option<Rational> {
+impl FileNumber for Option<Rational> {
     fn of_text(cell: &str) -> Option<Self> {
         if cell.is_empty() { Some(None) } else { Rational::parse(cell).map(Some) }
     }
@@ -52,7 +52,7 @@ pub struct Numbers<V = f64> {
     pub values: Vec<V>,
 }
 
-impl<V: Entry> Numbers<V> {
+impl<V: FileNumber> Numbers<V> {
     /// Reads a file: a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a
     /// header. A column named `ended` holds words and gives no numbers.
     ///
@@ -70,7 +70,7 @@ impl Numbers<Option<Rational>> {
     ///
     /// # Errors
     /// A sentence without its subject, the file: "has no rows; …".
-    pub fn points(&self, wanted: &Wanted<'_>) -> Result<Vec<Vec<Rational>>, String> {
+    pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;
         let width = sizes.get(1).copied().unwrap_or_default();
@@ -115,7 +115,7 @@ impl Numbers<Option<Rational>> {
 
 /// Reads CSV. Rows that begin with `#` are comments; the last comment with a word for each column
 /// holds the names, as in NumPy's files.
-fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
+fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
     let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
@@ -240,7 +240,7 @@ impl<'a> Array<'a> {
     }
 }
 
-fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
+fn array<V: FileNumber>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
     if array.descr.starts_with('[') {
         let (names, kinds): (Vec<_>, Vec<_>) = fields(array.header).ok_or(BROKEN)?.into_iter().unzip();
@@ -299,7 +299,7 @@ fn fields(header: &str) -> Option<Vec<(String, &str)>> {
     named.collect()
 }
 
-fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
+fn records<V: FileNumber>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
     let mut values = Vec::new();
     if kinds.is_empty() {
         return None;

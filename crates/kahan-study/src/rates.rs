@@ -59,7 +59,7 @@ impl Rates {
     }
 
     /// Checks a point. Costs a matrix f′, and some products by f′ if its norm is large.
-    pub fn look(&mut self, x: &[f64]) {
+    pub fn inspect(&mut self, x: &[f64]) {
         let Self { at, jacobian, points: [count, fast], largest, .. } = self;
         if !x.iter().all(|x| x.is_finite()) || at.field_jacobian(x, jacobian).is_err() {
             return;

@@ -9,7 +9,7 @@ use kahan_runtime::Follow;
 
 use crate::error::StudyError;
 use crate::formula::formula_of;
-use crate::lifted::{Fate, LiftFound, RelationFound};
+use crate::lifted::{LiftFound, RelationFate, RelationFound};
 use crate::study::Study;
 use crate::subject::{Catalog, Subject};
 
@@ -23,13 +23,13 @@ pub struct RelationErrors {
     pub steps: u64,
 }
 
-type OfPoint = Box<dyn Fn(&[f64]) -> f64>;
+type PointFunction = Box<dyn Fn(&[f64]) -> f64>;
 
 enum Error {
     /// The distance of a new variable from its function, over max(1, |function|).
     Defined(usize),
     /// A function of all variables that vanishes where the relation holds.
-    Function(OfPoint),
+    Function(PointFunction),
 }
 
 impl Error {
@@ -120,7 +120,7 @@ impl Subject {
     #[must_use]
     pub fn calls_for_a_lift(&self) -> bool {
         match &self.field {
-            crate::subject::Given::Text(text) if self.lifting.is_none() => {
+            crate::subject::SubjectSource::Text(text) if self.lifting.is_none() => {
                 text.unproved_system().is_err() && text.read_by(kahan_lift::stated).is_ok()
             }
             _ => false,
@@ -163,11 +163,11 @@ impl RelationFound {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));
         match (self.along, &self.formula) {
             (_, Some(formula)) => format!("kept exactly: {formula}"),
-            (Some(Fate::Kept), None) => "kept exactly".to_owned(),
-            (Some(Fate::Bounded), _) => "bounded".to_owned(),
-            (Some(Fate::Decays), _) => format!("decays{rate}"),
-            (Some(Fate::Drifts), _) => "drifts".to_owned(),
-            (Some(Fate::Grows), _) => format!("grows{rate}"),
+            (Some(RelationFate::Kept), None) => "kept exactly".to_owned(),
+            (Some(RelationFate::Bounded), _) => "bounded".to_owned(),
+            (Some(RelationFate::Decays), _) => format!("decays{rate}"),
+            (Some(RelationFate::Drifts), _) => "drifts".to_owned(),
+            (Some(RelationFate::Grows), _) => format!("grows{rate}"),
             (None, _) => format!("not followed: {for_point}, and a value to each parameter"),
         }
     }

@@ -46,7 +46,7 @@ macro_rules! kinds {
 
         /// The values of a column in memory.
         #[derive(Clone, Debug, PartialEq)]
-        pub enum Kept {
+        pub enum StoredColumn {
             $($(#[$about])* $kind(Vec<$of>),)*
         }
 
@@ -79,14 +79,14 @@ macro_rules! kinds {
                 }
             }
 
-            fn to_kept(self) -> Kept {
+            fn to_kept(self) -> StoredColumn {
                 match self {
-                    $(Self::$kind(list) => Kept::$kind(list.to_vec()),)*
+                    $(Self::$kind(list) => StoredColumn::$kind(list.to_vec()),)*
                 }
             }
         }
 
-        impl Kept {
+        impl StoredColumn {
             /// Returns the values as slices.
             #[must_use]
             pub fn values(&self) -> Values<'_> {
@@ -205,7 +205,7 @@ pub struct Table {
     /// The columns; empty before the first block.
     pub columns: Vec<Column>,
     /// The values of each column.
-    pub values: Vec<Kept>,
+    pub values: Vec<StoredColumn>,
 }
 
 impl Table {
@@ -216,8 +216,8 @@ impl Table {
     }
 
     /// Passes the whole table on as one block.
-    pub fn hand_to(&self, rows: &mut dyn Rows) -> ControlFlow<()> {
-        rows.block(&self.columns, &self.values.iter().map(Kept::values).collect::<Vec<_>>())
+    pub fn pass_to(&self, rows: &mut dyn Rows) -> ControlFlow<()> {
+        rows.block(&self.columns, &self.values.iter().map(StoredColumn::values).collect::<Vec<_>>())
     }
 }
 

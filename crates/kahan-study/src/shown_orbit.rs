@@ -64,7 +64,7 @@ impl Study {
         let is_lifted = self.lift().is_some_and(|lift| lift.order() > 0);
         let length = if is_lifted { 1.0 } else { length(self.system(), map.parameters(), eps) };
         let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
-        let (mut best, mut refused): (Option<Followed>, _) = (None, None);
+        let (mut best, mut refused): (Option<TrialOrbit>, _) = (None, None);
         for own in starts {
             // A new variable may be undefined at a start.
             let start = match self.point(&own) {
@@ -76,7 +76,7 @@ impl Study {
             };
             // A norm overestimates the rate more than a frequency does.
             let share = if is_lifted { 0.1 } else { 0.2 };
-            let mut rate = Way::new(self, map.at(0.0), true).rate(&floats(&start));
+            let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
             // The second trial uses the rates along the first orbit. Rates of a lifted field may
             // change by orders of magnitude, so it may get two more trials.
             for look in 0..4 {
@@ -84,8 +84,8 @@ impl Study {
                     break;
                 }
                 let eps = eps.cloned().unwrap_or_else(|| round_below(share / rate));
-                let mut way = Way::new(self, map.at(eps.to_f64()), true);
-                let mut followed = Followed::of(&mut way, eps, &start, length);
+                let mut way = StepsAndRates::new(self, map.at(eps.to_f64()), true);
+                let mut followed = TrialOrbit::of(&mut way, eps, &start, length);
                 followed.shown.start.clone_from(&own);
                 rate = rate.max(followed.rate);
                 if best.as_ref().is_none_or(|best| best.rank() < followed.rank()) {
@@ -106,9 +106,9 @@ impl Study {
         let (own, mut smaller) = (shown.start.clone(), shown.eps.clone());
         shown.stays = false;
         for _ in 0..tries {
-            let mut way = Way::new(self, map.at(smaller.to_f64()), false);
-            let Followed { shown: followed, error, .. } =
-                Followed::of(&mut way, smaller.clone(), &start, length);
+            let mut way = StepsAndRates::new(self, map.at(smaller.to_f64()), false);
+            let TrialOrbit { shown: followed, error, .. } =
+                TrialOrbit::of(&mut way, smaller.clone(), &start, length);
             if followed.stays {
                 shown =
                     ShownOrbit { start: own.clone(), extremes: self.project(&followed.extremes), ..followed };
@@ -123,14 +123,14 @@ impl Study {
 }
 
 /// The map, or the projected step, of a trial orbit, and its rates.
-struct Way<'a> {
+struct StepsAndRates<'a> {
     at: MapAt<f64>,
     lift: Option<(&'a Lift, Vec<f64>)>,
     /// The projection of each step onto the relations of the lift, if requested.
     reembedding: Option<Reembedding>,
 }
 
-impl<'a> Way<'a> {
+impl<'a> StepsAndRates<'a> {
     fn new(study: &'a Study, at: MapAt<f64>, projects: bool) -> Self {
         let lift = study.lift().filter(|lift| lift.order() > 0);
         let lift = lift.map(|lift| {
@@ -138,11 +138,11 @@ impl<'a> Way<'a> {
                 |name: &String| study.parameter(name).map_or(f64::NAN, |k| at.map().parameters()[k].to_f64());
             (lift, lift.parameters.iter().map(value).collect())
         });
-        Way { at, lift, reembedding: projects.then(Reembedding::default) }
+        StepsAndRates { at, lift, reembedding: projects.then(Reembedding::default) }
     }
 
     fn advance(&mut self, x: &mut [f64]) {
-        let Way { at, lift, reembedding } = self;
+        let StepsAndRates { at, lift, reembedding } = self;
         let step = |x: &mut [f64]| at.advance(x, 1).expect("the start is of the field");
         let (Some((lift, own)), Some(reembedding)) = (lift, reembedding) else { return step(x) };
         let (states, new) = x.split_at_mut(lift.states.len());
@@ -198,7 +198,7 @@ impl<'a> Way<'a> {
 }
 
 /// A trial orbit with the figures that decide the choice.
-struct Followed {
+struct TrialOrbit {
     shown: ShownOrbit,
     steps: u64,
     moves: bool,
@@ -206,8 +206,8 @@ struct Followed {
     error: f64,
 }
 
-impl Followed {
-    fn of(way: &mut Way<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
+impl TrialOrbit {
+    fn of(way: &mut StepsAndRates<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
         let mut x = floats(start);
         // New variables have scales of their own, so only original variables count.
         let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
@@ -233,7 +233,7 @@ impl Followed {
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
         let shown = ShownOrbit { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };
-        Followed { shown, steps, moves, rate: steepest, error }
+        TrialOrbit { shown, steps, moves, rate: steepest, error }
     }
 
     /// Returns a rank: bounded and moving orbits are best, then bounded ones, then longer ones.

@@ -15,7 +15,7 @@ use kahan_runtime::{Field, FieldText, Map, MapAt};
 use crate::error::StudyError;
 use crate::lifted::Lifted;
 use crate::range::Axis;
-use crate::subject::{Catalog, Given, Named, Subject};
+use crate::subject::{Catalog, Named, Subject, SubjectSource};
 
 /// The most variables of a chain whose equations are written out.
 pub const MOST_VARIABLES: usize = 200;
@@ -34,12 +34,12 @@ pub enum NoStep {
 /// A field with parameter values, planned once and usable from any thread. Clones share the plans.
 #[derive(Clone, Debug)]
 pub struct Study {
-    read: Arc<Read>,
-    here: Arc<Here>,
+    read: Arc<ReadField>,
+    here: Arc<MapAtParameters>,
 }
 
 #[derive(Clone, Debug)]
-struct Read {
+struct ReadField {
     named: Option<Named>,
     text: FieldText,
     sites: Option<usize>,
@@ -51,7 +51,7 @@ struct Read {
 }
 
 #[derive(Debug)]
-struct Here {
+struct MapAtParameters {
     /// The values, in the order of the parameters; `None` for a value not given.
     given: Vec<Option<Rational>>,
     map: OnceLock<Map>,
@@ -64,8 +64,8 @@ impl Subject {
     /// An unknown system, a text with mistakes, or an unknown parameter.
     pub fn study(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
         let (named, text) = match &self.field {
-            Given::Text(text) => (None, text.clone()),
-            Given::Name(name) => {
+            SubjectSource::Text(text) => (None, text.clone()),
+            SubjectSource::Name(name) => {
                 let named = catalog.find(name).ok_or_else(|| StudyError::unknown_system(name, catalog))?;
                 let text = FieldText::new(named.text.to_owned(), named.name.to_owned());
                 (Some(named), text)
@@ -85,7 +85,7 @@ impl Subject {
                 (None, text, system)
             }
         };
-        let read = Read {
+        let read = ReadField {
             named,
             text,
             sites: self.sites,
@@ -100,15 +100,15 @@ impl Subject {
 }
 
 impl Study {
-    fn new(read: Arc<Read>, given: Vec<Option<Rational>>) -> Self {
-        Study { read, here: Arc::new(Here { given, map: OnceLock::new() }) }
+    fn new(read: Arc<ReadField>, given: Vec<Option<Rational>>) -> Self {
+        Study { read, here: Arc::new(MapAtParameters { given, map: OnceLock::new() }) }
     }
 
     /// Returns a study whose answers include the new variables of a lift.
     #[must_use]
     pub fn showing_all(&self) -> Self {
         let lifted = self.lifted().map(Lifted::showing_all);
-        let read = Read { lifted, ..(*self.read).clone() };
+        let read = ReadField { lifted, ..(*self.read).clone() };
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
     }
 
@@ -298,7 +298,7 @@ impl Study {
             }
         }
         let (field, interpreter) = (OnceLock::new(), OnceLock::new());
-        let read = Read { system, field, interpreter, ..Read::clone(&self.read) };
+        let read = ReadField { system, field, interpreter, ..ReadField::clone(&self.read) };
         Ok(Study::new(Arc::new(read), self.given().to_vec()))
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use kahan_algebra::rational::Rational;
-use kahan_lift::Which;
+use kahan_lift::LiftCriterion;
 use kahan_runtime::FieldText;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -27,14 +27,14 @@ use crate::numbers::exact;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Subject {
-    pub(crate) field: Given,
+    pub(crate) field: SubjectSource,
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) sites: Option<usize>,
     pub(crate) lifting: Option<Lifting>,
 }
 
 #[derive(Clone, Debug)]
-pub(crate) enum Given {
+pub(crate) enum SubjectSource {
     /// A name in a catalog.
     Name(String),
     /// A text in the language of `kahan!`.
@@ -69,7 +69,7 @@ impl Subject {
     /// Selects a system or a family of the catalog.
     #[must_use]
     pub fn named(name: impl Into<String>) -> Self {
-        Self::of(Given::Name(name.into()))
+        Self::of(SubjectSource::Name(name.into()))
     }
 
     /// Reads a field in the language of `kahan!`, with or without a header, or in the usual
@@ -82,10 +82,10 @@ impl Subject {
     /// Reads a field from a named text, or from a part of it.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
-        Self::of(Given::Text(text))
+        Self::of(SubjectSource::Text(text))
     }
 
-    fn of(field: Given) -> Self {
+    fn of(field: SubjectSource) -> Self {
         Subject { field, parameters: Vec::new(), sites: None, lifting: None }
     }
 
@@ -105,15 +105,15 @@ impl Subject {
     /// Lifts to a quadratic field, so that equations may have functions, quotients and powers.
     ///
     /// ```
-    /// use kahan_study::{Subject, Systems, Which};
+    /// use kahan_study::{Subject, Systems, LiftCriterion};
     ///
-    /// let pendulum = Subject::text("xdot = v; vdot = -sin(x);").lifted(Which::Automatic);
+    /// let pendulum = Subject::text("xdot = v; vdot = -sin(x);").lifted(LiftCriterion::Automatic);
     /// let pendulum = pendulum.study(&Systems).unwrap();
     /// assert_eq!(pendulum.coordinates(), ["x", "v"]);
     /// assert_eq!(pendulum.variables(), ["x", "v", "sin_x", "cos_x"]);
     /// ```
     #[must_use]
-    pub fn lifted(self, which: Which) -> Self {
+    pub fn lifted(self, which: LiftCriterion) -> Self {
         self.lifting(Lifting { which, ..Lifting::default() })
     }
 
@@ -149,7 +149,7 @@ impl<'de> Deserialize<'de> for Subject {
         let subject =
             params.into_iter().fold(subject, |subject, (name, Value(value))| subject.with(name, value));
         let which = |name: String| {
-            let known = Which::ALL.into_iter().find(|which| which.name() == name);
+            let known = LiftCriterion::ALL.into_iter().find(|which| which.name() == name);
             known.ok_or_else(|| D::Error::custom(format!("`{name}` is no lift; there is `automatic`")))
         };
         let lifting = lift.map(which).transpose()?.map(|which| Lifting { which, ..Lifting::default() });

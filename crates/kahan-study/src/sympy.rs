@@ -6,13 +6,13 @@ use kahan_algebra::render::{MatrixText, Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Expr;
 
-use crate::question::{ClaimShown, Sheet};
+use crate::question::{ClaimShown, FormulaSheet};
 
 /// The notation of Python's SymPy, `1/2*x**2`, which `sympify` reads exactly.
 ///
 /// A keyword of Python gets a `_` appended; the second copy of a state, `x'`, is `x_prime`. SymPy
 /// predefines names such as `E` and `S`. Readers must therefore pass their symbols,
-/// `sympify(formula, locals={"E": Symbol("E")})`, like [`Sheet::script`].
+/// `sympify(formula, locals={"E": Symbol("E")})`, like [`FormulaSheet::script`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 
@@ -83,11 +83,11 @@ impl Notation for SymPy {
     }
 }
 
-/// Writes the script of [`Sheet::script`] for a sheet in this notation.
+/// Writes the script of [`FormulaSheet::script`] for a sheet in this notation.
 ///
 /// Names beyond ASCII are not passed to `sympify`: it makes symbols of them anyway, and Python
 /// would normalise `ϕ` to `φ`.
-pub(crate) fn script(sheet: &Sheet) -> String {
+pub(crate) fn script(sheet: &FormulaSheet) -> String {
     let symbols = |names: &[String]| {
         let names: Vec<String> = names.iter().map(|name| SymPy.name(name)).collect();
         format!("[Symbol(name) for name in {}]", list(&names))

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, End, Kept, Observable, Observe, Orbit, Over, Question, Section, Study, Subject, Systems,
-    Unwatched, Varied,
+    Answer, AxisOver, End, Observable, Observe, Orbit, Over, Question, Section, StoredColumn, Study, Subject,
+    Systems, Unwatched,
 };
 use serde_json::json;
 
@@ -26,14 +26,14 @@ fn number(text: &str) -> Rational {
 }
 
 fn over(study: &Study, asked: Observe, starts: &[&Vec<Rational>]) -> Vec<(String, i64, f64)> {
-    let mut over = Over::new(Question::Observe(asked), Vec::<Varied>::new());
+    let mut over = Over::new(Question::Observe(asked), Vec::<AxisOver>::new());
     over.starts = starts.iter().map(|start| (*start).clone()).collect();
     let Answer::Over(found) = study.ask(&Question::Over(over), &Unwatched).expect("cells") else {
         unreachable!("the answer to this question")
     };
     let place = |name: &str| found.columns.iter().position(|column| column == name).expect(name);
     let values = &found.rows.values;
-    let [Kept::Text(ended), Kept::Integer(steps), Kept::F64(last)] =
+    let [StoredColumn::Text(ended), StoredColumn::Integer(steps), StoredColumn::F64(last)] =
         ["ended", "ended_step", "final_x"].map(|name| &values[place(name)])
     else {
         panic!("{values:?}")
@@ -134,7 +134,7 @@ fn a_transient_is_not_observed() {
     let (eps, at) = (number("1/20"), vec![number("1/4"), number("0")]);
     let before = Orbit::new(eps.clone(), at.clone(), 40).ask(&study, &Unwatched).expect("an orbit");
     let settled = before.rows.values[2..].iter().map(|kept| match kept {
-        Kept::F64(list) => Rational::from_f64(list[40]).expect("a point"),
+        StoredColumn::F64(list) => Rational::from_f64(list[40]).expect("a point"),
         other => panic!("{other:?}"),
     });
     let mut of = Observable::usual();
@@ -193,12 +193,12 @@ fn a_spectrum_may_have_its_first_exponents_alone() {
         let columns = some.columns(&study).len();
         assert_eq!(columns, 3 + found.len());
         assert!(found.iter().zip(&whole).all(|(a, b)| (a - b).abs() < 0.05), "{found:?} {whole:?}");
-        let mut asked = Over::new(Question::Observe(some), Vec::<Varied>::new());
+        let mut asked = Over::new(Question::Observe(some), Vec::<AxisOver>::new());
         asked.starts = vec![at.clone(); 3];
         let Answer::Over(cells) = study.ask(&Question::Over(asked), &Unwatched).expect("cells") else {
             unreachable!("the answer to this question")
         };
-        let Kept::F64(last) = cells.rows.values.last().expect("a column") else { panic!("numbers") };
+        let StoredColumn::F64(last) = cells.rows.values.last().expect("a column") else { panic!("numbers") };
         assert_eq!(last[2], found[found.len() - 1]);
     }
 }

@@ -2,14 +2,14 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Axis, Fate, Lifting, Observable, Observe, Orbit, Over, Question, Range, Study, StudyError, Subject,
-    Systems, Unwatched, Varied, Which,
+    Axis, AxisOver, LiftCriterion, Lifting, Observable, Observe, Orbit, Over, Question, Range, RelationFate,
+    Study, StudyError, Subject, Systems, Unwatched,
 };
 
 const PENDULUM: &str = "xdot = v; vdot = -g*sin(x);";
 
 fn lifted(text: &str, values: &[(&str, i64)]) -> Study {
-    let subject = Subject::text(text).lifted(Which::Automatic);
+    let subject = Subject::text(text).lifted(LiftCriterion::Automatic);
     let subject = values.iter().fold(subject, |subject, (name, value)| subject.with(*name, (*value).into()));
     subject.study(&Systems).expect("a field that is lifted")
 }
@@ -51,7 +51,7 @@ fn parameters_that_go_through_values_go_into_the_embedding() {
     let starts = rational(&[(1, 1), (0, 1)]);
     let of = vec![Observable::Last];
     let asked = Observe { observe: of, ..Observe::new(Rational::new(1, 20), starts.clone(), 10) };
-    let axis = Varied::from(Axis { name: "k".to_owned(), range: Range::read("1:2:2").expect("a range") });
+    let axis = AxisOver::from(Axis { name: "k".to_owned(), range: Range::read("1:2:2").expect("a range") });
     let over = Over::new(Question::Observe(asked), vec![axis]);
     let found = over.ask(&study, &Unwatched).expect("cells");
     let name = found.columns.iter().position(|name| name == "final_x").expect("a column");
@@ -74,10 +74,10 @@ fn relations_drift_where_a_potential_is_singular() {
     };
     assert_eq!(
         fates("xdot = v; vdot = -sin(x);", &[(1, 1), (0, 1)]),
-        [Fate::Kept, Fate::Bounded, Fate::Bounded]
+        [RelationFate::Kept, RelationFate::Bounded, RelationFate::Bounded]
     );
     let kepler = "xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);";
-    assert!(fates(kepler, &[(1, 1), (0, 1), (0, 1), (11, 10)]).contains(&Fate::Drifts));
+    assert!(fates(kepler, &[(1, 1), (0, 1), (0, 1), (11, 10)]).contains(&RelationFate::Drifts));
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn claims_of_the_text_are_those_of_the_lift() {
     assert_eq!(study.system().claims.len(), 3);
     let wrong = lifted(&format!("{PENDULUM} integral H = v^2/2 - g*cos_x;"), &[]);
     assert!(matches!(wrong.proved(), Err(StudyError::Field(_))));
-    let lv = Subject::named("lv").lifted(Which::Automatic).study(&Systems).unwrap();
+    let lv = Subject::named("lv").lifted(LiftCriterion::Automatic).study(&Systems).unwrap();
     assert_eq!(lv.text(), Subject::named("lv").study(&Systems).unwrap().text());
 }
 
@@ -128,16 +128,16 @@ fn relations_have_errors_along_an_orbit() {
 #[test]
 fn a_lift_to_show_is_chosen_along_an_orbit() {
     let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
-    let subject = Subject::text(neuron).lifted(Which::Automatic);
+    let subject = Subject::text(neuron).lifted(LiftCriterion::Automatic);
     let fates = |study: Study| study.lift_found(None).unwrap().expect("a lift").relations[0].along;
     assert_eq!(fates(subject.study(&Systems).unwrap()), None);
     let study = subject.study_to_show(&Systems).unwrap();
     assert_eq!(study.lift_start(), Some(rational(&[(1, 1), (1, 2)])));
-    assert_eq!(fates(study), Some(Fate::Decays));
+    assert_eq!(fates(study), Some(RelationFate::Decays));
     // A lift of a text with a start is chosen along its orbit; without values there is no orbit.
-    let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(Which::Automatic);
+    let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(LiftCriterion::Automatic);
     assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
-    let generic = Subject::text(PENDULUM).lifted(Which::Automatic).study_to_show(&Systems).unwrap();
+    let generic = Subject::text(PENDULUM).lifted(LiftCriterion::Automatic).study_to_show(&Systems).unwrap();
     assert_eq!(generic.lift_start(), None);
 }
 
@@ -150,7 +150,7 @@ fn a_lift_to_show_begins_where_the_original_orbit_stays() {
         ("xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);", 0.05, 0.0009, 4.0),
         (PENDULUM, 0.25, 0.05, 0.11),
     ] {
-        let subject = Subject::text(text).lifted(Which::Automatic);
+        let subject = Subject::text(text).lifted(LiftCriterion::Automatic);
         let subject = if text == PENDULUM { subject.with("g", 1.into()) } else { subject };
         let study = subject.study_to_show(&Systems).unwrap();
         let start = study.lift_start().expect("an orbit");
@@ -178,6 +178,6 @@ fn what_is_not_quadratic_calls_for_a_lift() {
     ] {
         assert_eq!(Subject::text(text).calls_for_a_lift(), calls, "{text}");
     }
-    assert!(!Subject::text(PENDULUM).lifted(Which::Automatic).calls_for_a_lift());
+    assert!(!Subject::text(PENDULUM).lifted(LiftCriterion::Automatic).calls_for_a_lift());
     assert!(!Subject::named("lv").calls_for_a_lift());
 }

@@ -8,7 +8,8 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Observable, Observe, Observed, Question, Range, Seen, Study, Subject, Systems, Unwatched, Which,
+    LiftCriterion, Observable, Observe, Observed, ObservedValue, Question, Range, Study, Subject, Systems,
+    Unwatched,
 };
 
 /// A function (t, x, v) ↦ (f, f′v).
@@ -117,13 +118,13 @@ fn reference(case: &Case, step: f64, steps: usize) -> Vec<f64> {
     rates
 }
 
-fn study(case: &Case, which: Option<Which>) -> Study {
+fn study(case: &Case, which: Option<LiftCriterion>) -> Study {
     let subject = Subject::text(case.text);
     let subject = which.map_or(subject.clone(), |which| subject.lifted(which));
     subject.study(&Systems).expect("a field")
 }
 
-fn observed(case: &Case, which: Option<Which>, (above, below): (i64, i64), steps: u64) -> Observed {
+fn observed(case: &Case, which: Option<LiftCriterion>, (above, below): (i64, i64), steps: u64) -> Observed {
     let at = case.at.iter().map(|(above, below)| Rational::new(*above, *below)).collect();
     let asked = Observe::new(Rational::new(above, below), at, steps);
     asked.ask(&study(case, which), &Unwatched).expect("an orbit")
@@ -131,22 +132,22 @@ fn observed(case: &Case, which: Option<Which>, (above, below): (i64, i64), steps
 
 fn spectrum(observed: &Observed) -> Vec<f64> {
     match observed.of(Observable::Spectrum) {
-        Some(Seen::Spectrum(all)) => all.iter().map(|one| one.value).collect(),
+        Some(ObservedValue::Spectrum(all)) => all.iter().map(|one| one.value).collect(),
         other => panic!("{other:?}"),
     }
 }
 
 fn number(observed: &Observed, of: Observable) -> f64 {
     match observed.of(of) {
-        Some(Seen::Number(number)) => *number,
-        Some(Seen::Exponent(exponent)) => exponent.value,
+        Some(ObservedValue::Number(number)) => *number,
+        Some(ObservedValue::Exponent(exponent)) => exponent.value,
         other => panic!("{other:?}"),
     }
 }
 
 /// Compares exponents over `steps` steps at ε = 1/20 with the reference, within `near`.
 fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f64) {
-    let found = observed(case, Some(Which::Automatic), (1, 20), steps);
+    let found = observed(case, Some(LiftCriterion::Automatic), (1, 20), steps);
     let (own, wanted) = (spectrum(&found), reference(case, 0.02, steps as usize * 5));
     assert_eq!(own.len(), wanted.len(), "{}", case.text);
     for (own, wanted) in own.iter().zip(&wanted) {
@@ -171,7 +172,7 @@ fn exponents_of_chaotic_motion() {
 fn exponents_of_motion_that_is_attracted() {
     are_those_of_the_equations(&DAMPED, 20_000, 1e-3, -0.1);
     let steps = 20_000;
-    let found = observed(&FITZHUGH_NAGUMO, Some(Which::Automatic), (1, 50), steps);
+    let found = observed(&FITZHUGH_NAGUMO, Some(LiftCriterion::Automatic), (1, 50), steps);
     let wanted = reference(&FITZHUGH_NAGUMO, 0.02, steps as usize * 2);
     for (own, wanted) in spectrum(&found).iter().zip(&wanted) {
         assert!((own - wanted).abs() < 4e-3 * (1.0 + wanted.abs()), "{own} {wanted}");
@@ -182,26 +183,26 @@ fn exponents_of_motion_that_is_attracted() {
 /// tangent plane would give exponents of order ε, and e^30 in this time.
 #[test]
 fn indicators_of_regular_motion_are_small() {
-    let found = observed(&PENDULUM, Some(Which::Automatic), (1, 40), 200_000);
+    let found = observed(&PENDULUM, Some(LiftCriterion::Automatic), (1, 40), 200_000);
     assert!(number(&found, Observable::Fli) < 9.0, "{}", number(&found, Observable::Fli));
     let megno = number(&found, Observable::Megno);
     assert!((megno - 2.0).abs() < 0.1, "{megno}");
     let spectrum = spectrum(&found);
     assert!(spectrum.len() == 2 && spectrum.iter().all(|one| one.abs() < 2e-3), "{spectrum:?}");
-    assert_eq!(study(&PENDULUM, Some(Which::Automatic)).variables().len(), 4);
+    assert_eq!(study(&PENDULUM, Some(LiftCriterion::Automatic)).variables().len(), 4);
 }
 
 #[test]
 fn cells_have_the_exponents_of_single_orbits() {
-    let single = observed(&DAMPED, Some(Which::Automatic), (1, 20), 500);
+    let single = observed(&DAMPED, Some(LiftCriterion::Automatic), (1, 20), 500);
     let at = DAMPED.at.iter().map(|(above, below)| Rational::new(*above, *below)).collect();
     let asked = Observe::new(Rational::new(1, 20), at, 500);
-    let axis = kahan_study::Varied::from(kahan_study::Axis {
+    let axis = kahan_study::AxisOver::from(kahan_study::Axis {
         name: "x".to_owned(),
         range: Range::read("1:2:9").expect("a range"),
     });
     let over = kahan_study::Over::new(Question::Observe(asked), vec![axis]);
-    let found = over.ask(&study(&DAMPED, Some(Which::Automatic)), &Unwatched).expect("cells");
+    let found = over.ask(&study(&DAMPED, Some(LiftCriterion::Automatic)), &Unwatched).expect("cells");
     let cell = |name: &str| {
         let column = found.columns.iter().position(|column| column == name)?;
         Some(found.rows.values[column].values().cell(0).to_string())
@@ -221,6 +222,6 @@ fn a_quadratic_field_is_observed_as_it_was() {
         at: &[(3, 2), (1, 1)],
     };
     let [plain, lifted] =
-        [None, Some(Which::Automatic)].map(|which| observed(&LOTKA_VOLTERRA, which, (1, 20), 1000));
+        [None, Some(LiftCriterion::Automatic)].map(|which| observed(&LOTKA_VOLTERRA, which, (1, 20), 1000));
     assert_eq!(plain.seen, lifted.seen);
 }

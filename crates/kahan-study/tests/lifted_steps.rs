@@ -8,8 +8,8 @@ use kahan_runtime::Follow;
 use kahan_study::numbers::ScalarKind;
 use kahan_study::trade::Trade;
 use kahan_study::{
-    Axis, Diagram, End, Lifting, NoOrbit, Observable, Observe, Orbit, Over, Question, Range, Section, Seen,
-    Study, StudyError, Subject, Systems, Table, Unwatched, Varied, Watch, Which,
+    Axis, AxisOver, Diagram, End, LiftCriterion, Lifting, NoOrbit, Observable, Observe, ObservedValue, Orbit,
+    Over, Question, Range, Section, Study, StudyError, Subject, Systems, Table, Unwatched, Watch,
 };
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -20,7 +20,7 @@ const KEPLER: &str = "x' = p; y' = q; p' = -x/(x^2 + y^2)^(3/2); q' = -y/(x^2 + 
 const TORRICELLI: &str = "hdot = -sqrt(h);";
 
 fn lifted(text: &str) -> Study {
-    Subject::text(text).lifted(Which::Automatic).study(&Systems).expect("a field that is lifted")
+    Subject::text(text).lifted(LiftCriterion::Automatic).study(&Systems).expect("a field that is lifted")
 }
 
 fn rational(above: i64, below: i64) -> Rational {
@@ -31,7 +31,7 @@ fn last(study: &Study, asked: Orbit) -> (Vec<f64>, End, Option<String>) {
     let found = asked.ask(study, &Unwatched).expect("an orbit");
     let columns = found.rows.columns.iter().zip(&found.rows.values).skip(2).take(study.shown().len());
     let last = columns.map(|(_, kept)| match kept {
-        kahan_study::Kept::F64(values) => *values.last().expect("a row"),
+        kahan_study::StoredColumn::F64(values) => *values.last().expect("a row"),
         other => panic!("{other:?}"),
     });
     (last.collect(), found.ending.end, found.ending.why)
@@ -50,16 +50,16 @@ fn every_question_about_orbits_projects_the_same_steps() {
         let observe =
             Observe { order, observe: of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
         let seen = observe.ask(&study, &Unwatched).expect("observations");
-        assert_eq!(seen.of(Observable::Last), Some(&Seen::Point(expected.clone())));
+        assert_eq!(seen.of(Observable::Last), Some(&ObservedValue::Point(expected.clone())));
         // The second of two orbits of a chart starts here.
-        let axis = Varied::from(Axis { name: "x".to_owned(), range: Range::read("1/2:1:2").unwrap() });
+        let axis = AxisOver::from(Axis { name: "x".to_owned(), range: Range::read("1/2:1:2").unwrap() });
         let mut table = Table::default();
         let over = Question::Over(Over::new(Question::Observe(observe), vec![axis]));
         study.rows(&over, 0..u64::MAX, &mut table, &Unwatched).expect("rows");
         let column = |name: &str| {
             let place = table.columns.iter().position(|column| column.name == name).expect("a column");
             match &table.values[place] {
-                kahan_study::Kept::F64(values) => values[1],
+                kahan_study::StoredColumn::F64(values) => values[1],
                 other => panic!("{other:?}"),
             }
         };
@@ -199,7 +199,7 @@ fn orbits_side_by_side_end_alone() {
     let study = lifted(TORRICELLI);
     let of = vec![Observable::Last];
     let observe = Observe { observe: of, ..Observe::new(rational(1, 64), vec![rational(1, 1)], 80) };
-    let axis = Varied::from(Axis { name: "h".to_owned(), range: Range::read("1:4:4").unwrap() });
+    let axis = AxisOver::from(Axis { name: "h".to_owned(), range: Range::read("1:4:4").unwrap() });
     for of in [vec![Observable::Last], vec![Observable::Last, Observable::Extrema]] {
         let observe = Observe { observe: of, ..observe.clone() };
         let over = Over::new(Question::Observe(observe), vec![axis.clone()]);
@@ -235,7 +235,7 @@ impl Watch for Clock {
         Some(Duration::from_micros(self.0.fetch_add(1, Ordering::Relaxed)))
     }
 
-    fn look(&self, _: &kahan_study::Progress<'_>) -> ControlFlow<()> {
+    fn inspect(&self, _: &kahan_study::Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 

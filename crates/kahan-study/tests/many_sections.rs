@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Axis, Diagram, Direction, End, Progress, Range, Section, SectionFound, Study, Subject, Systems,
-    Unwatched, Varied, Watch,
+    Axis, AxisOver, Diagram, Direction, End, Progress, Range, Section, SectionFound, Study, Subject, Systems,
+    Unwatched, Watch,
 };
 
 const HENON_HEILES: &str = "xdot = p; ydot = q; pdot = -x - 2*x*y; qdot = y^2 - x^2 - y;";
@@ -101,7 +101,7 @@ fn orbits_end_alone_beside_others() {
 #[test]
 fn tables_do_not_depend_on_threads() {
     let study = rossler();
-    let over = vec![Varied::from(through("c", "2:6:50"))];
+    let over = vec![AxisOver::from(through("c", "2:6:50"))];
     let at = vec![rational(1, 1), rational(1, 1), rational(0, 1)];
     let plain =
         Section { crossings: Some(5), transient: 2000, over, ..Section::new(rational(1, 40), at, 0, "y") };
@@ -195,7 +195,7 @@ fn a_diagram_shows_periods_that_double() {
 #[test]
 fn a_carried_orbit_goes_on() {
     let turn = Subject::text("xdot = w*y; ydot = -w*x;").study(&Systems).expect("a field");
-    let over = vec![Varied::from(through("w", "1:2:3"))];
+    let over = vec![AxisOver::from(through("w", "1:2:3"))];
     let at = vec![rational(1, 1), rational(0, 1)];
     let plain = Section { over, crossings: Some(2), ..Section::new(rational(1, 50), at, 1000, "x") };
     let anew = asked(&turn, &plain);
@@ -211,7 +211,7 @@ fn a_carried_orbit_goes_on() {
 fn a_watch_ends_the_work() {
     struct Soon;
     impl Watch for Soon {
-        fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        fn inspect(&self, progress: &Progress<'_>) -> ControlFlow<()> {
             if progress.done > 100_000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
     }

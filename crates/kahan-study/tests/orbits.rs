@@ -7,8 +7,8 @@ use kahan_algebra::rational::Rational;
 use kahan_runtime::{Field, Follow};
 use kahan_study::numbers::ScalarKind;
 use kahan_study::{
-    Answer, Column, End, Exact, Kept, Method, NoOrbit, Orbit, Orbited, Progress, Question, Rows, Study,
-    StudyError, Subject, Systems, Table, Unwatched, Values, Watch,
+    Answer, Column, End, Exact, Method, NoOrbit, Orbit, Orbited, Progress, Question, Rows, StoredColumn,
+    Study, StudyError, Subject, Systems, Table, Unwatched, Values, Watch,
 };
 use serde_json::json;
 
@@ -42,7 +42,7 @@ fn rows(study: &Study, asked: &Orbit, range: std::ops::Range<u64>) -> Table {
 }
 
 fn doubles(table: &Table, column: usize) -> &[f64] {
-    let Kept::F64(list) = &table.values[column] else { panic!("doubles") };
+    let StoredColumn::F64(list) = &table.values[column] else { panic!("doubles") };
     list
 }
 
@@ -69,7 +69,7 @@ fn a_range_of_rows_is_the_slice_of_all_of_them() {
         let (whole, steps) = (rows(&lv(), &orbit, 0..u64::MAX), rows(&lv(), &plain, 0..u64::MAX));
         assert_eq!(whole, answer(&lv(), &orbit).rows);
         // Rows are n = 0, 2, 4, 6; the seventh step has no row.
-        let Kept::Integer(counts) = &whole.values[0] else { panic!("counts") };
+        let StoredColumn::Integer(counts) = &whole.values[0] else { panic!("counts") };
         assert_eq!(counts[..], [0, 2, 4, 6]);
         let cells = |table: &Table, row: usize| -> Vec<String> {
             table.values.iter().map(|kept| kept.values().cell(row).to_string()).collect()
@@ -134,7 +134,7 @@ fn rows_of_doubles_have_the_bits_of_the_library() {
 struct Impatient(AtomicU32);
 
 impl Watch for Impatient {
-    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+    fn inspect(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         assert!(progress.done <= 1_000_000 && progress.of == Some(1_000_000));
         if self.0.fetch_add(1, Ordering::Relaxed) == 0 {
             ControlFlow::Continue(())
@@ -207,7 +207,9 @@ fn each_method_is_what_it_is_called() {
         }
     }
     let exact = Orbit { scalar: ScalarKind::Exact, method: Method::Rk4, ..orbit.clone() };
-    let Kept::Exact(values) = &answer(&growth, &exact).rows.values[2] else { panic!("exact numbers") };
+    let StoredColumn::Exact(values) = &answer(&growth, &exact).rows.values[2] else {
+        panic!("exact numbers")
+    };
     assert_eq!(values[1], Exact::Number((&rational(65, 24)).into()));
     let back = Orbit { eps: rational(-1, 2), method: Method::Flow, ..orbit };
     assert!((doubles(&answer(&growth, &back).rows, 2)[2] - (-2.0_f64).exp()).abs() < 1e-16);
@@ -282,7 +284,7 @@ fn every_method_shows_the_integrals_that_it_keeps() {
     let at = vec![rational(1, 1), rational(2, 1), rational(3, 1)];
     let columns = |orbit: Orbit| -> (f64, f64) {
         let found = answer(&e6, &orbit);
-        let Kept::F64(values) = &found.rows.values[5] else { panic!("doubles") };
+        let StoredColumn::F64(values) = &found.rows.values[5] else { panic!("doubles") };
         let greatest = values.iter().map(|value| (value - values[0]).abs()).fold(0.0, f64::max);
         (values[0], greatest / values[0])
     };

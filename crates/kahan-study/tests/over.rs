@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Column, End, Kept, Observed, Over, Poles, Progress, Question, Rows, Study, StudyError, Subject,
-    Systems, Table, Unwatched, Values, Watch, Which,
+    Answer, Column, End, LiftCriterion, Observed, Over, Poles, Progress, Question, Rows, StoredColumn, Study,
+    StudyError, Subject, Systems, Table, Unwatched, Values, Watch,
 };
 use serde_json::{Value, json};
 
@@ -56,7 +56,7 @@ impl Hands {
 }
 
 impl Watch for Hands {
-    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+    fn inspect(&self, _: &Progress<'_>) -> ControlFlow<()> {
         match self.looks.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)) {
             Ok(_) => ControlFlow::Continue(()),
             Err(_) => ControlFlow::Break(()),
@@ -76,10 +76,10 @@ fn rows(study: &Study, over: &Over, range: Range<u64>, watch: &dyn Watch) -> (Ta
 
 /// Returns the bits of values, because NaN differs from itself.
 fn bits(table: &Table, cells: Range<usize>) -> Vec<Vec<u64>> {
-    let column = |kept: &Kept| match kept {
-        Kept::F64(list) => list[cells.clone()].iter().map(|value| value.to_bits()).collect(),
-        Kept::Integer(list) => list[cells.clone()].iter().map(|value| *value as u64).collect(),
-        Kept::Text(list) => list[cells.clone()].iter().map(|word| word.len() as u64).collect(),
+    let column = |kept: &StoredColumn| match kept {
+        StoredColumn::F64(list) => list[cells.clone()].iter().map(|value| value.to_bits()).collect(),
+        StoredColumn::Integer(list) => list[cells.clone()].iter().map(|value| *value as u64).collect(),
+        StoredColumn::Text(list) => list[cells.clone()].iter().map(|word| word.len() as u64).collect(),
         other => panic!("{other:?}"),
     };
     table.values.iter().map(column).collect()
@@ -115,9 +115,11 @@ fn a_cell_has_what_the_question_answers_there() {
     let column = |name: &str| {
         let place = all.columns.iter().position(|column| column.name == name).expect(name);
         match &all.values[place] {
-            Kept::F64(list) => list.clone(),
-            Kept::Integer(list) => list.iter().map(|value| *value as f64).collect(),
-            Kept::Text(list) => list.iter().map(|scalar| scalar[1..].parse().unwrap_or(f64::NAN)).collect(),
+            StoredColumn::F64(list) => list.clone(),
+            StoredColumn::Integer(list) => list.iter().map(|value| *value as f64).collect(),
+            StoredColumn::Text(list) => {
+                list.iter().map(|scalar| scalar[1..].parse().unwrap_or(f64::NAN)).collect()
+            }
             other => panic!("{other:?}"),
         }
     };
@@ -239,7 +241,7 @@ fn axes_that_do_not_fit_say_so() {
 
 #[test]
 fn rows_of_a_lifted_field_have_all_variables() {
-    let lifted = Subject::text("xdot = v; vdot = -sin(x);").lifted(Which::default()).study(&Systems);
+    let lifted = Subject::text("xdot = v; vdot = -sin(x);").lifted(LiftCriterion::default()).study(&Systems);
     let lifted = lifted.expect("a lift");
     assert!(lifted.variables().len() > 2);
     let over_x = json!({"x": [0, "1/2"], "v": [1]});

@@ -4,7 +4,7 @@ use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
 use kahan_core::{Dd, KahanMap};
-use kahan_study::reference::{Limits, Method, NoReference, Reference, Trajectory};
+use kahan_study::reference::{Method, NoReference, Reference, Trajectory, TrajectoryLimits};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
 fn q(texts: &[&str]) -> Vec<BigRational> {
@@ -26,7 +26,7 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
 ) -> Result<Reference, NoReference> {
     let (parameters, start) = (q(parameters), q(start));
     let asked = Trajectory { command, parameters: &parameters, start: &start, end, allowed };
-    Reference::of(map, &asked, &Limits::default())
+    Reference::of(map, &asked, &TrajectoryLimits::default())
 }
 
 /// Each step of the series adds some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32), which these

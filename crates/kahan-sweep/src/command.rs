@@ -14,9 +14,9 @@ use serde_json::json;
 
 use crate::estimate::Estimate;
 use crate::files::{NoTable, RESULTS, Status, folder_is_writable, merge, ranges, status, table};
-use crate::launcher::{Launched, detect};
+use crate::launcher::{RecognisedLauncher, detect};
 use crate::plan::Plan;
-use crate::run::{End, Run, Shard};
+use crate::run::{Run, RunEnd, Shard};
 use crate::scripts;
 
 /// Computes many orbits of Kahan's maps by a plan, on one machine or many.
@@ -102,7 +102,7 @@ Examples:
   kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
 
 /// The standard output or the error message, with the exit status.
-type Ended = Result<(String, u8), (String, u8)>;
+type CommandResult = Result<(String, u8), (String, u8)>;
 
 /// Returns a message about wrong usage, whose exit status is 2.
 fn usage(why: impl Into<String>) -> (String, u8) {
@@ -132,7 +132,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 impl Cli {
-    fn ended(&self) -> Ended {
+    fn ended(&self) -> CommandResult {
         if let Some(path) = &self.read {
             return self.table(path);
         }
@@ -164,7 +164,7 @@ impl Cli {
         if self.merge { merged(&plan, out) } else { self.compute(&plan, out) }
     }
 
-    fn table(&self, path: &Path) -> Ended {
+    fn table(&self, path: &Path) -> CommandResult {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
         match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
@@ -207,7 +207,7 @@ impl Cli {
             return shard(text).map(|shard| (shard, 1)).ok_or_else(why);
         }
         match detect(&|name| std::env::var(name))? {
-            Some(Launched { shard, sentence, beside }) => {
+            Some(RecognisedLauncher { shard, sentence, beside }) => {
                 // One write, because launchers interleave the output of their tasks.
                 eprint!("{}", sentence + "\n");
                 Ok((shard, beside))
@@ -219,7 +219,7 @@ impl Cli {
         }
     }
 
-    fn compute(&self, plan: &Plan, out: &Path) -> Ended {
+    fn compute(&self, plan: &Plan, out: &Path) -> CommandResult {
         let (shard, beside) = self.shard().map_err(usage)?;
         let threads = self.threads.map(|threads| threads as usize).or_else(|| {
             let cores = std::thread::available_parallelism().ok()?.get();
@@ -244,11 +244,11 @@ impl Cli {
         let end = run.shard(shard);
         bar.finish_and_clear();
         match end.map_err(|why| (why, 1))? {
-            End::Interrupted => {
+            RunEnd::Interrupted => {
                 Err(("interrupted; the same command goes on where this stopped".to_owned(), 130))
             }
-            End::Done if shard == Shard::WHOLE => merged(plan, out),
-            End::Done => {
+            RunEnd::Done if shard == Shard::WHOLE => merged(plan, out),
+            RunEnd::Done => {
                 let (Shard { index, of }, parts) = (shard, shard.parts(plan).count());
                 let text = format!(
                     "shard {} of {of}: {parts} parts are in {}; when all shards are done, --merge joins them\n",
@@ -261,7 +261,7 @@ impl Cli {
     }
 }
 
-fn merged(plan: &Plan, out: &Path) -> Ended {
+fn merged(plan: &Plan, out: &Path) -> CommandResult {
     let bar = bar(plan.parts(), "parts");
     let merged = merge(plan, out, || bar.inc(1));
     bar.finish_and_clear();

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use kahan_study::{Kept, Unwatched};
+use kahan_study::{StoredColumn, Unwatched};
 use serde_json::{Value, json};
 
 use crate::plan::Plan;
@@ -86,9 +86,9 @@ impl<'a> Estimate<'a> {
     }
 }
 
-fn size(column: &Kept) -> u64 {
+fn size(column: &StoredColumn) -> u64 {
     match column {
-        Kept::Text(list) => list.iter().map(|text| 4 + text.len() as u64).sum(),
+        StoredColumn::Text(list) => list.iter().map(|text| 4 + text.len() as u64).sum(),
         numbers => 8 * numbers.values().count() as u64,
     }
 }

@@ -5,7 +5,7 @@ use std::env::VarError;
 use crate::run::Shard;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Launched {
+pub(crate) struct RecognisedLauncher {
     pub(crate) shard: Shard,
     pub(crate) sentence: String,
     /// The number of the sweep's processes on this machine, if known, else 1.
@@ -38,7 +38,7 @@ const RANKS: [(&str, &str, &str); 3] = [
 
 /// One level of launching: task `index` of `of`.
 #[derive(Clone, Debug)]
-struct Place {
+struct LaunchLevel {
     launcher: &'static str,
     variable: &'static str,
     index: u64,
@@ -48,10 +48,12 @@ struct Place {
 /// Reads the environment; `None` without a known launcher. Tasks of an array may start ranks, for
 /// instance by MPI: each rank of each task is then a shard. Fails with a sentence if information is
 /// missing.
-pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<Option<Launched>, String> {
+pub(crate) fn detect(
+    get: &dyn Fn(&str) -> Result<String, VarError>,
+) -> Result<Option<RecognisedLauncher>, String> {
     let number = |name: &str| get(name).ok()?.trim().parse::<u64>().ok();
-    let places: Vec<Place> = match number(INDEX) {
-        Some(own) => vec![Place::new("a launcher", INDEX, Some(own), number(SHARDS))?],
+    let places: Vec<LaunchLevel> = match number(INDEX) {
+        Some(own) => vec![LaunchLevel::new("a launcher", INDEX, Some(own), number(SHARDS))?],
         None => {
             let task = ARRAYS.iter().find_map(|array| task(array, &number));
             let rank = rank(get("SLURM_STEP_ID").is_ok(), &number);
@@ -66,19 +68,19 @@ pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<O
         index: index * place.of + place.index,
         of: of * place.of,
     });
-    let words = |Place { launcher, variable, index, of }: &Place| {
+    let words = |LaunchLevel { launcher, variable, index, of }: &LaunchLevel| {
         format!("{launcher} started this as task {} of {of} ({variable})", index + 1)
     };
     let words = places.iter().map(words).collect::<Vec<_>>().join(", and within it ");
     let sentence = format!("{words}: it computes shard {} of {}", shard.index + 1, shard.of);
     let beside = number("OMPI_COMM_WORLD_LOCAL_SIZE").or_else(|| number("MPI_LOCALNRANKS")).unwrap_or(1);
-    Ok(Some(Launched { shard, sentence, beside: beside.max(1) as usize }))
+    Ok(Some(RecognisedLauncher { shard, sentence, beside: beside.max(1) as usize }))
 }
 
 fn task(
     (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
     number: &dyn Fn(&str) -> Option<u64>,
-) -> Option<Result<Place, String>> {
+) -> Option<Result<LaunchLevel, String>> {
     // Outside of arrays, Grid Engine sets `undefined` and LSF sets 0.
     let id = number(task).filter(|id| *launcher != "LSF" || *id > 0)?;
     // Kubernetes counts from 0; PBS and LSF count from 1.
@@ -86,21 +88,21 @@ fn task(
     let (first, step) = (number(first).unwrap_or(usual), number(step).unwrap_or(1).max(1));
     let count = number(last).filter(|last| *last >= first).map(|last| (last - first) / step + 1);
     let index = id.checked_sub(first).map(|place| place / step);
-    Some(Place::new(launcher, task, index, number(SHARDS).or(count)))
+    Some(LaunchLevel::new(launcher, task, index, number(SHARDS).or(count)))
 }
 
-fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<Place, String>> {
+fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<LaunchLevel, String>> {
     for (launcher, rank, size) in RANKS {
         if let Some(index) = number(rank) {
-            return Some(Place::new(launcher, rank, Some(index), number(size)));
+            return Some(LaunchLevel::new(launcher, rank, Some(index), number(size)));
         }
     }
     // Slurm comes last, because MPI may start its ranks through one Slurm task on each machine.
     let size = number("SLURM_NTASKS").filter(|size| is_step_of_slurm && *size > 1)?;
-    Some(Place::new("Slurm", "SLURM_PROCID", Some(number("SLURM_PROCID")?), Some(size)))
+    Some(LaunchLevel::new("Slurm", "SLURM_PROCID", Some(number("SLURM_PROCID")?), Some(size)))
 }
 
-impl Place {
+impl LaunchLevel {
     fn new(
         launcher: &'static str,
         variable: &'static str,
@@ -113,7 +115,7 @@ impl Place {
         let index = index.filter(|index| *index < of).ok_or_else(|| {
             format!("{launcher} says by {variable} that this is a task beyond the {of} that there are; give --shard i/n")
         })?;
-        Ok(Place { launcher, variable, index, of })
+        Ok(LaunchLevel { launcher, variable, index, of })
     }
 }
 

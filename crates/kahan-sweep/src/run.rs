@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use kahan_runtime::threads::for_each;
 use kahan_study::{Progress, Table, Watch};
 
-use crate::files::{Journal, Part, Unusable};
+use crate::files::{Journal, Part, UnusablePart};
 use crate::plan::Plan;
 
 /// The parts of one process: `index`, `index + of`, `index + 2 of`, ….
@@ -30,7 +30,7 @@ impl Shard {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum RunEnd {
     Done,
     /// The process was told to stop; finished rows are in the journal.
     Interrupted,
@@ -58,7 +58,7 @@ pub(crate) struct Run<'a> {
 impl Run<'_> {
     /// Computes the missing parts of a shard; fails for foreign parts and a disk that refuses
     /// writes.
-    pub(crate) fn shard(&self, shard: Shard) -> Result<End, String> {
+    pub(crate) fn shard(&self, shard: Shard) -> Result<RunEnd, String> {
         for index in shard.parts(self.plan) {
             let part = Part::of(self.plan, index, self.folder);
             match part.exists().then(|| part.checked()) {
@@ -70,7 +70,7 @@ impl Run<'_> {
                     part.tidy();
                     continue;
                 }
-                Some(Err(Unusable::Damaged(why))) => (self.say)(&format!("{why}; it is computed again")),
+                Some(Err(UnusablePart::Damaged(why))) => (self.say)(&format!("{why}; it is computed again")),
                 Some(Err(foreign)) => return Err(foreign.to_string()),
             }
             let end = self.part(&part).map_err(|error| {
@@ -79,14 +79,14 @@ impl Run<'_> {
                     "{folder} cannot be written: {error}; what is done is kept, and the same command goes on"
                 )
             })?;
-            if end == End::Interrupted {
+            if end == RunEnd::Interrupted {
                 return Ok(end);
             }
         }
-        Ok(End::Done)
+        Ok(RunEnd::Done)
     }
 
-    fn part(&self, part: &Part<'_>) -> io::Result<End> {
+    fn part(&self, part: &Part<'_>) -> io::Result<RunEnd> {
         let indices = self.plan.part(part.index);
         let done = known(Journal::noted(part), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
@@ -102,23 +102,23 @@ impl Run<'_> {
         let mut work = work.into_inner().expect(PANIC);
         if self.stop.load(Ordering::Relaxed) {
             work.note()?;
-            return Ok(End::Interrupted);
+            return Ok(RunEnd::Interrupted);
         }
         work.done.sort_by_key(|(first, _)| *first);
         let mut all = Table::default();
         for (_, rows) in work.done {
-            let _ = rows.hand_to(&mut all);
+            let _ = rows.pass_to(&mut all);
         }
         part.write(&all)?;
         part.tidy();
-        Ok(End::Done)
+        Ok(RunEnd::Done)
     }
 
     /// Computes a range of rows piece by piece, and hands each piece over.
     fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
-            let turn = Turn { stop: self.stop, begun: Instant::now(), done: AtomicU64::new(0) };
+            let turn = ThreadTurn { stop: self.stop, begun: Instant::now(), done: AtomicU64::new(0) };
             let made = self.plan.rows(next..indices.end, &turn);
             let count = made.count() as u64;
             if count == 0 {
@@ -137,14 +137,14 @@ impl Run<'_> {
 }
 
 /// The work of a thread until it hands over its rows.
-struct Turn<'a> {
+struct ThreadTurn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
     /// The number of finished rows at the last check.
     done: AtomicU64,
 }
 
-impl Watch for Turn<'_> {
+impl Watch for ThreadTurn<'_> {
     /// Stops at once on request. After the time limit, stops at the end of a block of rows, because
     /// an unfinished block would be lost.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
@@ -226,11 +226,11 @@ fn chunks(done: &[(u64, Table)], indices: &Range<u64>, chunk: u64) -> Vec<Range<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kahan_study::Kept;
+    use kahan_study::StoredColumn;
 
     fn some(first: u64, count: u64) -> (u64, Table) {
         let indices = (first..first + count).map(|index| index as i64).collect();
-        (first, Table { columns: Vec::new(), values: vec![Kept::Integer(indices)] })
+        (first, Table { columns: Vec::new(), values: vec![StoredColumn::Integer(indices)] })
     }
 
     #[test]

@@ -5,9 +5,9 @@
 //! in the tokens for the parser to report. A text in the language of `kahan!` keeps its tokens.
 
 mod items;
-mod left;
+mod left_side;
 mod quantities;
-mod right;
+mod right_side;
 mod xpp;
 
 use std::cell::OnceCell;
@@ -20,7 +20,7 @@ use crate::rational::Rational;
 use crate::spelling::ON_TEXTS;
 use crate::token::{Token, TokenKind};
 
-use items::Item;
+use items::TextItem;
 use xpp::Function;
 
 /// A text as tokens of the language, with the values that it gives.
@@ -79,21 +79,21 @@ pub fn read(text: &str) -> Reading {
         None => reader.read(),
     }
     let Reader { out, mut read, .. } = reader;
-    let is_there = |(token, range): &Placed| text.get(range.clone()) == Some(&token.text);
+    let is_there = |(token, range): &PlacedToken| text.get(range.clone()) == Some(&token.text);
     read.is_canonical = count == out.len() && !is_of_others && out.iter().all(is_there);
     (read.lexed.tokens, read.lexed.ranges) = out.into_iter().unzip();
     read
 }
 
 /// A token and its byte range in the text.
-type Placed = (Token, Range<usize>);
+type PlacedToken = (Token, Range<usize>);
 
-fn placed(text: &str, range: &Range<usize>) -> Placed {
+fn placed(text: &str, range: &Range<usize>) -> PlacedToken {
     let kind = text.chars().next().map_or(TokenKind::Identifier, TokenKind::beginning_with);
     (Token { kind, text: text.to_owned().into(), touches_next: false, docs: Box::default() }, range.clone())
 }
 
-fn mistake(range: &Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Placed {
+fn mistake(range: &Range<usize>, message: impl Into<String>, help: impl Into<String>) -> PlacedToken {
     let (token, range) = placed("", range);
     (Token { kind: TokenKind::unreadable(message, help), ..token }, range)
 }
@@ -101,22 +101,22 @@ fn mistake(range: &Range<usize>, message: impl Into<String>, help: impl Into<Str
 #[derive(Default)]
 struct Reader<'a> {
     text: &'a str,
-    given: Vec<Placed>,
+    given: Vec<PlacedToken>,
     names: OnceCell<HashSet<String>>,
     /// The states, with the names of the derivatives of order 1 to n − 1 in equations of order n.
     states: HashMap<String, Vec<String>>,
     has_derivatives: bool,
     /// The formulas of auxiliary quantities, by name.
-    quantities: HashMap<String, Vec<Placed>>,
+    quantities: HashMap<String, Vec<PlacedToken>>,
     functions: HashMap<String, Function>,
     /// The arguments of the innermost call, by name.
-    arguments: HashMap<String, Vec<Placed>>,
+    arguments: HashMap<String, Vec<PlacedToken>>,
     /// The functions whose calls are being expanded, outermost first.
     calls: Vec<String>,
     depth: usize,
     /// The number of tokens that expansions have added.
     added: usize,
-    out: Vec<Placed>,
+    out: Vec<PlacedToken>,
     read: Reading,
 }
 
@@ -158,9 +158,9 @@ impl Reader<'_> {
         }
     }
 
-    fn reaction(&self) -> Option<Placed> {
+    fn reaction(&self) -> Option<PlacedToken> {
         let is_arrow =
-            |pair: &[Placed]| pair[0].0.text == "-" && pair[1].0.text == ">" && pair[0].0.touches_next;
+            |pair: &[PlacedToken]| pair[0].0.text == "-" && pair[1].0.text == ">" && pair[0].0.touches_next;
         let place = self.given.windows(2).position(is_arrow)?;
         let help = format!(
             "write the rate of each species, as in `Adot = -k*A*B;`: {ON_TEXTS} shows how, also for Antimony and SBML"
@@ -192,7 +192,7 @@ impl Reader<'_> {
     }
 
     /// Writes an item, or its replacement, followed by `;`.
-    fn write(&mut self, Item { tokens, left, is_ended }: &Item, instead: Option<Vec<Placed>>) {
+    fn write(&mut self, TextItem { tokens, left, is_ended }: &TextItem, instead: Option<Vec<PlacedToken>>) {
         let is_bracket = self.at(tokens.start) == "bracket";
         let written = match (instead, left) {
             (Some(instead), _) if instead.is_empty() => return,

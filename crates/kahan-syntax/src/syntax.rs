@@ -83,20 +83,20 @@ pub struct FamilyHead {
 #[derive(Clone, Debug)]
 pub struct Header {
     /// Documentation and attributes.
-    pub attributes: Written,
+    pub attributes: WrittenTokens,
     /// `pub`, `pub(crate)`, or nothing.
-    pub visibility: Written,
+    pub visibility: WrittenTokens,
     /// The type's name.
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
     /// The documentation and attributes of each parameter.
-    pub described: Vec<Written>,
+    pub described: Vec<WrittenTokens>,
 }
 
 /// Tokens that only Rust understands, kept verbatim.
 #[derive(Clone, Debug, Default)]
-pub struct Written {
+pub struct WrittenTokens {
     /// The lines of the text.
     pub lines: Vec<String>,
     /// The tokens; `None` for documentation in a text.

@@ -43,12 +43,12 @@ pub enum TokenKind {
     /// `)`, `]` or `}`.
     Close(char),
     /// Text that begins no token of the language, with a proposed replacement.
-    Unreadable(Box<Unreadable>),
+    Unreadable(Box<UnreadableText>),
 }
 
 impl TokenKind {
     pub(crate) fn unreadable(message: impl Into<String>, help: impl Into<String>) -> Self {
-        TokenKind::Unreadable(Box::new(Unreadable { message: message.into(), help: help.into() }))
+        TokenKind::Unreadable(Box::new(UnreadableText { message: message.into(), help: help.into() }))
     }
 
     /// Returns the kind of the token that begins with this character.
@@ -65,7 +65,7 @@ impl TokenKind {
 
 /// The mistake in text that begins no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unreadable {
+pub struct UnreadableText {
     /// The mistake, in one sentence.
     pub message: String,
     /// The text to write instead.

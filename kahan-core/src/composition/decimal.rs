@@ -2,17 +2,17 @@
 
 use crate::Constant;
 
-const UNIT: Whole = Whole { high: 0x1d, low: 0x6329_f1c3_5ca4_bfab_b9f5_6100_0000_0000 };
+const UNIT: Integer256 = Integer256 { high: 0x1d, low: 0x6329_f1c3_5ca4_bfab_b9f5_6100_0000_0000 };
 const LIMBS_OF_UNIT: [u64; 3] = UNIT.limbs();
 
 /// The number `high`·2¹²⁸ + `low`.
 #[derive(Clone, Copy)]
-struct Whole {
+struct Integer256 {
     high: u128,
     low: u128,
 }
 
-impl Whole {
+impl Integer256 {
     const fn plus(self, other: Self) -> Self {
         let (low, carry) = self.low.overflowing_add(other.low);
         Self { high: self.high + other.high + carry as u128, low }
@@ -49,12 +49,12 @@ impl Decimal {
     pub(super) const fn read(text: &str) -> Self {
         let text = text.as_bytes();
         let negative = text[0] == b'-';
-        let mut digits = Whole { high: 0, low: 0 };
+        let mut digits = Integer256 { high: 0, low: 0 };
         let mut place = negative as usize;
         while place < text.len() {
             if text[place] != b'.' {
                 let four = digits.doubled().doubled();
-                let digit = Whole { high: 0, low: (text[place] - b'0') as u128 };
+                let digit = Integer256 { high: 0, low: (text[place] - b'0') as u128 };
                 digits = digits.plus(four).doubled().plus(digit);
             }
             place += 1;
@@ -82,7 +82,7 @@ impl Decimal {
 
 /// Rounds part/10⁴⁰, a number from 0 to 2, to `bits` bits. Returns the float, the remainder of the
 /// long division, and the value of the last bit.
-const fn nearest(part: Whole, bits: u32) -> (f64, Whole, f64) {
+const fn nearest(part: Integer256, bits: u32) -> (f64, Integer256, f64) {
     let (mut rest, mut unit) = (part, 1.0);
     while rest.is_less_than(UNIT) {
         rest = rest.doubled();

@@ -33,7 +33,7 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     fn advance(
         &self,
         first: usize,
-        columns: Stretch<'_, T, N>,
+        columns: ColumnSlices<'_, T, N>,
         steps: u64,
         on: Instructions,
     ) -> Result<(), T>;
@@ -51,7 +51,7 @@ where
     fn advance(
         &self,
         first: usize,
-        columns: Stretch<'_, T, N>,
+        columns: ColumnSlices<'_, T, N>,
         steps: u64,
         on: Instructions,
     ) -> Result<(), T> {
@@ -70,7 +70,7 @@ where
     fn advance(
         &self,
         first: usize,
-        columns: Stretch<'_, T, N>,
+        columns: ColumnSlices<'_, T, N>,
         steps: u64,
         on: Instructions,
     ) -> Result<(), T> {
@@ -82,7 +82,7 @@ where
 fn by_one_map<S, T, const N: usize>(
     map: &S,
     first: usize,
-    columns: Stretch<'_, T, N>,
+    columns: ColumnSlices<'_, T, N>,
     steps: u64,
     on: Instructions,
 ) -> Result<(), T>
@@ -90,7 +90,7 @@ where
     S: Staged<T, N> + Sync,
     T: EnsembleScalar,
 {
-    let sweep = |_, columns: Stretch<'_, T, N>| T::sweep(map, columns, steps, on);
+    let sweep = |_, columns: ColumnSlices<'_, T, N>| T::sweep(map, columns, steps, on);
     divide(first, columns, steps, &sweep, &Option::and).ok_or(*map.eps())
 }
 
@@ -154,9 +154,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
 /// number of its first group. Results of neighbouring stretches are joined in order.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
-    columns: Stretch<'_, T, N>,
+    columns: ColumnSlices<'_, T, N>,
     steps: u64,
-    work: &(impl Fn(usize, Stretch<'_, T, N>) -> R + Sync),
+    work: &(impl Fn(usize, ColumnSlices<'_, T, N>) -> R + Sync),
     join: &(impl Fn(R, R) -> R + Sync),
 ) -> R
 where
@@ -181,14 +181,14 @@ where
 }
 
 /// One range of groups, taken from every column.
-pub(crate) type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
+pub(crate) type ColumnSlices<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
 /// Splits the columns into two halves of whole tiles; `Err` if two tasks would not pay.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
-    mut columns: Stretch<'_, T, N>,
+    mut columns: ColumnSlices<'_, T, N>,
     steps: u64,
-) -> Result<[Stretch<'_, T, N>; 2], Stretch<'_, T, N>> {
+) -> Result<[ColumnSlices<'_, T, N>; 2], ColumnSlices<'_, T, N>> {
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 

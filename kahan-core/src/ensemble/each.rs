@@ -12,19 +12,19 @@ use crate::field::linear::vector;
 use crate::{KahanMap, PreparedStep, Workspace};
 
 use super::EnsembleScalar;
-use super::advance::{Advances, Stretch, divide};
+use super::advance::{Advances, ColumnSlices, divide};
 use super::columns::{GROUP, Group};
 use super::lanes::{Lanes, OverLanes};
 use super::level::Instructions;
 
-struct Each<'a, 'c, S, T, const N: usize> {
+struct OwnMaps<'a, 'c, S, T, const N: usize> {
     /// The map of each lane; padding lanes repeat the last map.
     maps: [&'a S; GROUP],
     columns: [&'c mut Group<T>; N],
     steps: u64,
 }
 
-impl<S, T, const N: usize> OverLanes<T> for Each<'_, '_, S, T, N>
+impl<S, T, const N: usize> OverLanes<T> for OwnMaps<'_, '_, S, T, N>
 where
     S: Staged<T, N>,
     T: EnsembleScalar,
@@ -64,7 +64,7 @@ where
     }
 }
 
-impl<S, T, const N: usize> Each<'_, '_, S, T, N>
+impl<S, T, const N: usize> OwnMaps<'_, '_, S, T, N>
 where
     S: Staged<T, N>,
     T: EnsembleScalar,
@@ -76,7 +76,7 @@ where
         }
         if <S::Map as KahanMap<T, N>>::Prepared::HAS_LANES {
             let columns = self.columns.each_mut().map(|column| &mut **column);
-            let each = Each { maps: self.maps, columns, steps: self.steps };
+            let each = OwnMaps { maps: self.maps, columns, steps: self.steps };
             if let Some(done) = T::over_lanes(each, on.level) {
                 return done.ok_or(*self.maps[0].eps());
             }
@@ -96,7 +96,7 @@ where
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {
             let mut all: [Group<T>; N] = from_fn(|c| [columns[c][lane]; GROUP]);
-            Each { maps: [map; GROUP], columns: all.each_mut(), steps }.advance(on)?;
+            OwnMaps { maps: [map; GROUP], columns: all.each_mut(), steps }.advance(on)?;
             for (all, column) in all.iter().zip(&mut columns) {
                 column[lane] = all[lane];
             }
@@ -118,16 +118,16 @@ where
     fn advance(
         &self,
         first: usize,
-        columns: Stretch<'_, T, N>,
+        columns: ColumnSlices<'_, T, N>,
         steps: u64,
         on: Instructions,
     ) -> Result<(), T> {
-        let work = |first: usize, mut columns: Stretch<'_, T, N>| {
+        let work = |first: usize, mut columns: ColumnSlices<'_, T, N>| {
             let groups = columns.first().map_or(0, |column| column.len());
             (0..groups).try_for_each(|group| {
                 let map = |lane: usize| &self[((first + group) * GROUP + lane).min(self.len() - 1)];
                 let columns = columns.each_mut().map(|column| &mut column[group]);
-                Each { maps: from_fn(map), columns, steps }.advance(on)
+                OwnMaps { maps: from_fn(map), columns, steps }.advance(on)
             })
         };
         divide(first, columns, steps, &work, &Result::and)
@@ -147,7 +147,7 @@ where
     fn advance(
         &self,
         first: usize,
-        columns: Stretch<'_, T, N>,
+        columns: ColumnSlices<'_, T, N>,
         steps: u64,
         on: Instructions,
     ) -> Result<(), T> {

@@ -15,11 +15,11 @@ pub(crate) mod lanes;
 mod level;
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 mod one;
+pub(crate) mod register_pair;
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod registers;
 mod scalar;
 mod sweep;
-pub(crate) mod twice;
 #[cfg(target_arch = "x86_64")]
 mod x86_64;
 

@@ -12,9 +12,9 @@ use crate::step::error::{Reason, pole};
 use crate::{SingularStep, Step, Stopped, Workspace};
 
 use super::folded::Folded;
-use super::parts::{Kernels, Parted, Partition};
-use super::promise::{Promise, REFINEMENTS};
-use super::scalar::Solved;
+use super::parts::{Kernels, PartSolver, Partition};
+use super::promise::{PromiseCheck, REFINEMENTS};
+use super::scalar::ChainArithmetic;
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
@@ -26,23 +26,23 @@ pub struct LatticeAt<M, T: LatticeScalar> {
     eps: T,
     forward: Vec<T>,
     backward: Vec<T>,
-    form: Form,
+    form: WorkspaceLayout,
     /// The workspace of steps; concurrent calls allocate another.
-    memory: Mutex<Memory<T>>,
-    promise: Promise<T>,
+    memory: Mutex<StepWorkspace<T>>,
+    promise: PromiseCheck<T>,
 }
 
-struct Memory<T: LatticeScalar> {
-    form: Form,
+struct StepWorkspace<T: LatticeScalar> {
+    form: WorkspaceLayout,
     site: Site<T>,
     folded: Folded<T>,
-    parts: Option<<T as Solved>::Parts>,
+    parts: Option<<T as ChainArithmetic>::Parts>,
     whole_eliminations: u64,
 }
 
 /// The values that determine size and layout of a workspace.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct Form {
+struct WorkspaceLayout {
     sizes: Sizes,
     sites: usize,
     boundary: Boundary,
@@ -50,17 +50,17 @@ struct Form {
     level: Level,
 }
 
-impl<T: LatticeScalar> Memory<T> {
-    fn new(form: Form) -> Self {
-        let Form { sizes, sites, boundary, partition, level } = form;
+impl<T: LatticeScalar> StepWorkspace<T> {
+    fn new(form: WorkspaceLayout) -> Self {
+        let WorkspaceLayout { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
         // Used only if elimination in parts meets too small a pivot.
-        let folded = if partition.is_some() { Folded::rarely } else { Folded::new };
+        let folded = if partition.is_some() { Folded::with_little_memory } else { Folded::new };
         Self {
             form,
             site: Site::of(sizes),
             folded: folded(sites * sizes.block, is_ring, sizes.lower, sizes.upper),
-            parts: partition.and_then(|partition| Parted::new(sizes, partition, boundary, level)),
+            parts: partition.and_then(|partition| PartSolver::new(sizes, partition, boundary, level)),
             whole_eliminations: 0,
         }
     }
@@ -119,7 +119,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     #[doc(hidden)]
     pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
         let sizes = map.sizes();
-        let lanes = <T as Solved>::Parts::LANES.filter(|_| M::Kernels::have(sizes));
+        let lanes = <T as ChainArithmetic>::Parts::LANES.filter(|_| M::Kernels::have(sizes));
         let partition = lanes.and_then(|lanes| Partition::new(sites, sizes.reach, lanes));
         Self::planned(map, eps, sites, partition)
     }
@@ -136,13 +136,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let constants = |eps| map.constants(eps, T::clone).ok_or(LatticeError::Undefined);
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
-        let promise = Promise::new(&map, &eps, sites * sizes.block);
+        let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
         // Overflowing constants do not affect a step with a bound.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
-        let form = Form { sizes, sites, boundary, partition, level };
-        let memory = Mutex::new(Memory::new(form));
+        let form = WorkspaceLayout { sizes, sites, boundary, partition, level };
+        let memory = Mutex::new(StepWorkspace::new(form));
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
@@ -152,7 +152,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// [`Ensemble`](crate::Ensemble).
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
-        self.memory = Mutex::new(Memory::new(self.form));
+        self.memory = Mutex::new(StepWorkspace::new(self.form));
         level.is_available().then_some(self)
     }
 
@@ -251,7 +251,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                     state.clone_from_slice(&promise.before);
                     promise.bound(map, state);
                 }
-                let Promise { before, residual, .. } = promise;
+                let PromiseCheck { before, residual, .. } = promise;
                 let correction = memory.solve(map, forward, before, Some(residual));
                 let Some(correction) = correction else { return Err(SingularStep::pole(eps)) };
                 for (x, d) in state.iter_mut().zip(correction) {
@@ -287,7 +287,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let Self { map, eps, forward, memory, form, .. } = self;
         let advanced = match memory.try_lock() {
             Ok(mut memory) => memory.advance(map, forward, eps, state, steps),
-            Err(_) => Memory::new(*form).advance(map, forward, eps, state, steps),
+            Err(_) => StepWorkspace::new(*form).advance(map, forward, eps, state, steps),
         };
         if advanced.is_err() {
             pole(eps)
@@ -407,9 +407,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut Memory<T> {
+    fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut StepWorkspace<T> {
         let form = self.form;
-        workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new(form))
+        workspace.of(|memory: &StepWorkspace<T>| memory.form == form, || StepWorkspace::new(form))
     }
 }
 

@@ -4,7 +4,7 @@
 
 use std::vec::Vec;
 
-use crate::scalar::{Long, level_row};
+use crate::scalar::{LongNumber, level_row};
 
 use super::folded::Folded;
 use super::sites::Site;
@@ -18,8 +18,8 @@ pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     map: &M,
     eps: &T,
     x: &[T],
-    long: impl Fn(&T) -> Long + Copy,
-) -> Option<Vec<Long>> {
+    long: impl Fn(&T) -> LongNumber + Copy,
+) -> Option<Vec<LongNumber>> {
     if x.len() > MOST_UNKNOWNS {
         return None;
     }
@@ -29,17 +29,17 @@ pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     let sites = x.len() / block;
     let is_ring = map.boundary() == Boundary::Periodic;
     let mut site = Site::of(map.sizes());
-    let mut folded = Folded::rarely(x.len(), is_ring, lower, upper);
+    let mut folded = Folded::with_little_memory(x.len(), is_ring, lower, upper);
     let velocity = folded.solve(|unknown, row| {
         let (i, b) = (unknown / block, unknown % block);
         site.rows(map, &constants, x, i, long);
         let mut right = site.f(b).clone();
-        let mut entries: Vec<(usize, Long)> = site.row(map, sites, b).collect();
+        let mut entries: Vec<(usize, LongNumber)> = site.row(map, sites, b).collect();
         level_row(entries.iter_mut().map(|(_, entry)| entry), &mut right);
         row.add_right(right);
         entries.into_iter().for_each(|(column, entry)| row.add(column, entry));
     })?;
     let time_step = eps.clone() + eps;
-    let next = |(x, velocity): (&T, &Long)| long(x) + time_step.clone() * velocity.clone();
+    let next = |(x, velocity): (&T, &LongNumber)| long(x) + time_step.clone() * velocity.clone();
     Some(x.iter().zip(velocity).map(next).collect())
 }

@@ -11,14 +11,14 @@ use std::vec::Vec;
 use crate::Scalar;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Order {
+pub(super) enum EliminationOrder {
     /// 0, 1, 2, …
     Natural,
     /// 0, n−1, 1, n−2, …
     Folded,
 }
 
-impl Order {
+impl EliminationOrder {
     fn unknown(self, place: usize, len: usize) -> usize {
         match self {
             Self::Folded if place % 2 == 1 => len - 1 - place / 2,
@@ -37,7 +37,7 @@ impl Order {
 }
 
 pub(super) struct Folded<T> {
-    order: Order,
+    order: EliminationOrder,
     len: usize,
     lower: usize,
     /// The number of entries of a row from its pivot on: `lower` + 1 + `upper`.
@@ -54,7 +54,7 @@ pub(super) struct Folded<T> {
 }
 
 pub(super) struct BandRow<'a, T> {
-    order: Order,
+    order: EliminationOrder,
     len: usize,
     first: usize,
     entries: &'a mut [T],
@@ -79,7 +79,7 @@ impl<T: Scalar> Folded<T> {
     }
 
     /// Like [`new`](Self::new), with little memory, but about twice the work for a long chain.
-    pub(super) fn rarely(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
+    pub(super) fn with_little_memory(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         const WINDOWS: usize = 64;
         let window = 2 * lower.max(upper) + 1;
         Self::in_stretches(len, is_ring, lower, upper, WINDOWS * window)
@@ -87,8 +87,11 @@ impl<T: Scalar> Folded<T> {
 
     fn in_stretches(len: usize, is_ring: bool, lower: usize, upper: usize, stretch: usize) -> Self {
         let farthest = 2 * lower.max(upper);
-        let (order, lower, upper) =
-            if is_ring { (Order::Folded, farthest, farthest) } else { (Order::Natural, lower, upper) };
+        let (order, lower, upper) = if is_ring {
+            (EliminationOrder::Folded, farthest, farthest)
+        } else {
+            (EliminationOrder::Natural, lower, upper)
+        };
         let (lower, upper) = (lower.min(len - 1), upper.min(len - 1));
         let (width, stretch) = ((lower + 1 + upper).min(len), stretch.min(len));
         let window = (lower + 1) * (width + 1);
@@ -244,7 +247,7 @@ mod tests {
     #[test]
     fn what_is_rarely_needed_takes_a_number_or_two_an_unknown() {
         let (len, reach) = (1_000_000, 17);
-        let folded = Folded::<f64>::rarely(len, true, reach, reach);
+        let folded = Folded::<f64>::with_little_memory(len, true, reach, reach);
         let numbers = [&folded.window, &folded.done, &folded.begun, &folded.solution].map(Vec::len);
         // The solution, and a window of 2·17 + 1 rows of 4·17 + 2 numbers every 64·35 unknowns.
         assert!(numbers.iter().sum::<usize>() < 3 * len, "{numbers:?}");

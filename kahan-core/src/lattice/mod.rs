@@ -4,8 +4,8 @@
 //! chain. A(x,ε) is banded, with corners if periodic; the system is solved without allocation.
 //!
 //! [`LatticeAt::advance`] calls `Memory::advance`. Short chains are eliminated at once
-//! (`folded.rs`). Long chains are divided into parts (`InParts::step`), whose two passes
-//! (`parts/first.rs`, `parts/second.rs`) run in SIMD lanes and on threads; `Kernels` selects the
+//! (`folded.rs`). Long chains are divided into parts (`PartWorkspace::step`), whose two passes
+//! (`parts/first_pass.rs`, `parts/second_pass.rs`) run in SIMD lanes and on threads; `Kernels` selects the
 //! code for the family's sizes.
 
 mod at;
@@ -27,5 +27,5 @@ pub use at::LatticeAt;
 pub use error::LatticeError;
 pub use family::{Boundary, Sizes, Stencil};
 pub use map::LatticeMap;
-pub use parts::{Gathered, Menu, SiteLine};
+pub use parts::{Gathered, SiteLine, StencilMenu};
 pub use scalar::LatticeScalar;

@@ -15,17 +15,17 @@ use crate::Scalar;
 use crate::scalar::Size;
 use crate::scalar::bounded::backward_error;
 
-use super::scalar::Judge;
+use super::scalar::BoundedScalar;
 use super::sites::Site;
 use super::{LatticeMap, LatticeScalar};
 
 pub(super) const REFINEMENTS: usize = 2;
 
-pub(super) struct Promise<T: LatticeScalar> {
-    /// The equations in `T::Near`; `None` if a divisor of the constants is too small for them.
-    near: Option<Rows<T::Near>>,
-    /// The equations in `T::Far`; `None` if a divisor of the constants may be zero.
-    far: Option<Rows<T::Far>>,
+pub(super) struct PromiseCheck<T: LatticeScalar> {
+    /// The equations in `T::BoundedWorking`; `None` if a divisor of the constants is too small for them.
+    near: Option<BoundedRows<T::BoundedWorking>>,
+    /// The equations in `T::BoundedWide`; `None` if a divisor of the constants may be zero.
+    far: Option<BoundedRows<T::BoundedWide>>,
     /// The largest magnitude of ε and the parameters.
     largest: f64,
     pub(super) before: Vec<T>,
@@ -33,34 +33,34 @@ pub(super) struct Promise<T: LatticeScalar> {
     pub(super) residual: Vec<T>,
 }
 
-struct Rows<J> {
+struct BoundedRows<J> {
     eps: J,
     constants: Vec<J>,
     site: Site<J>,
 }
 
-struct Rest<T> {
+struct Residual<T> {
     /// b − A·x̃, rounded.
     residual: T,
     /// An upper bound of the backward error in units of (k + 8)·u; infinite if unknown.
     bound: f64,
 }
 
-impl<T: LatticeScalar> Promise<T> {
+impl<T: LatticeScalar> PromiseCheck<T> {
     pub(super) fn new<M: LatticeMap<T>>(map: &M, eps: &T, len: usize) -> Self {
         let largest = Cell::new(larger(0.0, eps));
         let note = |number: &T| {
             largest.set(larger(largest.get(), number));
-            T::Near::given(number)
+            T::BoundedWorking::from_input(number)
         };
-        let near = Rows::new(map, eps, note);
+        let near = BoundedRows::new(map, eps, note);
         for parameter in 0..map.sizes().parameters {
             let values = map.site_parameter(parameter);
             largest.set(values.iter().fold(largest.get(), larger));
         }
         Self {
             near,
-            far: Rows::new(map, eps, T::Far::given),
+            far: BoundedRows::new(map, eps, T::BoundedWide::from_input),
             largest: largest.get(),
             before: vec![T::zero(); len],
             residual: vec![T::zero(); len],
@@ -69,7 +69,7 @@ impl<T: LatticeScalar> Promise<T> {
 
     /// Returns whether the equations have values in numbers of unlimited range.
     pub(super) fn has_equations(&self) -> bool {
-        let has_value = |constant: &T::Far| !constant.known().1.size.is_unknown();
+        let has_value = |constant: &T::BoundedWide| !constant.known().1.size.is_unknown();
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
     }
 
@@ -83,12 +83,12 @@ impl<T: LatticeScalar> Promise<T> {
         let mut worst = 0.0_f64;
         for i in 0..before.len() / block {
             if let Some(near) = near {
-                near.site.rows(map, &near.constants, before, i, T::Near::given);
+                near.site.rows(map, &near.constants, before, i, T::BoundedWorking::from_input);
             }
             for b in 0..block {
                 let rest = near.as_ref().map(|near| near.rest(map, b, before, next, largest));
                 let rest = rest.filter(|rest| rest.bound <= 1.0).unwrap_or_else(|| {
-                    far.site.rows(map, &far.constants, before, i, T::Far::given);
+                    far.site.rows(map, &far.constants, before, i, T::BoundedWide::from_input);
                     far.rest(map, b, before, next, largest)
                 });
                 residual[i * block + b] = rest.residual;
@@ -99,18 +99,18 @@ impl<T: LatticeScalar> Promise<T> {
     }
 }
 
-impl<J: Scalar> Rows<J> {
+impl<J: Scalar> BoundedRows<J> {
     fn new<M: LatticeMap<T>, T: LatticeScalar>(map: &M, eps: &T, given: impl Fn(&T) -> J) -> Option<Self> {
         let eps = given(eps);
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
     /// Computes residual and backward error in row b of this site; `largest` bounds the inputs.
-    fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
+    fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
     where
         M: LatticeMap<T>,
         T: LatticeScalar,
-        J: Judge<T>,
+        J: BoundedScalar<T>,
     {
         let sites = before.len() / map.sizes().block;
         let increment = (self.eps.clone() + self.eps.clone()) * self.site.f(b).clone();
@@ -118,7 +118,7 @@ impl<J: Scalar> Rows<J> {
         let (mut size, mut entries) = (Size::zero(), 0);
         for (column, entry) in self.site.row(map, sites, b) {
             let (_, known) = entry.known();
-            let (x, y) = (J::given(&before[column]), J::given(&next[column]));
+            let (x, y) = (J::from_input(&before[column]), J::from_input(&next[column]));
             rest -= entry.clone() * (y.clone() - x.clone());
             right += entry * x;
             size = size + known.at_least() * y.known().1.size;
@@ -127,7 +127,7 @@ impl<J: Scalar> Rows<J> {
         let (residual, known) = rest.known();
         let (_, right) = right.known();
         let error = backward_error(known, size, right, Size::from(largest));
-        Rest { residual, bound: error / ((entries as f64 + 8.0) * T::UNIT) }
+        Residual { residual, bound: error / ((entries as f64 + 8.0) * T::UNIT) }
     }
 }
 

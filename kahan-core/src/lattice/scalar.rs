@@ -3,16 +3,16 @@
 #[cfg(feature = "exact")]
 use num_traits::Zero;
 
-use crate::map::{Eliminated, Promised};
+use crate::map::{LongElimination, PromiseScalar};
 #[cfg(feature = "exact")]
-use crate::scalar::bounded::Limit;
-use crate::scalar::bounded::{Bounded, Known, Number};
-use crate::scalar::{Capacity, Long, Size, Wide};
+use crate::scalar::bounded::InputLimit;
+use crate::scalar::bounded::{Bounded, KnownBounds, Number};
+use crate::scalar::{Capacity, LongNumber, Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
 use super::far::eliminated;
-use super::parts::{InParts, NoParts, Parted};
+use super::parts::{NoPartSolver, PartSolver, PartWorkspace};
 
 /// A scalar of a chain: `f32`, `f64`, [`Dd`], or with the feature `exact` `BigRational`.
 #[diagnostic::on_unimplemented(
@@ -21,20 +21,20 @@ use super::parts::{InParts, NoParts, Parted};
     note = "`f32`, `f64` and `Dd` are, with the feature `exact` also `BigRational`"
 )]
 #[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
-pub trait LatticeScalar: Pivot + Solved + Send + Sync {
+pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
     /// Returns |self|.
     fn absolute(&self) -> Self;
 }
 
 /// The types that solve the steps of a scalar's chains and bound their errors.
-pub(super) trait Solved: Sized {
+pub(super) trait ChainArithmetic: Sized {
     /// Wider numbers with error bounds.
-    type Near: Judge<Self>;
+    type BoundedWorking: BoundedScalar<Self>;
 
-    type Parts: Parted<Self>;
+    type Parts: PartSolver<Self>;
 
-    /// The widest numbers with error bounds, which never underflow, for what `Near` leaves open.
-    type Far: Judge<Self>;
+    /// The widest numbers with error bounds, which never underflow, for what `BoundedWorking` leaves open.
+    type BoundedWide: BoundedScalar<Self>;
 
     /// The unit roundoff u; 0 for an exact scalar.
     const UNIT: f64;
@@ -45,7 +45,7 @@ pub(super) trait Solved: Sized {
         _eps: &Self,
         _x: &[Self],
         _capacity: Capacity,
-    ) -> Option<Eliminated<Self>>
+    ) -> Option<LongElimination<Self>>
     where
         Self: LatticeScalar,
     {
@@ -54,25 +54,25 @@ pub(super) trait Solved: Sized {
 }
 
 /// Numbers with error bounds that evaluate formulas over T.
-pub(super) trait Judge<T>: Scalar {
+pub(super) trait BoundedScalar<T>: Scalar {
     /// Converts a number exactly.
-    fn given(number: &T) -> Self;
+    fn from_input(number: &T) -> Self;
 
     /// Returns the nearest number of T, and the magnitude and error bound of the value.
-    fn known(&self) -> (T, Known<Size>);
+    fn known(&self) -> (T, KnownBounds<Size>);
 }
 
 macro_rules! judged_in {
     ($float:ty, $wider:ty: |$number:ident| $widen:expr, |$value:ident| $round:expr) => {
-        impl Judge<$float> for Bounded<$wider> {
-            fn given($number: &$float) -> Self {
-                Bounded::given($widen)
+        impl BoundedScalar<$float> for Bounded<$wider> {
+            fn from_input($number: &$float) -> Self {
+                Bounded::from_input($widen)
             }
 
-            fn known(&self) -> ($float, Known<Size>) {
+            fn known(&self) -> ($float, KnownBounds<Size>) {
                 let $value = self.value();
-                let Known { size, error, largest_input } = Bounded::known(self);
-                ($round, Known { size: size.into(), error: error.into(), largest_input })
+                let KnownBounds { size, error, largest_input } = Bounded::known(self);
+                ($round, KnownBounds { size: size.into(), error: error.into(), largest_input })
             }
         }
     };
@@ -92,10 +92,10 @@ macro_rules! implement_for_float {
             }
         }
 
-        impl Solved for $float {
+        impl ChainArithmetic for $float {
             type Parts = $parts;
-            type Near = Bounded<$near>;
-            type Far = Bounded<Wide>;
+            type BoundedWorking = Bounded<$near>;
+            type BoundedWide = Bounded<Wide>;
 
             const UNIT: f64 = <Self as Number>::UNIT;
 
@@ -104,17 +104,17 @@ macro_rules! implement_for_float {
                 eps: &Self,
                 x: &[Self],
                 capacity: Capacity,
-            ) -> Option<Eliminated<Self>> {
-                let exact = eliminated(map, eps, x, |number| Long::new(number.widen(), capacity))?;
-                Some(Eliminated::of(&exact))
+            ) -> Option<LongElimination<Self>> {
+                let exact = eliminated(map, eps, x, |number| LongNumber::new(number.widen(), capacity))?;
+                Some(LongElimination::of(&exact))
             }
         }
     };
 }
 
-implement_for_float!(f32, f64, InParts<f32>);
-implement_for_float!(f64, Dd, InParts<f64>);
-implement_for_float!(Dd, Wide, NoParts);
+implement_for_float!(f32, f64, PartWorkspace<f32>);
+implement_for_float!(f64, Dd, PartWorkspace<f64>);
+implement_for_float!(Dd, Wide, NoPartSolver);
 
 #[cfg(feature = "exact")]
 impl LatticeScalar for num_rational::BigRational {
@@ -124,22 +124,22 @@ impl LatticeScalar for num_rational::BigRational {
 }
 
 #[cfg(feature = "exact")]
-impl Solved for num_rational::BigRational {
-    type Parts = NoParts;
-    type Near = Self;
-    type Far = Self;
+impl ChainArithmetic for num_rational::BigRational {
+    type Parts = NoPartSolver;
+    type BoundedWorking = Self;
+    type BoundedWide = Self;
 
     const UNIT: f64 = 0.0;
 }
 
 #[cfg(feature = "exact")]
-impl Judge<Self> for num_rational::BigRational {
-    fn given(number: &Self) -> Self {
+impl BoundedScalar<Self> for num_rational::BigRational {
+    fn from_input(number: &Self) -> Self {
         number.clone()
     }
 
-    fn known(&self) -> (Self, Known<Size>) {
+    fn known(&self) -> (Self, KnownBounds<Size>) {
         let size = Size::from(self.approximate().abs());
-        (self.clone(), Known { size, error: Size::zero(), largest_input: Limit::ANY })
+        (self.clone(), KnownBounds { size, error: Size::zero(), largest_input: InputLimit::ANY })
     }
 }

@@ -6,7 +6,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::scalar::Along;
+use crate::scalar::DirectionalDual;
 use crate::{Constant, Scalar};
 
 use super::sites::Site;
@@ -23,11 +23,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// # Panics
     /// If the state has the wrong length.
     pub fn integrals(&self, x: &[T]) -> Vec<T> {
-        let mut totals = vec![Total::zero(); self.map().integral_count()];
+        let mut totals = vec![CompensatedSum::zero(); self.map().integral_count()];
         self.for_each_site(x, T::clone, |densities: &[T]| {
             totals.iter_mut().zip(densities).for_each(|(total, density)| total.add(density));
         });
-        totals.into_iter().map(Total::sum).collect()
+        totals.into_iter().map(CompensatedSum::sum).collect()
     }
 
     fn for_each_site<S, L: Scalar + FromScalar<T>>(
@@ -69,7 +69,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// If the state has the wrong length.
     pub fn hamiltonian(&self, x: &[T]) -> T {
         const { assert!(M::HAMILTONIAN.is_some(), "the family claims no `hamiltonian`") };
-        let (mut total, place) = (Total::zero(), self.map().integral_count());
+        let (mut total, place) = (CompensatedSum::zero(), self.map().integral_count());
         self.for_each_site(x, T::clone, |densities: &[T]| total.add(&densities[place]));
         total.sum()
     }
@@ -88,9 +88,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         self.step(&mut next);
         let along: Vec<(T, T)> = x.iter().zip(next).map(|(x, next)| (x.clone(), next - x.clone())).collect();
         let third = T::constant(&Constant::ratio(1, 3));
-        let (mut total, place) = (Total::zero(), self.map().integral_count());
-        let convert = |(value, step): &(T, T)| Along { value: value.clone(), slope: Some(step.clone()) };
-        self.for_each_site(&along, convert, |densities: &[Along<T>]| {
+        let (mut total, place) = (CompensatedSum::zero(), self.map().integral_count());
+        let convert =
+            |(value, step): &(T, T)| DirectionalDual { value: value.clone(), slope: Some(step.clone()) };
+        self.for_each_site(&along, convert, |densities: &[DirectionalDual<T>]| {
             let density = densities[place].clone();
             total.add(&density.value);
             total.add(&(third.clone() * density.into_slope()));
@@ -109,19 +110,19 @@ impl<T: LatticeScalar> FromScalar<T> for T {
     }
 }
 
-impl<T: LatticeScalar> FromScalar<T> for Along<T> {
+impl<T: LatticeScalar> FromScalar<T> for DirectionalDual<T> {
     fn from_scalar(value: &T) -> Self {
-        Along::from_value(value.clone())
+        DirectionalDual::from_value(value.clone())
     }
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Total<T> {
+pub(super) struct CompensatedSum<T> {
     sum: T,
     lost: T,
 }
 
-impl<T: LatticeScalar> Total<T> {
+impl<T: LatticeScalar> CompensatedSum<T> {
     pub(super) fn zero() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }

@@ -11,7 +11,7 @@ use crate::field::linear::vector;
 use crate::{Constant, ExtendScalars, FloatScalar, KahanAt, KahanMap, Orbit, Scalar, StateVector, Step};
 
 use super::Compensated;
-use super::tangent::carry_to;
+use super::tangent::push_forward_to;
 
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     /// Estimates the local error x̃ − (flow from x for the time h = 2ε) by its leading term:
@@ -156,7 +156,7 @@ where
             Some((Estimated { point: before, error }, local_before)) => {
                 let left = |i: usize| half.clone().multiply_add(local_before[i].clone(), error[i].clone());
                 let stage = [(&self.at.map, &self.at.eps)].into_iter();
-                let carried = carry_to(stage, before, &point, &vector(from_fn(left)))?;
+                let carried = push_forward_to(stage, before, &point, &vector(from_fn(left)))?;
                 vector(from_fn(|i| half.clone().multiply_add(local[i].clone(), carried[i].clone())))
             }
         };

@@ -35,8 +35,8 @@ pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
 pub use pivot::Pivot;
 pub use stable::stable_step;
 #[cfg(feature = "std")]
-pub(crate) use stable::{Eliminated, Promised, eliminated_at_any_capacity};
-pub(crate) use tangent::{carry, carry_to};
+pub(crate) use stable::{LongElimination, PromiseScalar, eliminated_at_any_capacity};
+pub(crate) use tangent::{push_forward, push_forward_to};
 #[cfg(feature = "std")]
 pub use through_f64::StepThroughF64;
 pub use through_f64::ThroughF64;

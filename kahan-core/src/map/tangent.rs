@@ -8,12 +8,12 @@ use core::array::from_fn;
 use nalgebra::SVector;
 
 use crate::field::linear::vector;
-use crate::scalar::Along;
+use crate::scalar::DirectionalDual;
 use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
 /// Returns J·v for consecutive `stages` (maps with their ε); `None` at a pole of an exact scalar.
 #[inline(always)]
-pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
+pub(crate) fn push_forward<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,
     x: &SVector<T, N>,
     v: &SVector<T, N>,
@@ -27,9 +27,9 @@ pub(crate) fn carry<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     Some(v)
 }
 
-/// Like [`carry`], with the known point `next` after the last stage.
+/// Like [`push_forward`], with the known point `next` after the last stage.
 #[inline(always)]
-pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
+pub(crate) fn push_forward_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     mut stages: impl Iterator<Item = (&'a M, &'a T)>,
     x: &SVector<T, N>,
     next: &SVector<T, N>,
@@ -50,10 +50,12 @@ pub(crate) fn carry_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usiz
 fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
-    mut along: SVector<Along<T>, N>,
-) -> Option<SVector<Along<T>, N>> {
-    let extended = map.extend_scalars::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
-    let quotients: Quotients<_, N> = extended.prepare(&Along::from_value(eps.clone())).quotients(&along)?;
+    mut along: SVector<DirectionalDual<T>, N>,
+) -> Option<SVector<DirectionalDual<T>, N>> {
+    let extended =
+        map.extend_scalars::<DirectionalDual<T>>(|parameter| DirectionalDual::from_value(parameter.clone()));
+    let quotients: Quotients<_, N> =
+        extended.prepare(&DirectionalDual::from_value(eps.clone())).quotients(&along)?;
     // Updates in place, because over lanes compilers build an array by a call.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
@@ -67,7 +69,7 @@ fn unfused_step<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     eps: &T,
     x: &SVector<T, N>,
 ) -> Option<SVector<T, N>> {
-    let next = step_along(map, eps, vector(from_fn(|i| Along::from_value(x[i].clone()))))?;
+    let next = step_along(map, eps, vector(from_fn(|i| DirectionalDual::from_value(x[i].clone()))))?;
     Some(vector(from_fn(|i| next[i].value.clone())))
 }
 
@@ -78,7 +80,7 @@ pub(super) fn carry_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
     x: &SVector<T, N>,
     v: &SVector<T, N>,
 ) -> Option<SVector<T, N>> {
-    let along = vector(from_fn(|i| Along { value: x[i].clone(), slope: Some(v[i].clone()) }));
+    let along = vector(from_fn(|i| DirectionalDual { value: x[i].clone(), slope: Some(v[i].clone()) }));
     let next = step_along(map, eps, along)?;
     Some(vector(from_fn(|i| next[i].clone().into_slope())))
 }

@@ -79,9 +79,9 @@ pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
 ) {
     let mut vectors = vectors.into_iter();
     while let Some(one) = vectors.next() {
-        map.carry_to(x, next, one);
+        map.push_forward_to(x, next, one);
         if let Some(other) = vectors.next() {
-            map.carry_to(x, next, other);
+            map.push_forward_to(x, next, other);
         }
     }
 }
@@ -98,7 +98,7 @@ pub trait Indicator<const K: usize> {
     fn new(first: [Size; K]) -> Self;
 
     /// Records the squared lengths of the vectors after `step` steps.
-    fn look(&mut self, step: u64, sizes: [Size; K]);
+    fn read_lengths(&mut self, step: u64, sizes: [Size; K]);
 
     /// Returns the report; `carried` holds the vectors at the last point.
     fn report<M: TangentMap>(self, carried: Carried<M, K>) -> Self::Report;
@@ -106,12 +106,12 @@ pub trait Indicator<const K: usize> {
 
 /// An observer that propagates K tangent vectors and computes an `Indicator` from them.
 #[derive(Clone, Debug)]
-pub struct Follower<I, M: TangentMap, const K: usize> {
+pub struct IndicatorObserver<I, M: TangentMap, const K: usize> {
     carried: Carried<M, K>,
     indicator: I,
 }
 
-impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
+impl<I: Indicator<K>, M: TangentMap, const K: usize> IndicatorObserver<I, M, K> {
     /// Creates an observer of orbits of a prepared map, given by value or reference.
     pub fn new(map: M) -> Self {
         let mut carried = Carried::new(map);
@@ -120,13 +120,13 @@ impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
     }
 }
 
-impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follower<I, M, K> {
+impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> IndicatorObserver<I, M, K> {
     /// Scales the vectors and passes their lengths to the indicator, at steps that need it.
     #[inline(always)]
-    fn look(&mut self, step: u64) {
+    fn read_lengths(&mut self, step: u64) {
         if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, M::Scalar, K>() {
             let sizes = self.carried.scale();
-            self.indicator.look(step, sizes);
+            self.indicator.read_lengths(step, sizes);
         }
     }
 }
@@ -136,7 +136,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Follow
 /// The loop shows every point up to step [`PAUSE`]. Later it shows at least the steps that are
 /// powers of two, and the multiples of [`PAUSE`] at which a vector's squared length is [not
 /// moderate](super::are_moderate).
-pub trait Resumed<T> {
+pub trait SparseObserver<T> {
     /// Returns the number of tangent vectors.
     fn vectors(&mut self) -> usize;
 
@@ -147,8 +147,8 @@ pub trait Resumed<T> {
     fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T);
 }
 
-impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize> Resumed<T>
-    for Follower<I, M, K>
+impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize> SparseObserver<T>
+    for IndicatorObserver<I, M, K>
 {
     fn vectors(&mut self) -> usize {
         K
@@ -165,13 +165,13 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         }
         carried.place.as_mut_slice().copy_from_slice(x);
         if core::mem::replace(&mut carried.steps, step) < step {
-            self.look(step);
+            self.read_lengths(step);
         }
     }
 }
 
 impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize> Observer<T>
-    for Follower<I, M, K>
+    for IndicatorObserver<I, M, K>
 {
     type Report = I::Report;
 
@@ -180,7 +180,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
         self.carried.follow(step, x);
-        self.look(step);
+        self.read_lengths(step);
     }
 
     /// Propagates all trajectories in lanes if the observers share one map that has lanes.
@@ -198,7 +198,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         }
     }
 
-    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+    fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
         if looks_at_each::<I, T, K>() { None } else { Some(self) }
     }
 
@@ -224,7 +224,7 @@ fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
 /// scaled. Returns the number of steps; `None` if no steps remain or the maps do not allow it.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
-    group: &mut Observers<'_, Follower<I, M, K>>,
+    group: &mut Observers<'_, IndicatorObserver<I, M, K>>,
     burst: &Burst<'_, P>,
     done: usize,
 ) -> Option<usize>
@@ -259,7 +259,7 @@ where
     let looks_at_each = first < PAUSE || looks_at_each::<I, T, K>();
     let squares = if looks_at_each { squares.as_flattened_mut() } else { &mut [] };
     let work = SideBySide { places, vectors: &mut vectors, squares, level: burst.level };
-    let taken = M::carry_side_by_side(maps, work)?;
+    let taken = M::push_forward_group(maps, work)?;
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
         let carried = &mut follower.carried;
         for (columns, vector) in vectors.iter().zip(&mut carried.vectors) {
@@ -271,9 +271,9 @@ where
         let last = carried.scale();
         for (step, squares) in (first..).zip(squares.chunks_exact(K).take(taken - 1)) {
             let size = |k: usize| Size::of_square(squares[k][lane].approximate(), exponents[k]);
-            follower.indicator.look(step, from_fn(size));
+            follower.indicator.read_lengths(step, from_fn(size));
         }
-        follower.indicator.look(first + taken as u64 - 1, last);
+        follower.indicator.read_lengths(first + taken as u64 - 1, last);
     }
     Some(taken)
 }

@@ -1,10 +1,10 @@
 //! Observers and sinks of crossings that end the run as soon as their answer is known.
 
 #[cfg(feature = "std")]
-use super::{AtMost, Kept, Sink};
+use super::{CrossingReceiver, FirstCrossings, StoredCrossings};
 use super::{Escape, Observer};
 
-/// An observer that ends the run; see [`Escape::ending`] and [`AtMost::ending`].
+/// An observer that ends the run; see [`Escape::ending`] and [`FirstCrossings::ending`].
 ///
 /// ```
 /// use kahan_core::observe::{Drift, Escape};
@@ -55,7 +55,7 @@ impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
 }
 
 #[cfg(feature = "std")]
-impl<C> AtMost<C> {
+impl<C> FirstCrossings<C> {
     /// Returns a sink that ends the run after `capacity` crossings.
     pub fn ending(self) -> Ending<Self> {
         Ending(self)
@@ -63,8 +63,8 @@ impl<C> AtMost<C> {
 }
 
 #[cfg(feature = "std")]
-impl<C> Sink<C> for Ending<AtMost<C>> {
-    type Report = Kept<C>;
+impl<C> CrossingReceiver<C> for Ending<FirstCrossings<C>> {
+    type Report = StoredCrossings<C>;
 
     fn take(&mut self, crossing: C) {
         self.0.take(crossing);
@@ -75,7 +75,7 @@ impl<C> Sink<C> for Ending<AtMost<C>> {
         self.0.has_all()
     }
 
-    fn report(self) -> Kept<C> {
+    fn report(self) -> StoredCrossings<C> {
         self.0.report()
     }
 }

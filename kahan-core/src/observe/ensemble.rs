@@ -8,7 +8,7 @@ use core::array::from_fn;
 use core::ops::ControlFlow;
 use std::vec::Vec;
 
-use crate::ensemble::advance::{Stretch, divide};
+use crate::ensemble::advance::{ColumnSlices, divide};
 use crate::ensemble::columns::{GROUP, Group};
 use crate::step::error::pole;
 use crate::{Advances, Ensemble, EnsembleScalar, Level};
@@ -61,7 +61,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
                 pole(&eps)
             }
         };
-        let observe = |first: usize, mut columns: Stretch<'_, T, N>| {
+        let observe = |first: usize, mut columns: ColumnSlices<'_, T, N>| {
             let mut reports = Vec::new();
             let groups = columns.first().map_or(0, |column| column.len());
             for group in 0..groups {

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::TangentMap;
-use super::carried::{Carried, Follower, Indicator};
+use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::Size;
 
 /// An observer of the fast Lyapunov indicator: the logarithm of the largest length so far of a
@@ -12,16 +12,16 @@ use super::growth::Size;
 /// Over n steps it grows like log n for regular and like n for chaotic motion. C. Froeschlé, E.
 /// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. It is NaN after a pole.
 /// `Fli::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector and its square.
-pub type Fli<M> = Follower<Greatest, M, 1>;
+pub type Fli<M> = IndicatorObserver<GreatestLength, M, 1>;
 
 /// The squared initial and largest lengths of a vector.
 #[derive(Clone, Debug)]
-pub struct Greatest {
+pub struct GreatestLength {
     first: Size,
     greatest: Size,
 }
 
-impl Indicator<1> for Greatest {
+impl Indicator<1> for GreatestLength {
     type Report = f64;
 
     const LOOKS_AT_EACH: bool = true;
@@ -31,7 +31,7 @@ impl Indicator<1> for Greatest {
     }
 
     #[inline(always)]
-    fn look(&mut self, step: u64, [size]: [Size; 1]) {
+    fn read_lengths(&mut self, step: u64, [size]: [Size; 1]) {
         if step == 0 {
             (self.first, self.greatest) = (size, size);
         }

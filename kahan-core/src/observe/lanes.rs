@@ -10,7 +10,7 @@ use crate::composition::Staged;
 use crate::ensemble::columns::GROUP;
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
-use crate::map::carry_to;
+use crate::map::push_forward_to;
 use crate::{EnsembleScalar, ExtendScalars};
 
 use super::growth::most;
@@ -49,7 +49,7 @@ where
                     let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
                     let stages = S::in_order(&stages).map(|(map, eps)| (map, eps));
-                    let Some(carried) = carry_to(stages, &x, &y, &v) else { continue };
+                    let Some(carried) = push_forward_to(stages, &x, &y, &v) else { continue };
                     let mut squared = L::zero();
                     for (entry, column) in carried.iter().zip(columns) {
                         squared += *entry * *entry;

@@ -1,7 +1,7 @@
 //! The largest Lyapunov exponent.
 
 use super::TangentMap;
-use super::carried::{Carried, Follower, Indicator};
+use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::Size;
 
 /// An observer of the largest Lyapunov exponent, the growth rate of tangent vectors.
@@ -11,7 +11,7 @@ use super::growth::Size;
 /// motion the factor is linear, and the estimate of λ tends to 0 like log(n)/n.
 ///
 /// `Lyapunov::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector, about that of a step.
-pub type Lyapunov<M> = Follower<Growth, M, 1>;
+pub type Lyapunov<M> = IndicatorObserver<Growth, M, 1>;
 
 /// The squared lengths of a tangent vector at the first step and at powers of two.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ impl Indicator<1> for Growth {
     }
 
     #[inline(always)]
-    fn look(&mut self, step: u64, [size]: [Size; 1]) {
+    fn read_lengths(&mut self, step: u64, [size]: [Size; 1]) {
         if step.is_power_of_two() {
             self.doublings.pass(step, size);
         }

@@ -1,7 +1,7 @@
 //! The mean exponential growth factor of nearby orbits.
 
 use super::TangentMap;
-use super::carried::{Carried, Follower, Indicator};
+use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::Size;
 
 /// An observer of MEGNO, the mean exponential growth factor of nearby orbits:
@@ -13,7 +13,7 @@ use super::growth::Size;
 /// per unit of time. P. M. Cincotta, C. M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
 /// `Megno::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector and a logarithm per step.
-pub type Megno<M> = Follower<MeanGrowth, M, 1>;
+pub type Megno<M> = IndicatorObserver<MeanGrowth, M, 1>;
 
 /// The partial sums of MEGNO.
 #[derive(Clone, Debug, Default)]
@@ -54,7 +54,7 @@ impl Indicator<1> for MeanGrowth {
         Self::default()
     }
 
-    fn look(&mut self, step: u64, [size]: [Size; 1]) {
+    fn read_lengths(&mut self, step: u64, [size]: [Size; 1]) {
         let ln = 0.5 * size.ln();
         if step == 0 {
             self.first = ln;

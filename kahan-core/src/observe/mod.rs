@@ -75,7 +75,7 @@ use crate::EnsembleScalar;
 pub use burst::{Burst, Grouped, Observers, SideBySide};
 /// Observers whose tangent vectors a loop propagates, and the interval between two scalings.
 #[doc(hidden)]
-pub use carried::{PAUSE, Resumed};
+pub use carried::{PAUSE, SparseObserver};
 /// Components for observing groups of trajectories of maps read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
@@ -94,12 +94,12 @@ pub use log_det::MeanLogDet;
 pub use lyapunov::{Exponent, Lyapunov};
 pub use megno::{Megno, Megnos};
 pub use period::{Period, Return};
-pub use residence::{Residence, Stays};
-pub use rotation::{Rotation, Turns};
+pub use residence::{Residence, ResidenceCounts};
+pub use rotation::{Rotation, RotationNumber};
 pub use sali::Sali;
+pub use section::{Crossing, CrossingReceiver, Direction, Section, SectionReport, first_crossing};
 #[cfg(feature = "std")]
-pub use section::{AtMost, Kept};
-pub use section::{Crossing, Direction, Section, Sectioned, Sink, first_crossing};
+pub use section::{FirstCrossings, StoredCrossings};
 #[cfg(feature = "std")]
 pub use spectrum::Spectrum;
 pub use tangent::{Tangent, TangentMap};
@@ -173,7 +173,7 @@ pub trait Observer<T> {
     /// Returns the observer as one that may skip points; `None` if it needs every point.
     #[doc(hidden)]
     #[inline]
-    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+    fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
         None
     }
 

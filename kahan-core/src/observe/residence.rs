@@ -30,14 +30,14 @@ pub struct Residence<F, T, V> {
     start: f64,
     /// The number of subintervals per unit of the observable.
     parts_to_unit: f64,
-    stays: Stays<V>,
+    stays: ResidenceCounts<V>,
     scalar: PhantomData<T>,
 }
 
 /// The report of [`Residence`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Stays<V> {
+pub struct ResidenceCounts<V> {
     /// The number of points in each subinterval, which includes its lower end.
     pub within: V,
     /// The number of points outside the range, including NaN.
@@ -52,7 +52,7 @@ where
     /// Counts `quantity` in equal parts of `range`, one per entry of `counts`, initially all zero.
     pub fn of(quantity: F, range: Range<f64>, mut counts: V) -> Self {
         let parts_to_unit = counts.as_mut().len() as f64 / (range.end - range.start);
-        let stays = Stays { within: counts, outside: 0 };
+        let stays = ResidenceCounts { within: counts, outside: 0 };
         Self { quantity, start: range.start, parts_to_unit, stays, scalar: PhantomData }
     }
 }
@@ -63,7 +63,7 @@ where
     T: Scalar,
     V: AsMut<[u64]>,
 {
-    type Report = Stays<V>;
+    type Report = ResidenceCounts<V>;
 
     const MAY_END: bool = false;
 
@@ -75,7 +75,7 @@ where
         *count.unwrap_or(&mut self.stays.outside) += 1;
     }
 
-    fn report(self) -> Stays<V> {
+    fn report(self) -> ResidenceCounts<V> {
         self.stays
     }
 }

@@ -62,7 +62,7 @@ pub struct Rotation<F, T> {
 /// The report of [`Rotation`]; NaN without a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Turns {
+pub struct RotationNumber {
     /// Revolutions per step, modulo 1; positive from the first coordinate to the second.
     pub value: f64,
     /// An estimate of the error: the distance from the mean over the first half of the steps.
@@ -96,7 +96,7 @@ impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
 }
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Observer<T> for Rotation<F, T> {
-    type Report = Turns;
+    type Report = RotationNumber;
 
     const MAY_END: bool = false;
 
@@ -120,9 +120,9 @@ impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Observer<T> for Rotation<F, T> {
         self.half.add(turns, step, self.steps / 2);
     }
 
-    fn report(self) -> Turns {
+    fn report(self) -> RotationNumber {
         let [whole, half] = [self.whole, self.half].map(|mean| mean.sum / mean.weights);
-        Turns { value: whole, error: (whole - half).abs() }
+        RotationNumber { value: whole, error: (whole - half).abs() }
     }
 }
 

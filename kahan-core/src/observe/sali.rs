@@ -3,7 +3,7 @@
 use crate::Scalar;
 
 use super::TangentMap;
-use super::carried::{Carried, Follower, Indicator};
+use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::{Size, square};
 
 /// An observer of the smaller alignment index of two unit tangent vectors v and w: the smaller of
@@ -16,7 +16,7 @@ use super::growth::{Size, square};
 ///
 /// The report lies between 0 and √2, or is NaN after a pole. `Sali::new(&map)` takes a
 /// [`TangentMap`]. Cost: two tangent vectors, which share the work on the points.
-pub type Sali<M> = Follower<Alignment, M, 2>;
+pub type Sali<M> = IndicatorObserver<Alignment, M, 2>;
 
 /// The indicator of [`Sali`], which reads the vectors only at the end.
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ impl Indicator<2> for Alignment {
     }
 
     #[inline(always)]
-    fn look(&mut self, _step: u64, _sizes: [Size; 2]) {}
+    fn read_lengths(&mut self, _step: u64, _sizes: [Size; 2]) {}
 
     fn report<M: TangentMap>(self, mut carried: Carried<M, 2>) -> f64 {
         let _ = carried.scale();

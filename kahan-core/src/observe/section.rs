@@ -9,7 +9,7 @@ use std::vec::Vec;
 use crate::{Constant, FloatScalar, Orbit, PointOf, StateVector, Step, Workspace};
 
 use super::Observer;
-use super::zero::{Place, is_zero, narrow, small};
+use super::zero::{ZeroBracket, is_zero, narrow, small};
 
 /// An observer of the crossings with a section s(x) = 0: a plane, or a level set of any function.
 ///
@@ -30,7 +30,7 @@ use super::zero::{Place, is_zero, narrow, small};
 /// Cost: s at every step, about fifteen steps per crossing, up to about a hundred per jump.
 ///
 /// ```
-/// use kahan_core::observe::{AtMost, Direction, Section};
+/// use kahan_core::observe::{FirstCrossings, Direction, Section};
 /// use kahan_core::prelude::*;
 ///
 /// kahan! {
@@ -41,7 +41,7 @@ use super::zero::{Place, is_zero, narrow, small};
 /// }
 ///
 /// let map = Turn.at(0.01);
-/// let section = Section::new(&map, |x: &[f64]| x[0], Direction::Rising, AtMost::new(10));
+/// let section = Section::new(&map, |x: &[f64]| x[0], Direction::Rising, FirstCrossings::new(10));
 /// let found = map.orbit(vector![0.0, 1.0]).observe(1000, section);
 /// // It is on the section to begin with, which is no crossing.
 /// assert_eq!((found.points.all, found.jumps), (3, 0));
@@ -64,8 +64,8 @@ pub struct Section<M: Step, F, S> {
 /// The report of a [`Section`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Sectioned<R> {
-    /// The report of the [`Sink`] that took the crossings.
+pub struct SectionReport<R> {
+    /// The report of the [`CrossingReceiver`] that took the crossings.
     pub points: R,
     /// The number of sign changes in the observed directions that are not crossings.
     pub jumps: u64,
@@ -114,8 +114,8 @@ pub struct Crossing<P, T> {
     pub point: P,
 }
 
-/// A receiver of crossings: a closure, or [`AtMost`].
-pub trait Sink<C> {
+/// A receiver of crossings: a closure, or [`FirstCrossings`].
+pub trait CrossingReceiver<C> {
     /// The type of the report.
     type Report;
 
@@ -133,7 +133,7 @@ pub trait Sink<C> {
 }
 
 /// Calls the closure with every crossing; reports nothing.
-impl<C, F: FnMut(C)> Sink<C> for F {
+impl<C, F: FnMut(C)> CrossingReceiver<C> for F {
     type Report = ();
 
     fn take(&mut self, crossing: C) {
@@ -146,16 +146,16 @@ impl<C, F: FnMut(C)> Sink<C> for F {
 /// A sink that stores the first crossings, in memory allocated at the start.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug)]
-pub struct AtMost<C> {
-    found: Kept<C>,
+pub struct FirstCrossings<C> {
+    found: StoredCrossings<C>,
     capacity: usize,
 }
 
-/// The report of [`AtMost`].
+/// The report of [`FirstCrossings`].
 #[cfg(feature = "std")]
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Kept<C> {
+pub struct StoredCrossings<C> {
     /// The first crossings, up to the capacity.
     pub kept: Vec<C>,
     /// The total number of crossings.
@@ -163,10 +163,10 @@ pub struct Kept<C> {
 }
 
 #[cfg(feature = "std")]
-impl<C> AtMost<C> {
+impl<C> FirstCrossings<C> {
     /// Creates a sink that stores the first `capacity` crossings and counts all.
     pub fn new(capacity: usize) -> Self {
-        Self { found: Kept { kept: Vec::with_capacity(capacity), all: 0 }, capacity }
+        Self { found: StoredCrossings { kept: Vec::with_capacity(capacity), all: 0 }, capacity }
     }
 
     pub(super) fn has_all(&self) -> bool {
@@ -175,8 +175,8 @@ impl<C> AtMost<C> {
 }
 
 #[cfg(feature = "std")]
-impl<C> Sink<C> for AtMost<C> {
-    type Report = Kept<C>;
+impl<C> CrossingReceiver<C> for FirstCrossings<C> {
+    type Report = StoredCrossings<C>;
 
     fn take(&mut self, crossing: C) {
         self.found.all += 1;
@@ -185,7 +185,7 @@ impl<C> Sink<C> for AtMost<C> {
         }
     }
 
-    fn report(self) -> Kept<C> {
+    fn report(self) -> StoredCrossings<C> {
         self.found
     }
 }
@@ -195,7 +195,7 @@ where
     M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<PointOf<M>, T>>,
+    S: CrossingReceiver<Crossing<PointOf<M>, T>>,
 {
     /// Creates an observer that gives each crossing of `level` = 0, by orbits of `map`, to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
@@ -236,7 +236,7 @@ where
         };
         let ends = [level(before.point()), end];
         let places = narrow(ends, |part| level(at(part).as_slice()));
-        let size = |place: &Place<T>| place.height.approximate().abs();
+        let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
         // θ = 0 belongs to the previous step.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
@@ -266,9 +266,9 @@ where
     M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<PointOf<M>, T>>,
+    S: CrossingReceiver<Crossing<PointOf<M>, T>>,
 {
-    type Report = Sectioned<S::Report>;
+    type Report = SectionReport<S::Report>;
 
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
@@ -295,7 +295,7 @@ where
     }
 
     fn report(self) -> Self::Report {
-        Sectioned { points: self.sink.report(), jumps: self.jumps }
+        SectionReport { points: self.sink.report(), jumps: self.jumps }
     }
 }
 
@@ -342,7 +342,7 @@ where
 #[derive(Clone, Debug)]
 pub(super) struct First<C>(pub(super) Option<C>);
 
-impl<C> Sink<C> for First<C> {
+impl<C> CrossingReceiver<C> for First<C> {
     type Report = Option<C>;
 
     fn take(&mut self, crossing: C) {

@@ -14,7 +14,7 @@ use crate::composition::{Composed, Staged};
 #[cfg(feature = "std")]
 use crate::ensemble::columns::GROUP;
 use crate::field::linear::{determinant, vector};
-use crate::map::{carry, carry_to};
+use crate::map::{push_forward, push_forward_to};
 use crate::step::check_length;
 #[cfg(feature = "std")]
 use crate::{EnsembleScalar, KahanMap, PreparedStep, StateVector, Stopped, Workspace};
@@ -36,12 +36,12 @@ use super::{Grouped, SideBySide, lanes::ByOneMap};
 )]
 pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
-    fn carry(&self, x: &[Self::Scalar], v: &mut Self::State);
+    fn push_forward(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// Like [`carry`](Self::carry), with known x̃, which halves the work.
+    /// Like [`push_forward`](Self::push_forward), with known x̃, which halves the work.
     #[inline(always)]
-    fn carry_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
-        self.carry(x, v);
+    fn push_forward_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
+        self.push_forward(x, v);
     }
 
     /// Returns det J(x).
@@ -52,10 +52,10 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     ///
     /// Returns the number of steps taken, which is smaller if a squared length leaves the moderate
     /// range; `None` for different maps and steps without lanes. Bits are those of
-    /// [`carry_to`](Self::carry_to).
+    /// [`push_forward_to`](Self::push_forward_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
-    fn carry_side_by_side<P: Grouped<Self::Scalar>>(
+    fn push_forward_group<P: Grouped<Self::Scalar>>(
         _maps: [&Self; GROUP],
         _work: SideBySide<'_, Self::Scalar, P>,
     ) -> Option<usize>
@@ -68,13 +68,13 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
 
 impl<M: TangentMap> TangentMap for &M {
     #[inline(always)]
-    fn carry(&self, x: &[M::Scalar], v: &mut M::State) {
-        M::carry(self, x, v);
+    fn push_forward(&self, x: &[M::Scalar], v: &mut M::State) {
+        M::push_forward(self, x, v);
     }
 
     #[inline(always)]
-    fn carry_to(&self, x: &[M::Scalar], next: &[M::Scalar], v: &mut M::State) {
-        M::carry_to(self, x, next, v);
+    fn push_forward_to(&self, x: &[M::Scalar], next: &[M::Scalar], v: &mut M::State) {
+        M::push_forward_to(self, x, next, v);
     }
 
     #[inline(always)]
@@ -83,14 +83,14 @@ impl<M: TangentMap> TangentMap for &M {
     }
 
     #[cfg(feature = "std")]
-    fn carry_side_by_side<P: Grouped<M::Scalar>>(
+    fn push_forward_group<P: Grouped<M::Scalar>>(
         maps: [&Self; GROUP],
         work: SideBySide<'_, M::Scalar, P>,
     ) -> Option<usize>
     where
         M::Scalar: EnsembleScalar,
     {
-        M::carry_side_by_side(maps.map(|map| *map), work)
+        M::push_forward_group(maps.map(|map| *map), work)
     }
 }
 
@@ -103,17 +103,18 @@ macro_rules! implement_for_stages {
             T: FloatScalar,
         {
             #[inline(always)]
-            fn carry(&self, x: &[T], v: &mut SVector<T, N>) {
+            fn push_forward(&self, x: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
-                if let Some(carried) = carry(Self::in_order(&stages).copied(), &point(x), v) {
+                if let Some(carried) = push_forward(Self::in_order(&stages).copied(), &point(x), v) {
                     *v = carried;
                 }
             }
 
             #[inline(always)]
-            fn carry_to(&self, x: &[T], next: &[T], v: &mut SVector<T, N>) {
+            fn push_forward_to(&self, x: &[T], next: &[T], v: &mut SVector<T, N>) {
                 let stages = self.stages(|at| (&at.map, &at.eps));
-                if let Some(carried) = carry_to(Self::in_order(&stages).copied(), &point(x), &point(next), v)
+                if let Some(carried) =
+                    push_forward_to(Self::in_order(&stages).copied(), &point(x), &point(next), v)
                 {
                     *v = carried;
                 }
@@ -124,13 +125,13 @@ macro_rules! implement_for_stages {
                 let mut columns = [vector([T::zero(); N]); N];
                 for (i, column) in columns.iter_mut().enumerate() {
                     column[i] = T::one();
-                    self.carry(x, column);
+                    self.push_forward(x, column);
                 }
                 determinant::<T, N>(SMatrix::from_fn(|i, j| columns[j][i]))
             }
 
             #[cfg(feature = "std")]
-            fn carry_side_by_side<P: Grouped<T>>(
+            fn push_forward_group<P: Grouped<T>>(
                 maps: [&Self; GROUP],
                 work: SideBySide<'_, T, P>,
             ) -> Option<usize>
@@ -215,7 +216,7 @@ where
     ///
     /// let map = LotkaVolterra.at(0.05);
     /// let (x, v) = (vector![1.5, 1.0], vector![1.0, -2.0]);
-    /// let carried = map.tangent().carry(&x, &v).unwrap();
+    /// let carried = map.tangent().push_forward(&x, &v).unwrap();
     /// assert!((carried - map.jacobian(&x) * v).norm() < 1e-15);
     /// ```
     pub fn tangent(&self) -> Tangent<Self> {
@@ -230,19 +231,19 @@ where
 {
     /// Returns J(x)·v; `None` at a pole of an exact scalar.
     #[inline(always)]
-    pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
-        carry([(&self.map.map, &self.map.eps)].into_iter(), x, v)
+    pub fn push_forward(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
+        push_forward([(&self.map.map, &self.map.eps)].into_iter(), x, v)
     }
 
-    /// Like [`carry`](Self::carry), with known x̃, which halves the work.
+    /// Like [`push_forward`](Self::push_forward), with known x̃, which halves the work.
     #[inline(always)]
-    pub fn carry_to(
+    pub fn push_forward_to(
         &self,
         x: &SVector<T, N>,
         next: &SVector<T, N>,
         v: &SVector<T, N>,
     ) -> Option<SVector<T, N>> {
-        carry_to([(&self.map.map, &self.map.eps)].into_iter(), x, next, v)
+        push_forward_to([(&self.map.map, &self.map.eps)].into_iter(), x, next, v)
     }
 }
 
@@ -268,7 +269,7 @@ impl<S: TangentMap> Step for Tangent<S> {
             self.map.advance(point, 1, workspace).map_err(|stopped| Stopped { steps, ..stopped })?;
             for vector in vectors.chunks_exact_mut(point.len()) {
                 v.as_mut_slice().copy_from_slice(vector);
-                self.map.carry_to(before.as_slice(), point, &mut v);
+                self.map.push_forward_to(before.as_slice(), point, &mut v);
                 vector.copy_from_slice(v.as_slice());
             }
         }

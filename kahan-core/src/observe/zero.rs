@@ -7,7 +7,7 @@
 use crate::{Constant, FloatScalar};
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<T> {
+pub(super) struct ZeroBracket<T> {
     pub part: T,
     pub height: T,
 }
@@ -27,7 +27,7 @@ const fn digits<T: FloatScalar>() -> u32 {
 }
 
 /// Returns whether the function is small at both places, relative to its finite end values.
-pub(super) fn is_zero<T: FloatScalar>(places: [Place<T>; 2], ends: [T; 2]) -> bool {
+pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2]) -> bool {
     let sizes = ends.map(|height| height.approximate().abs()).into_iter().filter(|size| size.is_finite());
     let most = small::<T>() * sizes.fold(0.0, f64::max);
     places.iter().all(|place| place.height.approximate().abs() <= most)
@@ -38,11 +38,14 @@ pub(super) fn is_zero<T: FloatScalar>(places: [Place<T>; 2], ends: [T; 2]) -> bo
 /// The Illinois method: secants, with the value at a retained end halved in the next secant. Steps
 /// keep a least distance from both places. Bisection replaces the secant after two secants that did
 /// not halve the interval, and after a value beyond both ends.
-pub(super) fn narrow<T: FloatScalar>([start, end]: [T; 2], mut level: impl FnMut(T) -> T) -> [Place<T>; 2] {
+pub(super) fn narrow<T: FloatScalar>(
+    [start, end]: [T; 2],
+    mut level: impl FnMut(T) -> T,
+) -> [ZeroBracket<T>; 2] {
     let half = T::constant(&Constant::ratio(1, 2));
     let least = (0..digits::<T>()).fold(T::one(), |least, _| least * half);
-    let mut last = Place { part: T::one(), height: end };
-    let mut other = Place { part: T::zero(), height: start };
+    let mut last = ZeroBracket { part: T::one(), height: end };
+    let mut other = ZeroBracket { part: T::zero(), height: start };
     let (mut weighted, mut slow) = (start, 0);
     // Two secants and a bisection halve the interval.
     for _ in 0..3 * digits::<T>() {
@@ -69,7 +72,7 @@ pub(super) fn narrow<T: FloatScalar>([start, end]: [T; 2], mut level: impl FnMut
         let ratios = [ratio, half, half * half, half + half * half];
         let mut places = ratios.into_iter().map(|ratio| {
             let part = last.part + ratio * gap;
-            Place { part, height: level(part) }
+            ZeroBracket { part, height: level(part) }
         });
         let Some(found) = places.find(|place| !place.height.approximate().is_nan()) else { break };
         let [new, old, beyond] = [found, last, other].map(|place| place.height.approximate());

@@ -8,18 +8,18 @@ use super::wide::Digits;
 
 /// An exact rational number p/q, convertible to every [`Scalar`](crate::Scalar).
 #[derive(Clone, Copy, Debug)]
-pub struct Constant<'a>(Form<'a>);
+pub struct Constant<'a>(ConstantForm<'a>);
 
 #[derive(Clone, Copy, Debug)]
-enum Form<'a> {
+enum ConstantForm<'a> {
     Integer(i64),
     /// Both are at most 2²⁴, so exact in `f32`: a single division rounds correctly to any float.
     Ratio(i64, i64),
-    Long(Long<'a>),
+    Long(LongRatio<'a>),
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Long<'a> {
+struct LongRatio<'a> {
     negative: bool,
     numerator: &'a [u64],
     denominator: &'a [u64],
@@ -35,7 +35,7 @@ impl<'a> Constant<'a> {
     /// Creates the integer n.
     #[inline(always)]
     pub const fn integer(n: i64) -> Self {
-        Self(Form::Integer(n))
+        Self(ConstantForm::Integer(n))
     }
 
     /// Creates p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
@@ -48,7 +48,7 @@ impl<'a> Constant<'a> {
             p.unsigned_abs() <= RATIO_LIMIT && q >= 1 && q.unsigned_abs() <= RATIO_LIMIT,
             "Constant::ratio takes numerators and denominators up to 2^24"
         );
-        Self(Form::Ratio(p, q))
+        Self(ConstantForm::Ratio(p, q))
     }
 
     /// Creates ±numerator/denominator from little-endian 64-bit limbs, together with its roundings.
@@ -64,22 +64,22 @@ impl<'a> Constant<'a> {
         double: f64,
         low: f64,
     ) -> Self {
-        Self(Form::Long(Long { negative, numerator, denominator, single, double, low }))
+        Self(ConstantForm::Long(LongRatio { negative, numerator, denominator, single, double, low }))
     }
 
     /// Returns whether this is an integer of absolute value at most 2⁵³.
     #[inline(always)]
     pub(crate) const fn is_whole(&self) -> bool {
-        matches!(self.0, Form::Integer(n) if n.unsigned_abs() <= 1 << 53)
+        matches!(self.0, ConstantForm::Integer(n) if n.unsigned_abs() <= 1 << 53)
     }
 
     /// Returns the nearest `f32`.
     #[inline(always)]
     pub const fn to_f32(&self) -> f32 {
         match self.0 {
-            Form::Integer(n) => n as f32,
-            Form::Ratio(p, q) => p as f32 / q as f32,
-            Form::Long(long) => long.single,
+            ConstantForm::Integer(n) => n as f32,
+            ConstantForm::Ratio(p, q) => p as f32 / q as f32,
+            ConstantForm::Long(long) => long.single,
         }
     }
 
@@ -87,9 +87,9 @@ impl<'a> Constant<'a> {
     #[inline(always)]
     pub const fn to_f64(&self) -> f64 {
         match self.0 {
-            Form::Integer(n) => n as f64,
-            Form::Ratio(p, q) => p as f64 / q as f64,
-            Form::Long(long) => long.double,
+            ConstantForm::Integer(n) => n as f64,
+            ConstantForm::Ratio(p, q) => p as f64 / q as f64,
+            ConstantForm::Long(long) => long.double,
         }
     }
 
@@ -99,9 +99,9 @@ impl<'a> Constant<'a> {
         let high = self.to_f64();
         let low = match self.0 {
             // Both integers are below 2⁶⁵ in absolute value, and their difference fits an f64.
-            Form::Integer(n) => (n as i128 - high as i128) as f64,
-            Form::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
-            Form::Long(long) => long.low,
+            ConstantForm::Integer(n) => (n as i128 - high as i128) as f64,
+            ConstantForm::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
+            ConstantForm::Long(long) => long.low,
         };
         (high, low)
     }
@@ -109,9 +109,9 @@ impl<'a> Constant<'a> {
     /// Returns the number, exact unless numerator or denominator has too many digits.
     pub(crate) fn to_digits<const D: usize, const M: usize>(self) -> Digits<D, M> {
         match self.0 {
-            Form::Integer(n) => Digits::from(n),
-            Form::Ratio(p, q) => Digits::from(p) / Digits::from(q),
-            Form::Long(long) => Digits::from_ratio(long.negative, long.numerator, long.denominator),
+            ConstantForm::Integer(n) => Digits::from(n),
+            ConstantForm::Ratio(p, q) => Digits::from(p) / Digits::from(q),
+            ConstantForm::Long(long) => Digits::from_ratio(long.negative, long.numerator, long.denominator),
         }
     }
 
@@ -122,9 +122,9 @@ impl<'a> Constant<'a> {
         use num_rational::BigRational;
 
         match self.0 {
-            Form::Integer(n) => BigRational::from_integer(n.into()),
-            Form::Ratio(p, q) => BigRational::new(p.into(), q.into()),
-            Form::Long(Long { negative, numerator, denominator, .. }) => {
+            ConstantForm::Integer(n) => BigRational::from_integer(n.into()),
+            ConstantForm::Ratio(p, q) => BigRational::new(p.into(), q.into()),
+            ConstantForm::Long(LongRatio { negative, numerator, denominator, .. }) => {
                 let sign = if negative { Sign::Minus } else { Sign::Plus };
                 let numerator = BigInt::from_biguint(sign, natural(numerator));
                 BigRational::new(numerator, natural(denominator).into())

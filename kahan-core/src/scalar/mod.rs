@@ -4,10 +4,10 @@
 //! dual numbers and SIMD lanes. [`Scalar`] requires no ordering, square root or conversion. Its
 //! methods share no name with num-traits, so both can be in scope.
 
-mod along;
 pub(crate) mod bounded;
 mod constant;
 mod dd;
+mod directional_dual;
 mod dual;
 pub(crate) mod embed;
 mod epsilon;
@@ -26,9 +26,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
-pub(crate) use along::Along;
 pub use constant::Constant;
 pub use dd::Dd;
+pub(crate) use directional_dual::DirectionalDual;
 pub use dual::Dual;
 pub use embed::EmbedScalar;
 pub use epsilon::nearest_short_eps;
@@ -39,7 +39,7 @@ pub(crate) use laurent::Laurent;
 pub(crate) use operators::assignments;
 pub(crate) use operators::operators;
 #[cfg(feature = "std")]
-pub(crate) use wide::{Capacity, Long, level_row};
+pub(crate) use wide::{Capacity, LongNumber, level_row};
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use crate::scalar::{Along, Dual};
+use crate::scalar::{DirectionalDual, Dual};
 use crate::{Constant, Scalar};
 
 fn coordinates() -> [Dual<f64, 2>; 2] {
@@ -43,26 +43,26 @@ fn constants_have_no_gradient() {
     assert!(!Dual::<f64, 2>::coordinate(0.0, 1).is_zero());
 }
 
-fn along() -> [Along<f64>; 3] {
-    [(3.0, Some(1.0)), (4.0, Some(2.0)), (4.0, None)].map(|(value, slope)| Along { value, slope })
+fn along() -> [DirectionalDual<f64>; 3] {
+    [(3.0, Some(1.0)), (4.0, Some(2.0)), (4.0, None)].map(|(value, slope)| DirectionalDual { value, slope })
 }
 
 #[test]
 fn the_operators_differentiate_along_a_line() {
     let [u, v, _] = along();
-    assert_eq!(u + v, Along { value: 7.0, slope: Some(3.0) });
-    assert_eq!(u - v, Along { value: -1.0, slope: Some(-1.0) });
-    assert_eq!(-u, Along { value: -3.0, slope: Some(-1.0) });
-    assert_eq!(u * v, Along { value: 12.0, slope: Some(10.0) });
-    assert_eq!(u / v, Along { value: 0.75, slope: Some(-0.125) });
-    assert_eq!(v.reciprocal(), Some(Along { value: 0.25, slope: Some(-0.125) }));
+    assert_eq!(u + v, DirectionalDual { value: 7.0, slope: Some(3.0) });
+    assert_eq!(u - v, DirectionalDual { value: -1.0, slope: Some(-1.0) });
+    assert_eq!(-u, DirectionalDual { value: -3.0, slope: Some(-1.0) });
+    assert_eq!(u * v, DirectionalDual { value: 12.0, slope: Some(10.0) });
+    assert_eq!(u / v, DirectionalDual { value: 0.75, slope: Some(-0.125) });
+    assert_eq!(v.reciprocal(), Some(DirectionalDual { value: 0.25, slope: Some(-0.125) }));
     assert_eq!(u.quotient(v), Some(u / v));
 }
 
 #[test]
 fn a_constant_counts_as_a_number_of_slope_0() {
     let [u, v, constant] = along();
-    let flat = Along { value: constant.value, slope: Some(0.0) };
+    let flat = DirectionalDual { value: constant.value, slope: Some(0.0) };
     for (left, right, expected) in [
         (u, constant, (u + flat, u - flat, u * flat, u / flat)),
         (constant, v, (flat + v, flat - v, flat * v, flat / v)),
@@ -70,12 +70,12 @@ fn a_constant_counts_as_a_number_of_slope_0() {
         assert_eq!((left + right, left - right, left * right, left / right), expected);
         assert_eq!(left.quotient(right), Some(left / right));
     }
-    assert_eq!(constant * constant, Along::from_value(16.0));
+    assert_eq!(constant * constant, DirectionalDual::from_value(16.0));
     assert_eq!((constant.into_slope(), v.into_slope()), (0.0, 2.0));
 }
 
 #[test]
 fn prepared_constants_have_no_slope() {
     let [u, ..] = along();
-    assert_eq!(u.prepared(), Along::from_value(3.0));
+    assert_eq!(u.prepared(), DirectionalDual::from_value(3.0));
 }

@@ -1,6 +1,8 @@
 //! Sign changes at zeros and at jumps: poles of maps, poles and gaps of functions.
 
-use kahan_core::observe::{AtMost, Crossing, Direction, Kept, Observer, Section, Sectioned, first_crossing};
+use kahan_core::observe::{
+    Crossing, Direction, FirstCrossings, Observer, Section, SectionReport, StoredCrossings, first_crossing,
+};
 use kahan_core::prelude::*;
 use kahan_core::{Dd, FloatScalar, LatticeMap, Orbit, PointOf, Step};
 
@@ -23,7 +25,7 @@ kahan! {
 
 const START: [f64; 4] = [0.0, 0.1, 0.45, 0.1];
 
-type Found<S> = Sectioned<Kept<Crossing<PointOf<S>, <S as Step>::Scalar>>>;
+type Found<S> = SectionReport<StoredCrossings<Crossing<PointOf<S>, <S as Step>::Scalar>>>;
 
 fn section<S: Step<Scalar = T>, T: FloatScalar>(
     map: &S,
@@ -32,7 +34,7 @@ fn section<S: Step<Scalar = T>, T: FloatScalar>(
     direction: Direction,
     level: impl Fn(&[T]) -> T,
 ) -> Found<S> {
-    let section = Section::new(map, level, direction, AtMost::new(10_000));
+    let section = Section::new(map, level, direction, FirstCrossings::new(10_000));
     let found = Orbit::new(map, start).observe(steps, section);
     assert_eq!(found.points.all as usize, found.points.kept.len());
     found
@@ -235,7 +237,7 @@ fn chains_cross_and_jump() {
 fn checked_steps_cross_and_jump_as_others_do() {
     let map = Tangent.at(0.05);
     let observed = |direction| {
-        let mut section = Section::new(&map, |x: &[f64]| x[0], direction, AtMost::new(100));
+        let mut section = Section::new(&map, |x: &[f64]| x[0], direction, FirstCrossings::new(100));
         let mut x = vector![0.1, 0.0];
         for step in 0..300 {
             section.observe(step, x.as_slice());
@@ -253,14 +255,14 @@ fn checked_steps_cross_and_jump_as_others_do() {
 #[test]
 fn projective_orbits_jump_at_infinity() {
     let map = Tangent.at(0.05);
-    let section = |direction| Section::new(&map, |x: &[f64]| x[0], direction, AtMost::new(100));
+    let section = |direction| Section::new(&map, |x: &[f64]| x[0], direction, FirstCrossings::new(100));
     for (direction, expected) in [(Direction::Rising, (9, 0)), (Direction::Falling, (0, 10))] {
         let found = Tangent.orbit(vector![0.1, 0.0], 0.05).projective().observe(299, section(direction));
         assert_eq!((found.points.all, found.jumps), expected);
     }
     // A point at infinity is skipped, so its neighbours are not consecutive.
     let map = Burst.at(0.25);
-    let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(9));
+    let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, FirstCrossings::new(9));
     let found = Burst.orbit(vector![1.0], 0.25).projective().observe(4, both);
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }

@@ -1,6 +1,6 @@
 //! Sections of the Hénon–Heiles system against a plain loop.
 
-use kahan_core::observe::{AtMost, Crossing, Direction, Section};
+use kahan_core::observe::{Crossing, Direction, FirstCrossings, Section};
 use kahan_core::prelude::*;
 
 use super::HenonHeiles;
@@ -9,7 +9,7 @@ const START: [f64; 4] = [0.0, 0.1, 0.45, 0.1];
 
 fn crossings(eps: f64, steps: u64, direction: Direction) -> Vec<Crossing<SVector<f64, 4>, f64>> {
     let map = HenonHeiles.at(eps);
-    let section = Section::new(&map, |x: &[f64]| x[0], direction, AtMost::new(10_000));
+    let section = Section::new(&map, |x: &[f64]| x[0], direction, FirstCrossings::new(10_000));
     let found = map.orbit(START.into()).observe(steps, section);
     assert_eq!((found.points.all as usize, found.jumps), (found.points.kept.len(), 0));
     found.points.kept
@@ -72,7 +72,7 @@ fn a_callback_gets_every_crossing_and_a_full_store_counts_on() {
     let take = |crossing| seen.push(crossing);
     map.orbit(START.into()).observe(5000, Section::new(&map, |x: &[f64]| x[0], Direction::Both, take));
     assert_eq!(seen, all);
-    let few = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(3));
+    let few = Section::new(&map, |x: &[f64]| x[0], Direction::Both, FirstCrossings::new(3));
     let few = map.orbit(START.into()).observe(5000, few).points;
     assert_eq!((few.all as usize, few.kept), (all.len(), all[..3].to_vec()));
 }

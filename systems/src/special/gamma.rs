@@ -1,16 +1,16 @@
 //! Γ and ψ by asymptotic series at a large argument, and recurrences back from there. The series
-//! serve [`Precise`](super::Precise); floats use other crates (see [`Real::gamma`]).
+//! serve [`Float256`](super::Float256); floats use other crates (see [`Real::gamma`]).
 
 use super::Real;
 
 /// Returns Γ(x); NaN at the poles 0, −1, −2, …. For `f64` (`libm`) the error is at most 8 ulp on
-/// (−30, 171). For [`Precise`](super::Precise) the relative error is below 1e−72 for |x| ≤ 1000.
+/// (−30, 171). For [`Float256`](super::Float256) the relative error is below 1e−72 for |x| ≤ 1000.
 ///
 /// ```
-/// use kahan_systems::special::{Precise, Real, gamma};
+/// use kahan_systems::special::{Float256, Real, gamma};
 ///
-/// let half = Precise::half();
-/// assert!((gamma(&half).square() - Precise::pi()).abs() < Precise::from_ratio(1, 10).power(70));
+/// let half = Float256::half();
+/// assert!((gamma(&half).square() - Float256::pi()).abs() < Float256::from_ratio(1, 10).power(70));
 /// assert_eq!(gamma(&6.0), 120.0);
 /// ```
 pub fn gamma<T: Real>(x: &T) -> T {
@@ -18,16 +18,16 @@ pub fn gamma<T: Real>(x: &T) -> T {
 }
 
 /// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. For `f64` (`special`) the error is at
-/// most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30. For [`Precise`](super::Precise) it is below
+/// most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30. For [`Float256`](super::Float256) it is below
 /// 1e−73·max(1, |ψ|) for |x| ≤ 1000.
 ///
 /// ```
-/// use kahan_systems::special::{Precise, Real, digamma};
+/// use kahan_systems::special::{Float256, Real, digamma};
 ///
 /// // ψ(x + 1) = ψ(x) + 1/x
-/// let x = Precise::from_ratio(3, 7);
-/// let step = digamma(&(x.clone() + Precise::from_int(1))) - digamma(&x);
-/// assert!((step - Precise::from_ratio(7, 3)).abs() < Precise::from_ratio(1, 10).power(70));
+/// let x = Float256::from_ratio(3, 7);
+/// let step = digamma(&(x.clone() + Float256::from_int(1))) - digamma(&x);
+/// assert!((step - Float256::from_ratio(7, 3)).abs() < Float256::from_ratio(1, 10).power(70));
 /// ```
 pub fn digamma<T: Real>(x: &T) -> T {
     x.digamma()

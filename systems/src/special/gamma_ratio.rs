@@ -26,7 +26,7 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 ///
 /// For integer 2σ up to ±64, evaluates the polynomial R or its reciprocal. Otherwise uses the
 /// series at a large w and at most about 12 + 2|σ| factors in `f64`, 40 + 2|σ| in
-/// [`Precise`](super::Precise), and reflection for w < −|σ| − 1/2. In `f64`, for |σ| ≤ 3, the error
+/// [`Float256`](super::Float256), and reflection for w < −|σ| − 1/2. In `f64`, for |σ| ≤ 3, the error
 /// is at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20, and 64 ulp for −20 ≤ w < 0 off the poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     if let Some(n) = small_integer(&(T::from_int(2) * *sigma)) {

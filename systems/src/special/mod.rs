@@ -1,27 +1,27 @@
-//! Transcendental functions in two precisions: `f64`, and 256 bits as [`Precise`].
+//! Transcendental functions in two precisions: `f64`, and 256 bits as [`Float256`].
 //!
 //! [`Real`] is the trait of numbers in closed solutions. Generic over both types are Γ, ψ, ratios
 //! of Γ, elliptic integrals, Jacobi's elliptic functions and theta functions. For `f64` established
 //! crates are used where they are accurate; the documented error bounds were measured against
-//! [`Precise`] and are tested. No function panics: without a real value it returns NaN.
+//! [`Float256`] and are tested. No function panics: without a real value it returns NaN.
 
 mod bernoulli;
 mod elliptic;
 mod float;
+mod float256;
 mod gamma;
 mod gamma_ratio;
 mod jacobi;
-mod precise;
 mod quadrature;
 mod real;
 mod tail;
 mod theta;
 
 pub use elliptic::{Modulus, elliptic_f, elliptic_k};
+pub use float256::{Float256, ParsePreciseError};
 pub use gamma::{digamma, gamma};
 pub use gamma_ratio::{centered_digamma_difference, centered_gamma_ratio, gamma_ratio};
 pub use jacobi::{Jacobi, jacobi};
-pub use precise::{ParsePreciseError, Precise};
 pub use quadrature::{Integral, integrate};
 pub use real::Real;
 pub(crate) use tail::{asymptotic_start, digamma_product_tail, gamma_product_tail};

@@ -16,7 +16,7 @@ pub struct Integral<T> {
 /// be analytic inside; integrable singularities at the ends are allowed, and never evaluated. The
 /// step in u is halved, at most 10 times, until two sums agree to 2⁸ ulp or differ only by rounding
 /// errors of f. Smooth functions take about 60 evaluations in `f64`, 400 in
-/// [`Precise`](super::Precise).
+/// [`Float256`](super::Float256).
 ///
 /// ```
 /// use kahan_systems::special::integrate;

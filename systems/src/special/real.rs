@@ -4,12 +4,12 @@ use kahan_core::Pivot;
 use kahan_core::num_rational::BigRational;
 
 /// A real number of finite precision with elementary functions, Γ and ψ. Implemented for `f64` and
-/// [`Precise`](super::Precise). Results without a real value (0/0, ln(−1), a pole of Γ) are NaN:
+/// [`Float256`](super::Float256). Results without a real value (0/0, ln(−1), a pole of Γ) are NaN:
 /// comparisons are false, and [`is_finite_number`](Pivot::is_finite_number) is false. Methods take
 /// references, the operators of [`Scalar`](kahan_core::Scalar) values. Conversions from `f64` are
 /// exact.
 pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
-    /// The number of decimal digits: 15 for `f64`, 76 for [`Precise`](super::Precise).
+    /// The number of decimal digits: 15 for `f64`, 76 for [`Float256`](super::Float256).
     const DIGITS: usize;
 
     /// Returns the distance from 1 to the next larger number, twice the unit roundoff.

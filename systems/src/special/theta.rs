@@ -18,7 +18,7 @@ pub struct Theta<T> {
 
 /// Returns the four theta functions at z (period 2π in z) for the nome 0 ≤ q < 1; NaN for other q.
 /// For D digits there are √(D ln 10/ln(1/q)) terms: 4 for q = 0.1 in `f64`, 40 for q = 0.9 in
-/// [`Precise`](super::Precise). In `f64`, for q ≤ 0.9 and |z| ≤ 10, the error is at most 10 units
+/// [`Float256`](super::Float256). In `f64`, for q ≤ 0.9 and |z| ≤ 10, the error is at most 10 units
 /// of 2⁻⁵² max(1, |ϑ|).
 ///
 /// ```

@@ -2,24 +2,24 @@
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
-use kahan_systems::special::{Modulus, Precise, Real, integrate};
+use kahan_systems::special::{Float256, Modulus, Real, integrate};
 use kahan_systems::{E9, e9};
 
 use crate::solutions::exact_orbits::{Point, assert_on_orbit, cases, orbit, precise};
 use crate::solutions::measure::{assert_close, number, ten_to_minus};
 
-fn start() -> Point<Precise> {
+fn start() -> Point<Float256> {
     Point::from(["3/7", "11/13", "23/47"].map(number))
 }
 
 #[test]
 fn integrals_of_known_value() {
-    let one = Precise::from_int(1);
-    assert_close(&integrate(&Precise::zero(), &one, Real::exp).value, &one.exp_m1(), 74, "exp");
+    let one = Float256::from_int(1);
+    assert_close(&integrate(&Float256::zero(), &one, Real::exp).value, &one.exp_m1(), 74, "exp");
     // A singularity at the left end, and a reversed interval.
-    let root = integrate(&Precise::zero(), &one, |x: &Precise| one / x.sqrt()).value;
-    assert_close(&root, &Precise::from_int(2), 37, "inverse root");
-    let back = integrate(&one, &Precise::zero(), Real::exp).value;
+    let root = integrate(&Float256::zero(), &one, |x: &Float256| one / x.sqrt()).value;
+    assert_close(&root, &Float256::from_int(2), 37, "inverse root");
+    let back = integrate(&one, &Float256::zero(), Real::exp).value;
     assert_close(&back, &-one.exp_m1(), 74, "backwards");
     assert!((integrate(&0.0, &1.0, |x: &f64| x.cos()).value - 1.0_f64.sin()).abs() < 4.0 * f64::EPSILON);
 }
@@ -51,15 +51,15 @@ fn the_quadrature_is_the_time_of_the_closed_cases() {
 #[test]
 fn the_period_of_e4_is_four_quarter_periods() {
     // For ξ = −1 E9 is E4, and x = (λ/2)(dn + k cn) has the period 4K/λ.
-    let quadrature = e9::Quadrature::through(&Precise::from_int(-1), &start()).unwrap();
+    let quadrature = e9::Quadrature::through(&Float256::from_int(-1), &start()).unwrap();
     let e9::FlowSolution::MinusOne(closed) =
-        e9::FlowSolution::through(&Precise::from_int(-1), &start()).unwrap()
+        e9::FlowSolution::through(&Float256::from_int(-1), &start()).unwrap()
     else {
         panic!("E9 with xi = -1 is E4")
     };
     let Modulus { k, .. } = &closed.modulus;
     assert!(k.is_positive());
-    let expected = Precise::from_int(4) * closed.modulus.quarter_period() / closed.lambda;
+    let expected = Float256::from_int(4) * closed.modulus.quarter_period() / closed.lambda;
     assert_close(&quadrature.period().unwrap(), &expected, 65, "period");
 }
 
@@ -69,19 +69,19 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
     for xi in ["-1/2", "3/2", "-7/3", "5"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let x = start()[0];
-        let slope = |h: &Precise| {
+        let slope = |h: &Float256| {
             let difference =
                 quadrature.time_from_largest(&(x + *h)) - quadrature.time_from_largest(&(x - *h));
-            difference / (Precise::from_int(2) * *h)
+            difference / (Float256::from_int(2) * *h)
         };
         let field = E9 { xi }.field(&start());
         let h = ten_to_minus(16);
-        let coarse = slope(&(Precise::from_int(2) * h));
+        let coarse = slope(&(Float256::from_int(2) * h));
         let fine = slope(&h);
         // Richardson's extrapolation has order 4: its error 10^(−64) is below the rounding error
         // 10^(−60).
-        let extrapolated = fine + (fine - coarse) / Precise::from_int(3);
-        assert_close(&(extrapolated * field[0]), &Precise::from_int(1), 50, "dt/dx");
+        let extrapolated = fine + (fine - coarse) / Float256::from_int(3);
+        assert_close(&(extrapolated * field[0]), &Float256::from_int(1), 50, "dt/dx");
     }
 }
 
@@ -107,9 +107,9 @@ fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
     let mut near = *fixed;
     near[2] += ten_to_minus(12);
     let period = e9::Quadrature::through(&xi, &near).unwrap().period().unwrap();
-    let one = Precise::from_int(1);
-    let square = Precise::from_int(2) * (one - xi) * -xi * fixed[1].square();
-    let expected = Precise::from_int(2) * Precise::pi() / square.sqrt();
+    let one = Float256::from_int(1);
+    let square = Float256::from_int(2) * (one - xi) * -xi * fixed[1].square();
+    let expected = Float256::from_int(2) * Float256::pi() / square.sqrt();
     assert_close(&period, &expected, 20, "period");
 }
 
@@ -118,8 +118,11 @@ fn the_map_is_solved_where_it_is_e3_e4_or_plane() {
     let mut compared = 0;
     for case in cases("e9") {
         for xi in ["0", "1", "-1"] {
-            let solution =
-                e9::Solution::through(&number(xi), &precise(&case.start), &Precise::from_rational(&case.eps));
+            let solution = e9::Solution::through(
+                &number(xi),
+                &precise(&case.start),
+                &Float256::from_rational(&case.eps),
+            );
             let Ok(solution) = solution else { continue };
             let map = E9 { xi: crate::solutions::exact_orbits::rational(xi) };
             let exact = orbit(map, &case.start, &case.eps, [3, 5]);

@@ -1,7 +1,7 @@
 //! Exact orbits: rational points mapped by the generated maps.
 
 use kahan_core::prelude::*;
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 
 use crate::solutions::measure::{assert_close_above, ten_to_minus};
 
@@ -56,19 +56,21 @@ where
     points
 }
 
-pub(crate) fn precise(point: &Point<Rational>) -> Point<Precise> {
-    point.map(|value| Precise::from_rational(&value))
+pub(crate) fn precise(point: &Point<Rational>) -> Point<Float256> {
+    point.map(|value| Float256::from_rational(&value))
 }
 
-pub(crate) fn norm(point: &Point<Precise>) -> Precise {
-    point.iter().fold(Precise::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
+pub(crate) fn norm(point: &Point<Float256>) -> Float256 {
+    point
+        .iter()
+        .fold(Float256::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
 }
 
 /// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm;
 /// returns the number of points.
 pub(crate) fn assert_on_orbit(
     exact: &[(i64, Point<Rational>)],
-    at: impl Fn(i64) -> Point<Precise>,
+    at: impl Fn(i64) -> Point<Float256>,
     digits: i64,
     what: &str,
 ) -> usize {
@@ -113,10 +115,10 @@ pub(crate) fn ulps<M>(
     at: impl Fn(i64) -> Point<f64>,
 ) -> f64
 where
-    M: KahanMap<Precise, 3> + Clone,
+    M: KahanMap<Float256, 3> + Clone,
 {
     let (mut worst, mut compared) = (0.0_f64, 0);
-    for (n, expected) in orbit(map, &case.start.map(Precise::from), &Precise::from(case.eps), [8, 12]) {
+    for (n, expected) in orbit(map, &case.start.map(Float256::from), &Float256::from(case.eps), [8, 12]) {
         // Skips points beyond a pole.
         if expected.iter().any(|value| !value.is_defined()) {
             continue;
@@ -124,8 +126,8 @@ where
         compared += 1;
         let size = norm(&expected);
         let condition = (1.0 + argument(n).abs()) * (case.eps.abs() * rate * size.to_f64()).max(1.0);
-        let error = norm(&(at(n).map(Precise::from) - expected));
-        let units = (error / (size * Precise::from(f64::EPSILON * condition))).to_f64();
+        let error = norm(&(at(n).map(Float256::from) - expected));
+        let units = (error / (size * Float256::from(f64::EPSILON * condition))).to_f64();
         worst = if units <= worst {
             worst
         } else if units.is_nan() {

@@ -4,7 +4,7 @@
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 use kahan_systems::{
     E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, e1, e2, e3, e4, e5, e6, e7, e8, e9, euler,
 };
@@ -13,15 +13,15 @@ use crate::solutions::exact_orbits::{Point, norm};
 use crate::solutions::measure::{number, ten_to_minus};
 
 /// f′(t) ≈ (1/h) Σ_{k=1}^{6} (−1)^{k+1} (6!)²/(k (6−k)! (6+k)!) (f(t+kh) − f(t−kh)).
-fn derivative(at: &impl Fn(&Precise) -> Point<Precise>, t: &Precise) -> Point<Precise> {
+fn derivative(at: &impl Fn(&Float256) -> Point<Float256>, t: &Float256) -> Point<Float256> {
     let h = ten_to_minus(6);
-    let mut weight = Precise::from_int(-1);
-    let mut sum = vector![Precise::zero(), Precise::zero(), Precise::zero()];
+    let mut weight = Float256::from_int(-1);
+    let mut sum = vector![Float256::zero(), Float256::zero(), Float256::zero()];
     for k in 1..=6 {
-        weight *= -Precise::from_ratio(7 - k, 6 + k);
-        let step = Precise::from_int(k) * h;
+        weight *= -Float256::from_ratio(7 - k, 6 + k);
+        let step = Float256::from_int(k) * h;
         let difference = at(&(*t + step)) - at(&(*t - step));
-        let scale = weight / (Precise::from_int(k) * h);
+        let scale = weight / (Float256::from_int(k) * h);
         sum += difference.map(|value| value * scale);
     }
     sum
@@ -29,23 +29,23 @@ fn derivative(at: &impl Fn(&Precise) -> Point<Precise>, t: &Precise) -> Point<Pr
 
 /// Asserts the initial point, and that the derivative equals the field at several times.
 fn assert_solves(
-    field: &impl QuadraticField<Precise, 3>,
-    start: &Point<Precise>,
-    at: impl Fn(&Precise) -> Point<Precise>,
+    field: &impl QuadraticField<Float256, 3>,
+    start: &Point<Float256>,
+    at: impl Fn(&Float256) -> Point<Float256>,
     what: &str,
 ) {
-    let close = |value: &Point<Precise>, expected: &Point<Precise>, digits: i64, what: &str| {
+    let close = |value: &Point<Float256>, expected: &Point<Float256>, digits: i64, what: &str| {
         let error = norm(&(*value - *expected));
         assert!(error <= ten_to_minus(digits) * norm(expected), "{what}: {value} for {expected}");
     };
-    close(&at(&Precise::zero()), start, 60, what);
+    close(&at(&Float256::zero()), start, 60, what);
     for t in ["0", "1/3", "-2/11"].map(number) {
         close(&derivative(&at, &t), &field.field(&at(&t)), 45, &format!("{what} from {start} at t = {t}"));
     }
 }
 
 /// Points in all octants and of several sizes, with poles away from the tested times.
-fn points() -> Vec<Point<Precise>> {
+fn points() -> Vec<Point<Float256>> {
     let coordinates = [["3/7", "11/13", "23/47"], ["7/3", "11/13", "8/5"], ["5/3", "1/9", "17/6"]];
     (0..8)
         .map(|signs| {
@@ -77,11 +77,11 @@ fn table_5_solves_e1_to_e5() {
 #[test]
 fn e4_is_solved_on_the_planes_and_at_its_fixed_points() {
     for point in [["0", "2/3", "1/5"], ["-2/3", "0", "1/5"], ["0", "-2/3", "-1/5"]] {
-        let start: Point<Precise> = Point::from(point.map(number));
+        let start: Point<Float256> = Point::from(point.map(number));
         let solution = e4::FlowSolution::through(&start).unwrap();
         assert_solves(&E4, &start, |t| solution.at(t), "E4");
     }
-    let fixed: Point<Precise> = Point::from(["2/3", "-2/3", "0"].map(number));
+    let fixed: Point<Float256> = Point::from(["2/3", "-2/3", "0"].map(number));
     let solution = e4::FlowSolution::through(&fixed).unwrap();
     assert_eq!(solution.at(&number("17/5")), fixed);
     assert!(e4::FlowSolution::through(&Point::from(["0", "0", "1"].map(number))).is_err());
@@ -89,7 +89,7 @@ fn e4_is_solved_on_the_planes_and_at_its_fixed_points() {
 
 #[test]
 fn e6_and_the_euler_tops_are_solved() {
-    let int = Precise::from_int;
+    let int = Float256::from_int;
     for start in points() {
         let solution = e6::FlowSolution::through(&start).unwrap();
         assert_solves(&E6, &start, |t| solution.at(t), "E6");

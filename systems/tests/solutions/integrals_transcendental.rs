@@ -1,13 +1,13 @@
 //! The transcendental integrals of dE7 and dE8, their special cases, and the digamma bracket.
 
 use kahan_core::prelude::*;
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 use kahan_systems::{E1, E2, E7, E8, e7, e8};
 
 use crate::solutions::exact_orbits::{Point, cases, orbit, precise, rational};
 use crate::solutions::measure::{assert_close, assert_close_above, number, ten_to_minus};
 
-fn paper() -> (Point<Precise>, Precise) {
+fn paper() -> (Point<Float256>, Float256) {
     (Point::from(["3/7", "11/13", "23/47"].map(number)), number("1/2"))
 }
 
@@ -48,9 +48,9 @@ fn integrals_agree_with_the_tables_of_the_map() {
         let mut compared = 0;
         for (case, table) in cases(system).iter().zip(tables) {
             let Some(expected) = table["H_eps_decimal"].as_str() else { continue };
-            let (start, eps) = (precise(&case.start), Precise::from_rational(&case.eps));
+            let (start, eps) = (precise(&case.start), Float256::from_rational(&case.eps));
             let value = match &case.parameters[..] {
-                [xi] => e7::integral_h(&Precise::from_rational(xi), &start, &eps),
+                [xi] => e7::integral_h(&Float256::from_rational(xi), &start, &eps),
                 _ => e8::integral_h(&start, &eps),
             };
             assert_close_above(&value, &number(expected), 35, &ten_to_minus(30), system);
@@ -63,7 +63,7 @@ fn integrals_agree_with_the_tables_of_the_map() {
 #[test]
 fn integrals_are_constant_on_exact_orbits() {
     for (start, eps) in starts() {
-        let precise_eps = Precise::from_rational(&eps);
+        let precise_eps = Float256::from_rational(&eps);
         for xi in ["19/17", "1/3", "5/2", "2"] {
             let value = number(xi);
             let points = orbit(E7 { xi: rational(xi) }, &start, &eps, [4, 6]);
@@ -95,9 +95,9 @@ fn integrals_are_constant_on_exact_orbits() {
 
 #[test]
 fn special_cases_are_the_integrals_of_e1_and_e2() {
-    let int = Precise::from_int;
+    let int = Float256::from_int;
     for (start, eps) in starts() {
-        let (start, eps) = (precise(&start), Precise::from_rational(&eps));
+        let (start, eps) = (precise(&start), Float256::from_rational(&eps));
         let one = E1.integrals(&start, eps);
         assert_close(&e7::integral_h(&int(1), &start, &eps), &one[0], 74, "H1");
         assert_close(&e7::integral_k(&int(1), &start, &eps).unwrap(), &one[1], 68, "K1");
@@ -114,7 +114,7 @@ fn special_cases_are_the_integrals_of_e1_and_e2() {
 }
 
 #[track_caller]
-fn assert_same(value: &SMatrix<Precise, 3, 3>, expected: &SMatrix<Precise, 3, 3>) {
+fn assert_same(value: &SMatrix<Float256, 3, 3>, expected: &SMatrix<Float256, 3, 3>) {
     for (value, expected) in value.iter().zip(expected.iter()) {
         assert_close_above(value, expected, 65, &ten_to_minus(6), "bracket");
     }
@@ -123,7 +123,7 @@ fn assert_same(value: &SMatrix<Precise, 3, 3>, expected: &SMatrix<Precise, 3, 3>
 #[test]
 fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
     for (start, eps) in starts() {
-        let (start, eps) = (precise(&start), Precise::from_rational(&eps));
+        let (start, eps) = (precise(&start), Float256::from_rational(&eps));
         for xi in ["19/17", "-1/2", "2/3", "-7/3"].map(number) {
             let map = E7 { xi };
             let jacobian = map.jacobian(&start, eps);
@@ -132,17 +132,17 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
             assert_same(&e7::bracket_of_h(&xi, &next, &eps), &moved);
             // P dH = 0, with the gradient by central differences and one extrapolation.
             let gradient = Point::from([0, 1, 2].map(|i| {
-                let slope = |h: Precise| {
+                let slope = |h: Float256| {
                     let along = |sign: i64| {
                         let mut point = start;
-                        point[i] += Precise::from_int(sign) * h;
+                        point[i] += Float256::from_int(sign) * h;
                         e7::integral_h(&xi, &point, &eps)
                     };
-                    (along(1) - along(-1)) / (Precise::from_int(2) * h)
+                    (along(1) - along(-1)) / (Float256::from_int(2) * h)
                 };
                 let (fine, coarse) =
-                    (slope(ten_to_minus(14)), slope(Precise::from_int(2) * ten_to_minus(14)));
-                fine + (fine - coarse) / Precise::from_int(3)
+                    (slope(ten_to_minus(14)), slope(Float256::from_int(2) * ten_to_minus(14)));
+                fine + (fine - coarse) / Float256::from_int(3)
             }));
             let flow = e7::bracket_of_h(&xi, &start, &eps) * gradient;
             assert!(flow.iter().all(|value| value.abs() < ten_to_minus(45)), "{flow}");
@@ -157,9 +157,9 @@ fn floats_reach_their_precision() {
     for (start, eps) in starts() {
         let float = start.map(|value| <f64 as Real>::from_rational(&value));
         let eps = <f64 as Real>::from_rational(&eps);
-        let (start, precise_eps) = (float.map(Precise::from), Precise::from(eps));
+        let (start, precise_eps) = (float.map(Float256::from), Float256::from(eps));
         for xi in [1.25, 0.3125, 2.5] {
-            let precise_xi = Precise::from(xi);
+            let precise_xi = Float256::from(xi);
             let pairs = [
                 (e7::integral_h(&xi, &float, &eps), e7::integral_h(&precise_xi, &start, &precise_eps)),
                 (e8::integral_h(&float, &eps), e8::integral_h(&start, &precise_eps)),

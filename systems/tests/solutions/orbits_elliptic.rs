@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
-use kahan_systems::special::{Jacobi, Precise, Real, jacobi};
+use kahan_systems::special::{Float256, Jacobi, Real, jacobi};
 use kahan_systems::{E4, E6, EulerTop, e4, e6, euler};
 
 use crate::solutions::exact_orbits::{
@@ -58,7 +58,7 @@ fn argument(solution: &e4::Solution<f64>, n: i64) -> f64 {
 fn solutions_of_e4_are_the_orbits() {
     let (mut inner, mut outer, mut worst) = (0, 0, 0.0_f64);
     for case in cases("e4").into_iter().chain(more()) {
-        let solution = e4::Solution::through(&precise(&case.start), &Precise::from_rational(&case.eps))
+        let solution = e4::Solution::through(&precise(&case.start), &Float256::from_rational(&case.eps))
             .unwrap_or_else(|error| panic!("{}: {error}", case.start));
         let exact = orbit(E4, &case.start, &case.eps, [4, 6]);
         let compared = assert_on_orbit(&exact, |n| solution.at(n), 50, &format!("E4, {}", case.start));
@@ -74,10 +74,10 @@ fn solutions_of_e4_are_the_orbits() {
 
 #[test]
 fn parameters_of_e4_give_the_integrals() {
-    let int = Precise::from_int;
+    let int = Float256::from_int;
     let mut inner = 0;
     for case in more() {
-        let (start, eps) = (precise(&case.start), Precise::from_rational(&case.eps));
+        let (start, eps) = (precise(&case.start), Float256::from_rational(&case.eps));
         let solution = e4::Solution::through(&start, &eps).unwrap();
         if solution.branch == Branch::Outer {
             continue;
@@ -90,7 +90,7 @@ fn parameters_of_e4_give_the_integrals() {
         let top = (int(1) - square) * sn;
         let bottom = int(2) * eps.square() * (int(2) - (int(1) + square) * sn);
         assert_close(&(h.abs() * bottom), &top, 60, "H of E4");
-        let expected = (Precise::half() - cn * dn / (cn + dn)) / eps.square();
+        let expected = (Float256::half() - cn * dn / (cn + dn)) / eps.square();
         assert_close(&k, &expected, 60, "K of E4");
     }
     assert!(inner >= 10, "{inner} cases");
@@ -115,7 +115,7 @@ fn e6_is_an_euler_top_and_e4_another_exactly() {
 fn solutions_of_e6_are_the_orbits() {
     let (mut compared, mut in_floats, mut worst) = (0, 0, 0.0_f64);
     for case in cases("e6").into_iter().chain(more()) {
-        let solution = e6::Solution::through(&precise(&case.start), &Precise::from_rational(&case.eps));
+        let solution = e6::Solution::through(&precise(&case.start), &Float256::from_rational(&case.eps));
         let solution = match solution {
             Ok(solution) => solution,
             Err(OutOfDomain { condition }) => {
@@ -154,8 +154,8 @@ fn solutions_of_the_euler_top_are_the_orbits() {
         let zero = rational("0");
         let signs = case.parameters.iter().filter(|&a| a > &zero).count();
         let nonzero = case.parameters.iter().all(|a| a != &zero);
-        let coefficients = [0, 1, 2].map(|i| Precise::from_rational(&case.parameters[i]));
-        let eps = Precise::from_rational(&case.eps);
+        let coefficients = [0, 1, 2].map(|i| Float256::from_rational(&case.parameters[i]));
+        let eps = Float256::from_rational(&case.eps);
         let Ok(solution) = euler::Solution::through(&coefficients, &precise(&case.start), &eps) else {
             assert!(!nonzero || signs == 0 || signs == 3, "{}", case.start);
             refused += 1;
@@ -169,7 +169,7 @@ fn solutions_of_the_euler_top_are_the_orbits() {
             euler::Solution::through(&coefficients, &float.start, &float.eps).expect("in the domain");
         let rate = coefficients.iter().fold(0.0_f64, |rate, a| rate.max(a.abs()));
         let units = ulps(
-            top(&coefficients.map(Precise::from)),
+            top(&coefficients.map(Float256::from)),
             &float,
             rate,
             |n| argument(&solution.orbit, n),

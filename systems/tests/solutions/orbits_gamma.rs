@@ -1,6 +1,6 @@
 //! The solutions of dE7 and dE8 by Γ and ψ, compared with exact orbits.
 
-use kahan_systems::special::Precise;
+use kahan_systems::special::Float256;
 use kahan_systems::{E7, E8, e7, e8};
 
 use crate::solutions::exact_orbits::{assert_on_orbit, cases, orbit, precise, rounded, ulps};
@@ -9,15 +9,15 @@ use crate::solutions::exact_orbits::{assert_on_orbit, cases, orbit, precise, rou
 fn solutions_of_e7_are_the_orbits() {
     let (mut compared, mut worst) = (0, 0.0_f64);
     for case in cases("e7") {
-        let xi = Precise::from_rational(&case.parameters[0]);
-        let solution = e7::Solution::through(&xi, &precise(&case.start), &Precise::from_rational(&case.eps));
+        let xi = Float256::from_rational(&case.parameters[0]);
+        let solution = e7::Solution::through(&xi, &precise(&case.start), &Float256::from_rational(&case.eps));
         let Ok(solution) = solution else { continue };
         let exact = orbit(E7 { xi: case.parameters[0].clone() }, &case.start, &case.eps, [8, 12]);
         compared += assert_on_orbit(&exact, |n| solution.at(n), 50, &format!("E7, {}", case.start));
         let float = rounded(&case);
         let solution =
             e7::Solution::through(&float.parameters[0], &float.start, &float.eps).expect("in the domain");
-        let map = E7 { xi: Precise::from(float.parameters[0]) };
+        let map = E7 { xi: Float256::from(float.parameters[0]) };
         let units = ulps(map, &float, 1.0, |n| n as f64, |n| solution.at(n));
         worst = worst.max(units);
     }
@@ -29,7 +29,7 @@ fn solutions_of_e7_are_the_orbits() {
 fn solutions_of_e8_are_the_orbits() {
     let (mut compared, mut worst) = (0, 0.0_f64);
     for case in cases("e8") {
-        let solution = e8::Solution::through(&precise(&case.start), &Precise::from_rational(&case.eps));
+        let solution = e8::Solution::through(&precise(&case.start), &Float256::from_rational(&case.eps));
         let Ok(solution) = solution else { continue };
         let exact = orbit(E8, &case.start, &case.eps, [8, 12]);
         compared += assert_on_orbit(&exact, |n| solution.at(n), 50, &format!("E8, {}", case.start));

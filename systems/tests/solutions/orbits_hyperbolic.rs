@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 use kahan_systems::{E3, E5, e3, e5};
 
 use crate::solutions::exact_orbits::{
@@ -42,7 +42,7 @@ type Exact = Vec<(i64, Point<Rational>)>;
 fn run(
     system: &str,
     exact: impl Fn(&Case) -> Exact,
-    precise_at: impl Fn(&Case) -> Result<(Branch, Box<dyn Fn(i64) -> Point<Precise>>), OutOfDomain>,
+    precise_at: impl Fn(&Case) -> Result<(Branch, Box<dyn Fn(i64) -> Point<Float256>>), OutOfDomain>,
     float_error: impl Fn(&Rounded) -> Result<f64, OutOfDomain>,
 ) -> f64 {
     let (mut inner, mut outer, mut worst) = (0, 0, 0.0_f64);
@@ -64,7 +64,7 @@ fn solutions_of_e3_are_the_orbits() {
         "e3",
         |case| orbit(E3, &case.start, &case.eps, [6, 9]),
         |case| {
-            let solution = e3::Solution::through(&precise(&case.start), &Precise::from_rational(&case.eps))?;
+            let solution = e3::Solution::through(&precise(&case.start), &Float256::from_rational(&case.eps))?;
             Ok((solution.branch, Box::new(move |n| solution.at(n))))
         },
         |case| {
@@ -81,7 +81,7 @@ fn solutions_of_e5_are_the_orbits() {
         "e5",
         |case| orbit(E5, &case.start, &case.eps, [6, 9]),
         |case| {
-            let solution = e5::Solution::through(&precise(&case.start), &Precise::from_rational(&case.eps))?;
+            let solution = e5::Solution::through(&precise(&case.start), &Float256::from_rational(&case.eps))?;
             Ok((solution.branch, Box::new(move |n| solution.at(n))))
         },
         |case| {
@@ -94,9 +94,9 @@ fn solutions_of_e5_are_the_orbits() {
 
 #[test]
 fn parameters_give_the_integrals() {
-    let int = Precise::from_int;
+    let int = Float256::from_int;
     for case in more() {
-        let (start, eps) = (precise(&case.start), Precise::from_rational(&case.eps));
+        let (start, eps) = (precise(&case.start), Float256::from_rational(&case.eps));
         let [h, k] = E3.integrals(&start, eps).into();
         let e3::Solution { delta, theta, branch, .. } = e3::Solution::through(&start, &eps).unwrap();
         let tanh = if branch == Branch::Inner { delta.tanh() } else { int(1) / delta.tanh() };

@@ -3,7 +3,7 @@
 use kahan_core::Pivot;
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 
 use crate::solutions::exact_orbits::rational;
 use crate::solutions::measure::{assert_close, number};
@@ -15,7 +15,7 @@ fn power_of_two(n: usize) -> BigRational {
 #[test]
 fn rationals_are_rounded_once_to_nearest_with_ties_to_even() {
     // 2²⁵⁶ + 1 and 2²⁵⁶ + 3 are ties, which round to even.
-    let of = |offset: &str| Precise::from_rational(&(power_of_two(256) + rational(offset)));
+    let of = |offset: &str| Float256::from_rational(&(power_of_two(256) + rational(offset)));
     assert_eq!(of("1"), of("0"));
     assert_eq!(of("3"), of("4"));
     assert_ne!(of("2"), of("0"));
@@ -23,10 +23,10 @@ fn rationals_are_rounded_once_to_nearest_with_ties_to_even() {
     assert_eq!(of("1000000000000000001/1000000000000000000"), of("2"));
     assert_eq!(of("999999999999999999/1000000000000000000"), of("0"));
     assert_eq!(of("-1/2").to_digits(20), of("0").to_digits(20));
-    let third = Precise::from_rational(&rational("-1/3"));
-    assert_eq!(third, Precise::from_int(-1) / Precise::from_int(3));
-    assert_eq!(Precise::epsilon(), Precise::from_rational(&(rational("1") / power_of_two(255))));
-    assert_ne!(Precise::from_int(1) + Precise::epsilon(), Precise::from_int(1));
+    let third = Float256::from_rational(&rational("-1/3"));
+    assert_eq!(third, Float256::from_int(-1) / Float256::from_int(3));
+    assert_eq!(Float256::epsilon(), Float256::from_rational(&(rational("1") / power_of_two(255))));
+    assert_ne!(Float256::from_int(1) + Float256::epsilon(), Float256::from_int(1));
 }
 
 #[test]
@@ -34,12 +34,12 @@ fn text_is_read_and_written() {
     for (text, fraction) in
         [("-1.5e-3", "-3/2000"), ("0.1", "1/10"), ("1e3", "1000/1"), ("+7", "7"), ("-3/7", "-3/7")]
     {
-        assert_eq!(number(text), Precise::from_rational(&rational(fraction)), "{text}");
+        assert_eq!(number(text), Float256::from_rational(&rational(fraction)), "{text}");
     }
     for text in ["", "x", "1/0", "1/x", "0x10", "1e999999999", "1.5/2", "--1"] {
-        assert!(text.parse::<Precise>().is_err(), "{text}");
+        assert!(text.parse::<Float256>().is_err(), "{text}");
     }
-    let message = "1/0".parse::<Precise>().unwrap_err().to_string();
+    let message = "1/0".parse::<Float256>().unwrap_err().to_string();
     assert!(message.starts_with("`1/0` is not a number"), "{message}");
     let written = |text: &str, digits: usize| number(text).to_digits(digits);
     assert_eq!(written("2/3", 10), "0.6666666667");
@@ -50,7 +50,7 @@ fn text_is_read_and_written() {
     assert_eq!(written("-1/30000000", 3), "-3.33e-8");
     assert_eq!(written("0", 9), "0");
     assert_eq!(written("5", 1), "5");
-    assert_eq!(format!("{:.4} {:?}", number("1/3"), Precise::UNDEFINED), "0.3333 undefined");
+    assert_eq!(format!("{:.4} {:?}", number("1/3"), Float256::UNDEFINED), "0.3333 undefined");
     // A number written with all its digits reads back exactly.
     for text in ["1/3", "-17e40", "123/457"] {
         assert_eq!(number(&number(text).to_digits(80)), number(text));
@@ -59,18 +59,18 @@ fn text_is_read_and_written() {
 
 #[test]
 fn what_is_not_real_is_undefined_and_spreads() {
-    let (zero, one) = (Precise::zero(), Precise::from_int(1));
+    let (zero, one) = (Float256::zero(), Float256::from_int(1));
     let undefined = [
         one / zero,
         zero / zero,
-        Precise::from_int(-1).sqrt(),
+        Float256::from_int(-1).sqrt(),
         zero.ln(),
-        Precise::from_int(-1).ln(),
+        Float256::from_int(-1).ln(),
         one.atanh(),
-        Precise::from_int(-1).power_real(&Precise::half()),
-        zero.power_real(&Precise::from_int(-1)),
+        Float256::from_int(-1).power_real(&Float256::half()),
+        zero.power_real(&Float256::from_int(-1)),
         zero.gamma(),
-        Precise::from_int(-3).digamma(),
+        Float256::from_int(-3).digamma(),
         f64::NAN.into(),
         f64::INFINITY.into(),
     ];
@@ -82,7 +82,7 @@ fn what_is_not_real_is_undefined_and_spreads() {
             !value.sin_cos().0.is_defined() && !value.atan2(&one).is_defined() && !value.floor().is_defined()
         );
     }
-    assert!(Precise::from(-0.0) == zero && (-zero).is_zero());
+    assert!(Float256::from(-0.0) == zero && (-zero).is_zero());
     assert_eq!(zero.atan2(&zero), zero);
 }
 
@@ -91,11 +91,11 @@ fn floor_goes_down() {
     for (x, floor) in
         [("7/2", 3), ("-7/2", -4), ("-1/1000", -1), ("1/1000", 0), ("-5", -5), ("12", 12), ("-4", -4)]
     {
-        assert_eq!(number(x).floor(), Precise::from_int(floor), "{x}");
+        assert_eq!(number(x).floor(), Float256::from_int(floor), "{x}");
     }
 }
 
-type Function = fn(&Precise) -> Precise;
+type Function = fn(&Float256) -> Float256;
 
 #[test]
 fn elementary_functions_have_all_digits() {
@@ -214,7 +214,7 @@ fn elementary_functions_have_all_digits() {
         "atan2",
     );
     assert_close(
-        &Precise::pi(),
+        &Float256::pi(),
         &number("3.14159265358979323846264338327950288419716939937510582097494459230781640628621"),
         76,
         "pi",
@@ -225,9 +225,9 @@ fn elementary_functions_have_all_digits() {
 fn kahan_maps_run_in_256_bits() {
     let start = vector!["3/7", "11/13", "23/47"].map(number);
     let exact = kahan_systems::E4.step(&start.map(|_| rational("1")), rational("1/2"));
-    let value = kahan_systems::E4.step(&start.map(|_| Precise::from_int(1)), Precise::half());
+    let value = kahan_systems::E4.step(&start.map(|_| Float256::from_int(1)), Float256::half());
     for i in 0..3 {
-        assert_close(&value[i], &Precise::from_rational(&exact[i]), 75, "a step");
+        assert_close(&value[i], &Float256::from_rational(&exact[i]), 75, "a step");
     }
-    assert!(kahan_systems::E4.try_step(&start, Precise::half()).is_ok());
+    assert!(kahan_systems::E4.try_step(&start, Float256::half()).is_ok());
 }

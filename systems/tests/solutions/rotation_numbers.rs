@@ -4,7 +4,7 @@
 use kahan_core::observe::{Extrema, Extremes, Rotation};
 use kahan_core::prelude::*;
 use kahan_systems::solution::Branch;
-use kahan_systems::special::Precise;
+use kahan_systems::special::Float256;
 use kahan_systems::{E4, EulerTop, e4, euler};
 
 const STEPS: u64 = 100_000;
@@ -24,15 +24,15 @@ fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<
 }
 
 /// Returns δ/2K, if the orbit has at least a hundred rotations and a modulus of at most 0.99.
-fn half_turn(solution: &e4::Solution<Precise>) -> Option<f64> {
+fn half_turn(solution: &e4::Solution<Float256>) -> Option<f64> {
     let quarter = solution.modulus.quarter_period();
     let turns = (solution.delta / (quarter + quarter)).to_f64().abs();
     let is_ordinary = solution.modulus.k.to_f64() <= 0.99 && solution.branch == Branch::Inner;
     (turns * STEPS as f64 >= 100.0 && is_ordinary).then_some(turns)
 }
 
-fn precise(x: SVector<f64, 3>) -> SVector<Precise, 3> {
-    x.map(Precise::from)
+fn precise(x: SVector<f64, 3>) -> SVector<Float256, 3> {
+    x.map(Float256::from)
 }
 
 /// Returns the distance of two rotation numbers modulo 1 and up to sign.
@@ -55,8 +55,11 @@ fn variables_of_the_euler_top_turn_as_their_elliptic_functions() {
     let [a1, a2, a3] = coefficients;
     let mut compared = 0;
     for start in starts(10) {
-        let solution =
-            euler::Solution::through(&coefficients.map(Precise::from), &precise(start), &Precise::from(EPS));
+        let solution = euler::Solution::through(
+            &coefficients.map(Float256::from),
+            &precise(start),
+            &Float256::from(EPS),
+        );
         let Some(turns) = half_turn(&solution.expect("a top that is E4").orbit) else { continue };
         for (extremes, found, error) in observed(&EulerTop { a1, a2, a3 }, start) {
             let keeps_its_sign = extremes.least * extremes.greatest > 0.0;
@@ -72,7 +75,7 @@ fn variables_of_the_euler_top_turn_as_their_elliptic_functions() {
 fn variables_of_e4_turn_as_their_elliptic_functions() {
     let mut compared = 0;
     for start in starts(10) {
-        let solution = e4::Solution::through(&precise(start), &Precise::from(EPS)).expect("no fixed point");
+        let solution = e4::Solution::through(&precise(start), &Float256::from(EPS)).expect("no fixed point");
         let Some(turns) = half_turn(&solution) else { continue };
         // x and y are half the sum and difference of two elliptic functions, z is one elliptic
         // function.

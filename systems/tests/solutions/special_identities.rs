@@ -2,14 +2,14 @@
 
 use kahan_core::num_traits::One;
 use kahan_systems::special::{
-    Modulus, Precise, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_k, gamma,
+    Float256, Modulus, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_k, gamma,
     gamma_ratio, jacobi, theta,
 };
 
 use crate::solutions::measure::{assert_close, number};
 
-fn int(n: i64) -> Precise {
-    Precise::from_int(n)
+fn int(n: i64) -> Float256 {
+    Float256::from_int(n)
 }
 
 const ARGUMENTS: [&str; 6] = ["1/7", "0.5", "13/11", "41/6", "-2.75", "-31/9"];
@@ -19,11 +19,11 @@ fn gamma_satisfies_recurrence_and_duplication() {
     for x in ARGUMENTS.map(number) {
         assert_close(&gamma(&(x + int(1))), &(x * gamma(&x)), 73, "recurrence");
         // Γ(x)Γ(x + 1/2) = 2^(1−2x) √π Γ(2x)
-        let left = gamma(&x) * gamma(&(x + Precise::half()));
+        let left = gamma(&x) * gamma(&(x + Float256::half()));
         let power = int(2).power_real(&(int(1) - int(2) * x));
         let double = int(2) * x;
         if double.floor() != double || double.is_positive() {
-            assert_close(&left, &(power * Precise::pi().sqrt() * gamma(&double)), 72, "duplication");
+            assert_close(&left, &(power * Float256::pi().sqrt() * gamma(&double)), 72, "duplication");
         }
     }
 }
@@ -32,13 +32,13 @@ fn gamma_satisfies_recurrence_and_duplication() {
 fn digamma_satisfies_recurrence_reflection_and_duplication() {
     for x in ARGUMENTS.map(number) {
         assert_close(&(digamma(&(x + int(1))) - digamma(&x)), &(int(1) / x), 73, "recurrence");
-        let (sine, cosine) = (Precise::pi() * x).sin_cos();
+        let (sine, cosine) = (Float256::pi() * x).sin_cos();
         let reflected = digamma(&(int(1) - x)) - digamma(&x);
         if cosine.abs() > number("1e-60") {
-            assert_close(&reflected, &(Precise::pi() * cosine / sine), 72, "reflection");
+            assert_close(&reflected, &(Float256::pi() * cosine / sine), 72, "reflection");
         }
         // ψ(2x) = ln 2 + (ψ(x) + ψ(x + 1/2))/2
-        let mean = (digamma(&x) + digamma(&(x + Precise::half()))) * Precise::half();
+        let mean = (digamma(&x) + digamma(&(x + Float256::half()))) * Float256::half();
         let double = int(2) * x;
         if double.floor() != double || double.is_positive() {
             assert_close(&digamma(&double), &(mean + int(2).ln()), 72, "duplication");
@@ -63,7 +63,7 @@ fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours()
     let small = number("1e-40");
     for w in ARGUMENTS.map(number) {
         for two_sigma in [-3, -2, -1, 1, 2, 3, 4] {
-            let sigma = Precise::from_ratio(two_sigma, 2);
+            let sigma = Float256::from_ratio(two_sigma, 2);
             let here = centered_gamma_ratio(&w, &sigma);
             if here.is_defined() && here.abs() > small {
                 let beside = centered_gamma_ratio(&w, &(sigma + small));
@@ -77,7 +77,7 @@ fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours()
 fn the_centred_ratio_has_no_false_poles() {
     // w + 1/2 + σ = 1 for negative w: Γ(1)/Γ(−1/2) = −1/(2√π); and a zero, Γ(5/2)/Γ(0).
     let ratio = centered_gamma_ratio(&number("-1/4"), &number("3/4"));
-    assert_close(&ratio, &(int(-1) / (int(2) * Precise::pi().sqrt())), 74, "no pole");
+    assert_close(&ratio, &(int(-1) / (int(2) * Float256::pi().sqrt())), 74, "no pole");
     assert_eq!(centered_gamma_ratio(&number("3/4"), &number("5/4")), int(0));
     assert!(!centered_gamma_ratio(&number("-3/4"), &number("-3/4")).is_defined());
     // ψ(1) − ψ(−1/2) = ψ(1) − ψ(1/2) − 2 = 2 ln 2 − 2
@@ -89,7 +89,7 @@ fn the_centred_ratio_has_no_false_poles() {
 fn the_centred_difference_is_the_difference_of_digammas() {
     for w in ["1/7", "13/11", "41/6", "-2.75", "-31/9"].map(number) {
         for sigma in ["1/5", "-2/3", "17/8"].map(number) {
-            let middle = w + Precise::half();
+            let middle = w + Float256::half();
             let difference = digamma(&(middle + sigma)) - digamma(&(middle - sigma));
             assert_close(&centered_digamma_difference(&w, &sigma), &difference, 70, "difference");
         }
@@ -97,14 +97,14 @@ fn the_centred_difference_is_the_difference_of_digammas() {
 }
 
 /// Returns E(k) = K(1 − Σ 2^(n−1) c_n²) by the arithmetic-geometric mean.
-fn second_kind(k: &Precise) -> Precise {
+fn second_kind(k: &Float256) -> Float256 {
     let (mut a, mut b) = (int(1), ((int(1) - *k) * (int(1) + *k)).sqrt());
     let mut c = *k;
-    let mut weight = Precise::half();
+    let mut weight = Float256::half();
     let mut sum = weight * c.square();
     for _ in 0..12 {
-        let mean = (a + b) * Precise::half();
-        c = (a - b) * Precise::half();
+        let mean = (a + b) * Float256::half();
+        c = (a - b) * Float256::half();
         b = (a * b).sqrt();
         a = mean;
         weight *= int(2);
@@ -120,7 +120,7 @@ fn legendre_relation_holds() {
         let (kk, ee) = (elliptic_k(&k), second_kind(&k));
         let (kc, ec) = (elliptic_k(&complementary), second_kind(&complementary));
         let relation = ee * kc + ec * kk - kk * kc;
-        assert_close(&relation, &(Precise::pi() * Precise::half()), 70, "Legendre");
+        assert_close(&relation, &(Float256::pi() * Float256::half()), 70, "Legendre");
     }
 }
 
@@ -133,7 +133,7 @@ fn jacobi_functions_satisfy_the_addition_theorem_and_invert_the_integral() {
             let (u, v) = (number(u), number(v));
             let (at_u, at_v) = (jacobi(&u, &modulus), jacobi(&v, &modulus));
             let sum = jacobi(&(u + v), &modulus);
-            let divisor = Precise::one() - square * (at_u.sn * at_v.sn).square();
+            let divisor = Float256::one() - square * (at_u.sn * at_v.sn).square();
             let left = at_u.sn * at_v.cn * at_v.dn + at_v.sn * at_u.cn * at_u.dn;
             assert_close(&sum.sn, &(left / divisor), 70, "sn(u+v)");
             let left = at_u.cn * at_v.cn - at_u.sn * at_v.sn * at_u.dn * at_v.dn;
@@ -141,7 +141,7 @@ fn jacobi_functions_satisfy_the_addition_theorem_and_invert_the_integral() {
             let left = at_u.dn * at_v.dn - square * at_u.sn * at_v.sn * at_u.cn * at_v.cn;
             assert_close(&sum.dn, &(left / divisor), 70, "dn(u+v)");
             assert_close(&(at_u.sn.square() + at_u.cn.square()), &int(1), 74, "circle");
-            let turns = (u / (int(4) * modulus.quarter_period()) + Precise::half()).floor();
+            let turns = (u / (int(4) * modulus.quarter_period()) + Float256::half()).floor();
             let reduced = u - int(4) * turns * modulus.quarter_period();
             assert_close(&modulus.inverse(&at_u.sn, &at_u.cn), &reduced, 72, "inverse");
         }

@@ -1,7 +1,7 @@
 //! The documented `f64` error bounds, measured against 256 bits at seeded random arguments.
 
 use kahan_systems::special::{
-    Jacobi, Modulus, Precise, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
+    Float256, Jacobi, Modulus, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
     elliptic_k, gamma, jacobi, theta,
 };
 
@@ -31,7 +31,7 @@ fn assert_bounded<A: Copy + core::fmt::Debug>(
     floor: f64,
     mut draw: impl FnMut(&mut Random) -> A,
     float: impl Fn(A) -> f64,
-    exact: impl Fn(A) -> Precise,
+    exact: impl Fn(A) -> Float256,
 ) {
     let mut random = Random::new();
     let mut worst = 0.0_f64;
@@ -44,7 +44,7 @@ fn assert_bounded<A: Copy + core::fmt::Debug>(
     println!("{what}: {worst:.2} ulp of at most {bound}");
 }
 
-fn p(x: f64) -> Precise {
+fn p(x: f64) -> Float256 {
     x.into()
 }
 
@@ -115,7 +115,7 @@ fn elliptic_integrals_are_within_6_ulp() {
 
 #[test]
 fn jacobi_functions_are_within_8_units() {
-    let parts: [fn(Jacobi<Precise>) -> Precise; 3] = [|j| j.sn, |j| j.cn, |j| j.dn];
+    let parts: [fn(Jacobi<Float256>) -> Float256; 3] = [|j| j.sn, |j| j.cn, |j| j.dn];
     let floats: [fn(Jacobi<f64>) -> f64; 3] = [|j| j.sn, |j| j.cn, |j| j.dn];
     for (near_one, bound) in [(false, 8.0), (true, 64.0)] {
         for (part, float) in parts.iter().zip(floats) {
@@ -136,7 +136,7 @@ fn jacobi_functions_are_within_8_units() {
 
 #[test]
 fn theta_functions_are_within_10_units() {
-    let parts: [fn(Theta<Precise>) -> Precise; 4] = [|t| t.one, |t| t.two, |t| t.three, |t| t.four];
+    let parts: [fn(Theta<Float256>) -> Float256; 4] = [|t| t.one, |t| t.two, |t| t.three, |t| t.four];
     let floats: [fn(Theta<f64>) -> f64; 4] = [|t| t.one, |t| t.two, |t| t.three, |t| t.four];
     for (part, float) in parts.iter().zip(floats) {
         assert_bounded(

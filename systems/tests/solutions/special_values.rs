@@ -3,7 +3,7 @@
 //! printed by `nstr(…, 60)`.
 
 use kahan_systems::special::{
-    Modulus, Precise, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
+    Float256, Modulus, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
     elliptic_k, gamma, gamma_ratio, jacobi, theta,
 };
 
@@ -11,7 +11,7 @@ use crate::solutions::measure::{assert_close, number};
 
 const DIGITS: i64 = 58;
 
-fn agrees(name: &str, value: &Precise, expected: &str) {
+fn agrees(name: &str, value: &Float256, expected: &str) {
     assert_close(value, &number(expected), DIGITS, name);
 }
 
@@ -147,6 +147,6 @@ fn check_theta(z: &str, q: &str, expected: [&str; 4]) {
     for (value, expected) in [value.one, value.two, value.three, value.four].iter().zip(expected) {
         // Near a zero of a theta function, digits are relative to the series' terms, of size 1.
         let error = (*value - number(expected)).abs();
-        assert!(error < Precise::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
+        assert!(error < Float256::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
     }
 }

@@ -172,8 +172,8 @@ impl BackEnd for Generated {
         value_of(|| self.map.jacobian(x, eps.clone()))
     }
 
-    fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
-        self.map.carry(x, next, v, eps.clone())
+    fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
+        self.map.push_forward(x, next, v, eps.clone())
     }
 
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q {

@@ -163,9 +163,9 @@ impl BackEnd for Interpreted {
     }
 
     /// Uses the tangent plan of generated code if there is one, otherwise the Jacobian.
-    fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
+    fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
         let plans = self.derived.plans.get_or_init(|| derive(self.system));
-        let Some((_, plan)) = plans.carry() else {
+        let Some((_, plan)) = plans.tangent_map() else {
             return Some(product(&self.jacobian(x, eps)?, v));
         };
         // Variables are numbered in this order: states, parameters, ε, second states.

@@ -159,7 +159,7 @@ fn tangent_vectors_are_carried_by_the_jacobian() {
     on_every_back_end(219, |back_end, x, eps, rationals| {
         let (next, v) = (step(back_end, x, eps), rationals.point(x.len()));
         let jacobian = back_end.jacobian(x, eps).expect("off det A = 0 there is a Jacobian");
-        assert_eq!(back_end.carry(x, &next, &v, eps), Some(product(&jacobian, &v)));
+        assert_eq!(back_end.push_forward(x, &next, &v, eps), Some(product(&jacobian, &v)));
     });
 }
 

@@ -37,7 +37,7 @@ fn median_error<M: ExtendScalars<f64, N>, const N: usize>(map: &M, size: f64) ->
             let norm = slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let eps = size / norm.fold(0.0, f64::max);
             let next = map.step(&x, eps);
-            let carried = map.at(eps).tangent().carry_to(&x, &next, &v).expect("a float has a value");
+            let carried = map.at(eps).tangent().push_forward_to(&x, &next, &v).expect("a float has a value");
             let wide = map.extend_scalars(|parameter| Dd::from(*parameter));
             let [x, v] = [x, v].map(|entries| entries.map(Dd::from));
             let exact = (wide.jacobian(&x, Dd::from(eps)) * v).map(|entry| entry.approximate());

@@ -15,8 +15,8 @@ const DIGITS: &str = "-p kahan-core --features exact --lib -- wide::tests";
 const BOUNDED: &str = "kahan-core/src/scalar/bounded/mod.rs";
 const OPERATIONS: &str = "kahan-core/src/scalar/bounded/rules.rs";
 const FORMATS: &str = "kahan-core/src/scalar/bounded/formats.rs";
-const ATTEMPT: &str = "kahan-core/src/map/stable/attempt.rs";
-const RUNGS: &str = "kahan-core/src/map/stable/rungs.rs";
+const ATTEMPT: &str = "kahan-core/src/map/stable/bounded_step.rs";
+const RUNGS: &str = "kahan-core/src/map/stable/precisions.rs";
 const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
 
 const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
@@ -217,10 +217,10 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "a certificate of the least difference", file: CERTIFICATE, tests: REFERENCES,
         text: "if self.difference <= self.allowed {\n            self.agreed_until = t;", weaker: "if difference <= self.allowed {\n            self.agreed_until = t;" },
     Weakening { name: "a relation that random points do not satisfy", file: "crates/kahan-algebra/src/prove/sample.rs", tests: RELATIONS,
-        text: "impose(conditions, &arithmetic, &mut here)?;",
+        text: "evaluate_conditions(conditions, &arithmetic, &mut here)?;",
         weaker: "" },
     Weakening { name: "a relation whose degree does not enter the bound", file: "crates/kahan-algebra/src/prove/sizes.rs", tests: RELATIONS,
-        text: "impose(&claim.conditions, &Sizes, &mut here)?;",
+        text: "evaluate_conditions(&claim.conditions, &SizeArithmetic, &mut here)?;",
         weaker: "" },
     Weakening { name: "a proof whose second loop of draws costs nothing", file: "crates/kahan-algebra/src/prove/sizes.rs", tests: PROVER,
         text: "MOST_DRAWS as u64 * MOST_DRAWS as u64",
@@ -246,10 +246,10 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "rows that are not cleared", file: "crates/kahan-discover/src/modular/matrix.rs", tests: ECHELONS,
         text: "cleared(modulus, &pivots, &mut echelon, columns, deadline)?;",
         weaker: "" },
-    Weakening { name: "a relation through ordinary points", file: "crates/kahan-discover/src/scan/shapes.rs", tests: SCANS,
+    Weakening { name: "a relation through ordinary points", file: "crates/kahan-discover/src/scan/vanishing_polynomials.rs", tests: SCANS,
         text: "if is_chance || points.iter().any(|&at| !self.grid.special[at]) {",
         weaker: "if is_chance {" },
-    Weakening { name: "a relation that chance may have made", file: "crates/kahan-discover/src/scan/shapes.rs", tests: SCANS,
+    Weakening { name: "a relation that chance may have made", file: "crates/kahan-discover/src/scan/vanishing_polynomials.rs", tests: SCANS,
         text: "if is_chance || points.iter().any(|&at| !self.grid.special[at]) {",
         weaker: "if points.iter().any(|&at| !self.grid.special[at]) {" },
     Weakening { name: "a claim on a relation that holds without it", file: "crates/kahan-discover/src/scan/proposals.rs", tests: SCANS,
@@ -274,12 +274,12 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "kept.needs_sums(&field.symbols) && ",
         weaker: "kept.needs_sums(&field.symbols) && false && " },
     Weakening { name: "a field without constants that keeps nothing", file: "crates/kahan-algebra/src/derived/mod.rs", tests: TEXTS,
-        text: "return Planned { with_constants: with, map: map.cloned() };",
-        weaker: "return Planned { with_constants: WithConstants::plain(&system.field), map: map.cloned() };" },
+        text: "return PlannedField { with_constants: with, map: map.cloned() };",
+        weaker: "return PlannedField { with_constants: WithConstants::plain(&system.field), map: map.cloned() };" },
     Weakening { name: "a chain that keeps nothing of its family", file: "crates/kahan-algebra/src/family/expand.rs", tests: TEXTS,
-        text: "Kept::new(values, kept)",
-        weaker: "Kept::of(&field)" },
+        text: "FieldWithSubexpressions::new(values, kept)",
+        weaker: "FieldWithSubexpressions::of(&field)" },
     Weakening { name: "a system with values that keeps nothing", file: "crates/kahan-algebra/src/specialise.rs", tests: TEXTS,
-        text: "let kept = kept.unwrap_or_else(|| Kept::of(&field));",
-        weaker: "let kept = kept.filter(|_| false).unwrap_or_else(|| Kept::of(&field));" },
+        text: "let kept = kept.unwrap_or_else(|| FieldWithSubexpressions::of(&field));",
+        weaker: "let kept = kept.filter(|_| false).unwrap_or_else(|| FieldWithSubexpressions::of(&field));" },
 ];

@@ -10,7 +10,7 @@ pub use dual::{Dual, DualNumber};
 pub use fields::{Exact, Float32, Float64, Modular};
 pub use functions::{Function, Functions};
 pub use linear::{Solved, determinant, solve};
-pub use sizes::{Length, Size, Sizes};
+pub use sizes::{FractionSize, PolynomialSize, SizeArithmetic};
 
 pub use kahan_program::Arithmetic;
 

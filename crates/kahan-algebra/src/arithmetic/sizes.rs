@@ -1,7 +1,7 @@
 //! Degrees and coefficient sizes of fractions, for the prover's bound on its error probability.
 //!
 //! Every value of a plan is a fraction N/M of integer polynomials, formed without cancellation. A
-//! [`Size`] bounds their degrees and the logarithms of their 1-norms; bounds saturate.
+//! [`FractionSize`] bounds their degrees and the logarithms of their 1-norms; bounds saturate.
 
 use kahan_syntax::rational::Rational;
 
@@ -9,7 +9,7 @@ use super::Arithmetic;
 
 /// Bounds on an integer polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Length {
+pub struct PolynomialSize {
     /// The total degree.
     pub degree: u64,
     /// log₂ of the 1-norm (the sum of absolute values of coefficients), rounded up.
@@ -18,98 +18,103 @@ pub struct Length {
 
 /// Bounds on a fraction N/M of integer polynomials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Size {
+pub struct FractionSize {
     /// The numerator N.
-    pub above: Length,
+    pub above: PolynomialSize,
     /// The denominator M.
-    pub below: Length,
+    pub below: PolynomialSize,
 }
 
-impl Length {
+impl PolynomialSize {
     fn times(self, other: Self) -> Self {
         let degree = self.degree.saturating_add(other.degree);
-        Length { degree, bits: self.bits.saturating_add(other.bits) }
+        PolynomialSize { degree, bits: self.bits.saturating_add(other.bits) }
     }
 
     /// Returns a bound on both polynomials.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
-        Length { degree: self.degree.max(other.degree), bits: self.bits.max(other.bits) }
+        PolynomialSize { degree: self.degree.max(other.degree), bits: self.bits.max(other.bits) }
     }
 
     /// Returns a bound on the sum of 2^`bits` polynomials within this bound.
     fn summed(self, bits: u64) -> Self {
-        self.times(Length { degree: 0, bits })
+        self.times(PolynomialSize { degree: 0, bits })
     }
 }
 
-impl Size {
+impl FractionSize {
     /// Returns the size of a variable: degree 1, norm 1.
     #[must_use]
     pub fn variable() -> Self {
-        Size { above: Length { degree: 1, bits: 0 }, ..Size::default() }
+        FractionSize { above: PolynomialSize { degree: 1, bits: 0 }, ..FractionSize::default() }
     }
 
     /// Returns the size of an exact constant p/q.
     #[must_use]
     pub fn constant(value: &Rational) -> Self {
-        let length = Length { degree: 0, bits: value.bits() };
-        Size { above: length, below: length }
+        let length = PolynomialSize { degree: 0, bits: value.bits() };
+        FractionSize { above: length, below: length }
     }
 }
 
 /// The arithmetic of sizes.
 #[derive(Clone, Copy, Debug)]
-pub struct Sizes;
+pub struct SizeArithmetic;
 
-impl Sizes {
+impl SizeArithmetic {
     /// Returns a bound on every n×n determinant whose columns are among those of `rows`.
     ///
     /// `rows` has n rows of at least n entries. The common denominator is the product of all
     /// denominators; each of the n! terms takes one numerator from each row.
     #[must_use]
-    pub fn determinant(self, rows: &[Vec<Size>]) -> Size {
-        let product =
-            |lengths: &mut dyn Iterator<Item = Length>| lengths.fold(Length::default(), Length::times);
+    pub fn determinant(self, rows: &[Vec<FractionSize>]) -> FractionSize {
+        let product = |lengths: &mut dyn Iterator<Item = PolynomialSize>| {
+            lengths.fold(PolynomialSize::default(), PolynomialSize::times)
+        };
         let below = product(&mut rows.iter().flatten().map(|size| size.below));
-        let largest =
-            |row: &Vec<Size>| row.iter().map(|size| size.above).fold(Length::default(), Length::max);
+        let largest = |row: &Vec<FractionSize>| {
+            row.iter().map(|size| size.above).fold(PolynomialSize::default(), PolynomialSize::max)
+        };
         let order = rows.len() as u64;
         let permutations = order.saturating_mul(u64::from(u64::BITS - order.leading_zeros()));
-        Size { above: product(&mut rows.iter().map(largest)).times(below).summed(permutations), below }
+        FractionSize {
+            above: product(&mut rows.iter().map(largest)).times(below).summed(permutations),
+            below,
+        }
     }
 }
 
-impl Arithmetic for Sizes {
-    type Value = Size;
+impl Arithmetic for SizeArithmetic {
+    type Value = FractionSize;
     type Constant = Rational;
 
-    fn constant(&self, value: &Rational) -> Option<Size> {
-        Some(Size::constant(value))
+    fn constant(&self, value: &Rational) -> Option<FractionSize> {
+        Some(FractionSize::constant(value))
     }
 
-    fn add(&self, a: &Size, b: &Size) -> Size {
+    fn add(&self, a: &FractionSize, b: &FractionSize) -> FractionSize {
         let above = a.above.times(b.below).max(b.above.times(a.below)).summed(1);
-        Size { above, below: a.below.times(b.below) }
+        FractionSize { above, below: a.below.times(b.below) }
     }
 
-    fn subtract(&self, a: &Size, b: &Size) -> Size {
+    fn subtract(&self, a: &FractionSize, b: &FractionSize) -> FractionSize {
         self.add(a, b)
     }
 
-    fn multiply(&self, a: &Size, b: &Size) -> Size {
-        Size { above: a.above.times(b.above), below: a.below.times(b.below) }
+    fn multiply(&self, a: &FractionSize, b: &FractionSize) -> FractionSize {
+        FractionSize { above: a.above.times(b.above), below: a.below.times(b.below) }
     }
 
-    fn negate(&self, a: &Size) -> Size {
+    fn negate(&self, a: &FractionSize) -> FractionSize {
         *a
     }
 
-    fn divide(&self, a: &Size, b: &Size) -> Option<Size> {
-        Some(self.multiply(a, &Size { above: b.below, below: b.above }))
+    fn divide(&self, a: &FractionSize, b: &FractionSize) -> Option<FractionSize> {
+        Some(self.multiply(a, &FractionSize { above: b.below, below: b.above }))
     }
 
-    fn is_zero(&self, _: &Size) -> bool {
+    fn is_zero(&self, _: &FractionSize) -> bool {
         false
     }
 }

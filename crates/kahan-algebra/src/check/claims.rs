@@ -13,7 +13,7 @@ use crate::system::{Claim, upper_index};
 
 use super::conditions;
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
-use super::names::{Meaning, Scope};
+use super::names::{NameMeaning, Scope};
 use super::stand_in::StandIn;
 
 /// Compiles the claims in order. A claim with a mistake is dropped; the stand-in still declares it.
@@ -144,8 +144,8 @@ impl Target for Compiler<'_> {
             return Ok(*node);
         }
         match self.scope.meaning(&name) {
-            Some(Meaning::Variable(variable)) => Ok(self.builder.input(variable)),
-            Some(Meaning::Constant(value)) => Ok(self.number(&value)),
+            Some(NameMeaning::Variable(variable)) => Ok(self.builder.input(variable)),
+            Some(NameMeaning::Constant(value)) => Ok(self.number(&value)),
             None => Err(Diagnostic::new(
                 Kind::Claim,
                 span,

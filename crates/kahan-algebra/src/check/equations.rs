@@ -7,10 +7,10 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Block, Expr, ExprKind};
 use kahan_syntax::token::Span;
 
-use crate::kept::{Kept, Values};
 use crate::poly::Monomial;
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
+use crate::subexpressions::{FieldWithSubexpressions, Subexpressions};
 
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
 use super::names::{Scope, is_epsilon};
@@ -20,8 +20,8 @@ pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,
     diagnostics: &mut Diagnostics,
-) -> (Vec<RationalFunction>, Kept) {
-    let mut values = Values::of(&scope.symbols);
+) -> (Vec<RationalFunction>, FieldWithSubexpressions) {
+    let mut values = Subexpressions::of(&scope.symbols);
     let (mut components, mut kept) = (Vec::new(), Vec::new());
     let mut seen: FxHashSet<&str> = FxHashSet::default();
     for equation in &block.equations {
@@ -41,7 +41,7 @@ pub(super) fn expand_all(
         kept.push(expansion.kept().clone());
         components.push(expansion.function());
     }
-    (components, Kept::new(values, kept))
+    (components, FieldWithSubexpressions::new(values, kept))
 }
 
 fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Expansion, Diagnostic> {

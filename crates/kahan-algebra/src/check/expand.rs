@@ -11,14 +11,14 @@ use kahan_syntax::spelling::{LIFTS, NOT_QUADRATIC};
 use kahan_syntax::syntax::{Expr, Reference};
 use kahan_syntax::token::Span;
 
-use crate::kept::Values;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
+use crate::subexpressions::Subexpressions;
 use crate::symbols::Symbols;
 
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
-use super::names::{Meaning, Scope};
+use super::names::{NameMeaning, Scope};
 
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 300_000;
@@ -63,25 +63,29 @@ impl Expansion {
 }
 
 /// Expands `expr`; adds sums and divisors of the written form to `values`.
-pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<Expansion, Diagnostic> {
+pub(super) fn expand(
+    expr: &Expr,
+    scope: &Scope,
+    values: &mut Subexpressions,
+) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces) = (false, true);
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    expand(expr, scope, &mut Values::of(&scope.symbols))
+    expand(expr, scope, &mut Subexpressions::of(&scope.symbols))
 }
 
 /// Expands one side of a relation. Exponents may be negative; divisors stay uncancelled, since
 /// relations hold only where they are nonzero.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    let (inverts, reduces, values) = (true, false, &mut Values::of(&scope.symbols));
+    let (inverts, reduces, values) = (true, false, &mut Subexpressions::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 /// Expands an expression of a claim to lowest terms; exponents may be negative.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    let (inverts, reduces, values) = (true, true, &mut Values::of(&scope.symbols));
+    let (inverts, reduces, values) = (true, true, &mut Subexpressions::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
@@ -98,7 +102,7 @@ struct Fractions<'a> {
     scope: &'a Scope,
     inverts: bool,
     reduces: bool,
-    values: &'a mut Values,
+    values: &'a mut Subexpressions,
     budget: Budget,
 }
 
@@ -111,8 +115,8 @@ impl Target for Fractions<'_> {
 
     fn named(&mut self, reference: Reference<'_>, _: Span) -> Result<Expansion, Diagnostic> {
         Ok(Expansion::polynomial(match self.scope.meaning(&reference.key()) {
-            Some(Meaning::Variable(variable)) => Polynomial::variable(variable),
-            Some(Meaning::Constant(value)) => Polynomial::constant(value),
+            Some(NameMeaning::Variable(variable)) => Polynomial::variable(variable),
+            Some(NameMeaning::Constant(value)) => Polynomial::constant(value),
             None => Polynomial::zero(),
         }))
     }

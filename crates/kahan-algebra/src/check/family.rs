@@ -29,7 +29,7 @@ pub(crate) fn check_family(
     if report_size(block, diagnostics) {
         return (StandIn::of_type(block.header.clone()), None);
     }
-    report_strangers(block, head, diagnostics);
+    report_items_beside_family(block, head, diagnostics);
     let equations = block.equations[head.equations_before..head.equations_until].to_vec();
     let block = &Block { equations, ..block.clone() };
     let declared = Scope::new(block, diagnostics);
@@ -77,7 +77,7 @@ pub(crate) fn check_family(
     (stand_in, diagnostics.is_empty().then_some(family))
 }
 
-fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
+fn report_items_beside_family(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
     for (index, equation) in block.equations.iter().enumerate() {
         if !(head.equations_before..head.equations_until).contains(&index) {
             let help =

@@ -21,7 +21,7 @@ use kahan_syntax::token::{Span, Token};
 
 use crate::family::Family;
 use crate::field::Field;
-use crate::kept::Kept;
+use crate::subexpressions::FieldWithSubexpressions;
 use crate::system::{Claim, System};
 
 use names::Scope;
@@ -173,7 +173,7 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
     // Odd powers of ε in kept factors cancel in the expanded form, but the step needs powers of ε².
-    let kept = if kept.has_odd_powers_of_eps() { Kept::of(&field) } else { kept };
+    let kept = if kept.has_odd_powers_of_eps() { FieldWithSubexpressions::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();
     // Without a field there is nothing to claim.

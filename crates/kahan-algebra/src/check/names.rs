@@ -19,7 +19,7 @@ use crate::poly::Variable;
 use crate::symbols::{Symbol, Symbols};
 
 #[derive(Clone, Debug)]
-pub(super) enum Meaning {
+pub(super) enum NameMeaning {
     Variable(Variable),
     Constant(Rational),
 }
@@ -71,11 +71,11 @@ impl Scope {
         self.used.insert(name.to_owned());
     }
 
-    pub(super) fn meaning(&self, name: &str) -> Option<Meaning> {
+    pub(super) fn meaning(&self, name: &str) -> Option<NameMeaning> {
         if let Some(value) = self.constants.get(name) {
-            return value.clone().map(Meaning::Constant);
+            return value.clone().map(NameMeaning::Constant);
         }
-        self.variable(name).map(Meaning::Variable)
+        self.variable(name).map(NameMeaning::Variable)
     }
 
     /// Reports every unknown name of `expr`; returns whether all names have a meaning.

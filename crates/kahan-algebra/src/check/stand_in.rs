@@ -6,9 +6,9 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
 
 use crate::field::Field;
-use crate::kept::Kept;
 use crate::plan::PlanBuilder;
 use crate::rational_function::RationalFunction;
+use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::Symbols;
 use crate::system::{Claim, Condition, System};
 
@@ -59,7 +59,7 @@ impl StandIn {
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
         let field = Field { components: vec![RationalFunction::zero(); symbols.dimension()], symbols };
-        let (header, kept) = (self.header.clone(), Kept::of(&field));
+        let (header, kept) = (self.header.clone(), FieldWithSubexpressions::of(&field));
         let claims = self.claims.iter().map(|claim| self.claim(claim)).collect();
         System { header, claims, ..System::of(field, kept) }
     }

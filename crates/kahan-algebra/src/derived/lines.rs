@@ -4,10 +4,10 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
 
 use crate::field::Field;
-use crate::kept::WithConstants;
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder, separated};
 use crate::poly::{Polynomial, Variable, gcd};
 use crate::rational_function::RationalFunction;
+use crate::subexpressions::WithConstants;
 use crate::symbols::{Symbol, Symbols};
 
 use crate::family::{Family, Role, SiteSum};
@@ -16,7 +16,7 @@ use super::names::constant_names;
 
 /// The position of an entry of A in the rows of a site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct EntryPosition {
     /// The array of the row.
     pub row: usize,
     /// The column among the values of the stencil: site by site, arrays interleaved.
@@ -38,7 +38,7 @@ pub struct Lines {
     /// The summands of claims: integrals, then the Hamiltonian.
     pub sums: Plan,
     /// The entries of A that are not identically zero.
-    pub entries: Vec<Place>,
+    pub entries: Vec<EntryPosition>,
     /// The lower bandwidth of A in unknowns.
     pub lower: usize,
     /// The upper bandwidth of A in unknowns.
@@ -72,7 +72,7 @@ impl Family {
             for column in self.with_diagonal(row) {
                 let slope = component.numerator().derivative(self.symbols.state(column));
                 nodes.push(writer.entry(&slope, component.denominator(), column == center + row));
-                entries.push(Place { row, column });
+                entries.push(EntryPosition { row, column });
                 lower = lower.max((center + row).saturating_sub(column));
                 upper = upper.max(column.saturating_sub(center + row));
             }

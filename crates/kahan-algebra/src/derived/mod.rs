@@ -10,7 +10,7 @@ mod names;
 
 use std::sync::OnceLock;
 
-pub use lines::{Lines, Place};
+pub use lines::{EntryPosition, Lines};
 pub use listing::StepListing;
 pub use names::{ValueName, ValueNames, constant_names};
 
@@ -21,9 +21,9 @@ use crate::arithmetic::OverRationals;
 use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::field::Field;
 use crate::kahan::{RationalMap, SparseRows, bilinear_form, matrix_of, polarization, scaled_rhs};
-use crate::kept::{Values, WithConstants};
 use crate::plan::{DenseField, Node, Plan, PlanBuilder, StepPlan, plan_of, tangent_plan};
 use crate::poly::Polynomial;
+use crate::subexpressions::{Subexpressions, WithConstants};
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
 
@@ -55,12 +55,12 @@ pub struct Derived {
     pub drifts: Vec<(String, Plan)>,
     /// The conditional claims in order, with the values that their conditions are solved for.
     pub conditional: Vec<Plan>,
-    made: Made,
+    made: LazyPlans,
 }
 
 #[derive(Clone, Debug, Default)]
-struct Made {
-    planned: OnceLock<Planned>,
+struct LazyPlans {
+    planned: OnceLock<PlannedField>,
     at_eps_zero: OnceLock<Box<Derived>>,
     dense: OnceLock<Option<DenseField>>,
     field: OnceLock<Plan>,
@@ -82,7 +82,7 @@ struct Made {
 pub fn derive(system: &System) -> Derived {
     let System { field, kept, .. } = system;
     let map = if field.dimension() > MOST_EXPANDED { None } else { RationalMap::of(field) };
-    let planned = map.as_ref().map(|map| Planned::of(system, Some(map)));
+    let planned = map.as_ref().map(|map| PlannedField::of(system, Some(map)));
     let of_map = |plan: &dyn Fn(&RationalMap) -> Plan| planned.as_ref()?.with_map(plan);
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
@@ -90,9 +90,12 @@ pub fn derive(system: &System) -> Derived {
         divisors: kept.divisors(),
         det_matrix: of_map(&|map| over_product(map, [&map.denominator])),
         rational_map: of_map(&|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
-        reduced_map: planned.as_ref().and_then(Planned::reduced_map),
+        reduced_map: planned.as_ref().and_then(PlannedField::reduced_map),
         map,
-        made: Made { planned: planned.map_or_else(OnceLock::new, OnceLock::from), ..Made::default() },
+        made: LazyPlans {
+            planned: planned.map_or_else(OnceLock::new, OnceLock::from),
+            ..LazyPlans::default()
+        },
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
@@ -105,18 +108,18 @@ pub fn derive(system: &System) -> Derived {
 
 /// The field and the map from which the step is planned.
 #[derive(Clone, Debug)]
-struct Planned {
+struct PlannedField {
     with_constants: WithConstants,
     map: Option<RationalMap>,
 }
 
-impl Planned {
+impl PlannedField {
     /// Returns the field with named constants, or the plain field if naming them hides a factor
     /// that `map` divides out.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
-            return Planned { with_constants: with, map: map.cloned() };
+            return PlannedField { with_constants: with, map: map.cloned() };
         };
         // With named constants ε² is a parameter, so degrees in ε cannot be compared.
         let counts_eps = !system.field.depends_on_eps();
@@ -125,8 +128,10 @@ impl Planned {
             own.reduced.is_as_short(symbols, &map.reduced, others, counts_eps)
         };
         match RationalMap::of(&with.field).filter(is_as_short) {
-            Some(own) => Planned { with_constants: with, map: Some(own) },
-            None => Planned { with_constants: WithConstants::plain(&system.field), map: Some(map.clone()) },
+            Some(own) => PlannedField { with_constants: with, map: Some(own) },
+            None => {
+                PlannedField { with_constants: WithConstants::plain(&system.field), map: Some(map.clone()) }
+            }
         }
     }
 
@@ -227,13 +232,13 @@ impl Derived {
         self.made.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
     }
 
-    fn slopes(&self) -> (Values, SparseRows) {
+    fn slopes(&self) -> (Subexpressions, SparseRows) {
         let System { field, kept, .. } = &self.system;
         kept.jacobian(&field.symbols)
     }
 
-    fn planned(&self) -> &Planned {
-        self.made.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
+    fn planned(&self) -> &PlannedField {
+        self.made.planned.get_or_init(|| PlannedField::of(&self.system, self.map.as_ref()))
     }
 
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
@@ -247,7 +252,7 @@ impl Derived {
     /// Cost: the first call plans it, some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
         let plan = || {
-            let Planned { with_constants: with, map } = self.planned();
+            let PlannedField { with_constants: with, map } = self.planned();
             let step = StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?;
             Some(step.mapped(&|plan| with.put_into(plan)))
         };
@@ -276,7 +281,7 @@ impl Derived {
     /// states, x̃ is the first half of its second states.
     ///
     /// Cost: the first call plans it like a step.
-    pub fn carry(&self) -> Option<(&Symbols, &Plan)> {
+    pub fn tangent_map(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();
             let with = kept.with_constants(&field);

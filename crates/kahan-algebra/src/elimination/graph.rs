@@ -6,15 +6,15 @@ pub(super) struct Graph {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Price {
+pub(super) struct EliminationCost {
     products: usize,
     /// The number of pivots in the longest chain of dependent pivots.
     critical_path: usize,
 }
 
-pub(super) struct Filled {
+pub(super) struct FilledPattern {
     pub(super) rows: Vec<FilledRow>,
-    pub(super) price: Price,
+    pub(super) price: EliminationCost,
 }
 
 pub(super) struct FilledRow {
@@ -76,9 +76,9 @@ impl Graph {
     /// right of q, and rows below q examine row p only up to column q (S. C. Eisenstat and J. W. H.
     /// Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If all couplings are mutual, the cost is
     /// the number of entries.
-    pub(super) fn filled(&self, order: &[usize], bound: Option<Price>) -> Option<Filled> {
+    pub(super) fn filled(&self, order: &[usize], bound: Option<EliminationCost>) -> Option<FilledPattern> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
-        let turns = turns(order);
+        let turns = positions(order);
         let mut rows: Vec<FilledRow> = Vec::with_capacity(order.len());
         let mut seen_in = vec![usize::MAX; order.len()];
         let mut chains: Vec<usize> = Vec::with_capacity(order.len());
@@ -119,12 +119,12 @@ impl Graph {
             rows.push(FilledRow { columns, diagonal, looked_at: None });
         }
         let critical_path = chains.into_iter().max().unwrap_or(0);
-        Some(Filled { rows, price: Price { products, critical_path } })
+        Some(FilledPattern { rows, price: EliminationCost { products, critical_path } })
     }
 }
 
 /// Returns the inverse permutation: the position of each variable in `order`.
-pub(super) fn turns(order: &[usize]) -> Vec<usize> {
+pub(super) fn positions(order: &[usize]) -> Vec<usize> {
     let mut turns = vec![0; order.len()];
     order.iter().enumerate().for_each(|(turn, &i)| turns[i] = turn);
     turns
@@ -137,7 +137,7 @@ mod tests {
     use crate::prime_field::SplitMix64;
 
     fn by_definition(graph: &Graph, order: &[usize]) -> Vec<Vec<usize>> {
-        let (n, turns) = (order.len(), turns(order));
+        let (n, turns) = (order.len(), positions(order));
         let mut is_there = vec![vec![false; n]; n];
         for (k, &i) in order.iter().enumerate() {
             is_there[k][k] = true;
@@ -170,10 +170,11 @@ mod tests {
                 let mut chains: Vec<usize> = Vec::new();
                 (0..n).for_each(|k| chains.push(left(k).map(|pivot| 1 + chains[pivot]).max().unwrap_or(0)));
                 let critical_path = chains.into_iter().max().unwrap();
-                assert_eq!(filled.price, Price { products, critical_path });
+                assert_eq!(filled.price, EliminationCost { products, critical_path });
 
                 assert!(graph.filled(&order, Some(filled.price)).is_some());
-                let less = products.checked_sub(1).map(|products| Price { products, critical_path });
+                let less =
+                    products.checked_sub(1).map(|products| EliminationCost { products, critical_path });
                 assert!(less.is_none_or(|less| graph.filled(&order, Some(less)).is_none()));
             }
         }

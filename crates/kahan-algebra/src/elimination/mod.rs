@@ -14,10 +14,10 @@ use kahan_syntax::token::Span;
 
 use crate::field::Field;
 use crate::kahan::SparseRows;
-use crate::kept::Values;
 use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
+use crate::subexpressions::Subexpressions;
 
-use graph::{Graph, turns};
+use graph::{Graph, positions};
 use orders::cheapest;
 
 /// The largest dimension of a field whose map is written out; larger ones always eliminate.
@@ -97,7 +97,7 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 impl Couplings {
     /// Returns the couplings of a field, from f′ over its values.
     #[must_use]
-    pub(crate) fn of(values: &Values, slopes: &SparseRows) -> Self {
+    pub(crate) fn of(values: &Subexpressions, slopes: &SparseRows) -> Self {
         let depends: Vec<Vec<usize>> =
             slopes.iter().map(|row| row.iter().map(|(j, _)| *j).collect()).collect();
         let mut blocks = triangular_blocks(&depends);
@@ -108,7 +108,7 @@ impl Couplings {
             all_filled.push(filled);
         }
         let order = blocks.concat();
-        let turns = turns(&order);
+        let turns = positions(&order);
         let (mut rows, mut columns, mut ends) = (Vec::new(), Vec::new(), Vec::new());
         let (mut places, mut written) = (Vec::new(), Vec::new());
         for (block, filled) in blocks.iter().zip(all_filled) {

@@ -5,13 +5,17 @@ use std::collections::BinaryHeap;
 
 use kahan_syntax::table::sorted_by_key;
 
-use super::graph::{Filled, Graph};
+use super::graph::{FilledPattern, Graph};
 
 /// Returns the cheapest order and its fill-in; ties go to the shortest chain of pivots.
-pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, Filled) {
+pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
     let neighbours = graph.neighbours();
-    let proposals =
-        [as_written(graph.len()), folded(graph.len()), in_bands(&neighbours), by_degree(&neighbours)];
+    let proposals = [
+        as_written(graph.len()),
+        from_both_ends(graph.len()),
+        reverse_cuthill_mckee(&neighbours),
+        minimum_degree(&neighbours),
+    ];
     let [.., of_degree] = &proposals;
     // Minimum degree is nearly always cheap, so its price bounds the others early.
     let bound = graph.filled(of_degree, None).map(|filled| filled.price);
@@ -27,13 +31,13 @@ fn as_written(count: usize) -> Vec<usize> {
 }
 
 /// Returns 0, n−1, 1, n−2, …: a cyclic band matrix becomes an open one of twice the bandwidth.
-fn folded(count: usize) -> Vec<usize> {
+fn from_both_ends(count: usize) -> Vec<usize> {
     (0..count).map(|k| if k % 2 == 0 { k / 2 } else { count - 1 - k / 2 }).collect()
 }
 
 /// Returns the reverse Cuthill–McKee order: layers from a variable of low degree (E. Cuthill and J.
 /// McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A. George, Stanford report STAN-CS-71-208).
-fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
+fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let degree = |&place: &usize| neighbours[place].len();
     let mut is_placed = vec![false; neighbours.len()];
     let mut order: Vec<usize> = Vec::with_capacity(neighbours.len());
@@ -58,40 +62,41 @@ fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
 
 /// Returns the minimum degree order: a variable with fewest neighbours comes next, ties by the
 /// shortest chain of pivots (H. M. Markowitz, Management Sci. 3 (1957) 255–269).
-fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
+fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
-    let mut waits = vec![0_usize; around.len()];
+    let mut chain_lengths = vec![0_usize; around.len()];
     let mut is_left = vec![true; around.len()];
     let mut order = Vec::with_capacity(around.len());
     let all = (0..around.len()).map(|place| Reverse((around[place].len(), 0, place)));
     let mut queue: BinaryHeap<_> = all.collect();
     while let Some(Reverse((degree, turn, chosen))) = queue.pop() {
         // Skips outdated entries of the priority queue.
-        if !is_left[chosen] || (degree, turn) != (around[chosen].len(), waits[chosen]) {
+        if !is_left[chosen] || (degree, turn) != (around[chosen].len(), chain_lengths[chosen]) {
             continue;
         }
         is_left[chosen] = false;
         order.push(chosen);
         let tied = std::mem::take(&mut around[chosen]);
         for &place in &tied {
-            waits[place] = waits[place].max(turn + 1);
+            chain_lengths[place] = chain_lengths[place].max(turn + 1);
         }
         if order.len() + tied.len() == around.len() {
-            append_by_waits(tied, &mut waits, &mut order);
+            append_by_pivot_chain(tied, &mut chain_lengths, &mut order);
             return order;
         }
         for &place in &tied {
             around[place] = united(&around[place], &tied, |other| other != place && other != chosen);
-            queue.push(Reverse((around[place].len(), waits[place], place)));
+            queue.push(Reverse((around[place].len(), chain_lengths[place], place)));
         }
     }
     order
 }
 
-fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<usize>) {
-    while let Some(chosen) = left.iter().copied().min_by_key(|&place| waits[place]) {
+fn append_by_pivot_chain(mut left: Vec<usize>, chain_lengths: &mut [usize], order: &mut Vec<usize>) {
+    while let Some(chosen) = left.iter().copied().min_by_key(|&place| chain_lengths[place]) {
         left.retain(|&place| place != chosen);
-        left.iter().for_each(|&place| waits[place] = waits[place].max(waits[chosen] + 1));
+        left.iter()
+            .for_each(|&place| chain_lengths[place] = chain_lengths[place].max(chain_lengths[chosen] + 1));
         order.push(chosen);
     }
 }
@@ -124,15 +129,16 @@ mod tests {
 
     fn by_definition(neighbours: &[Vec<usize>]) -> Vec<usize> {
         let mut around = neighbours.to_vec();
-        let mut waits = vec![0_usize; around.len()];
+        let mut chain_lengths = vec![0_usize; around.len()];
         let mut left: Vec<usize> = (0..around.len()).collect();
         let mut order = Vec::new();
-        while let Some(chosen) = left.iter().copied().min_by_key(|&place| (around[place].len(), waits[place]))
+        while let Some(chosen) =
+            left.iter().copied().min_by_key(|&place| (around[place].len(), chain_lengths[place]))
         {
             left.retain(|&place| place != chosen);
             let tied = std::mem::take(&mut around[chosen]);
             for &place in &tied {
-                waits[place] = waits[place].max(waits[chosen] + 1);
+                chain_lengths[place] = chain_lengths[place].max(chain_lengths[chosen] + 1);
                 let others = tied.iter().chain(&around[place]).copied();
                 around[place] = distinct(others.filter(|&other| other != place && other != chosen));
             }
@@ -147,7 +153,7 @@ mod tests {
         for n in 1..60 {
             let rows = random_rows(&mut random, n, false);
             let neighbours = Graph::of_blocks(&rows, &[(0..n).collect()])[0].neighbours();
-            assert_eq!(by_degree(&neighbours), by_definition(&neighbours), "{neighbours:?}");
+            assert_eq!(minimum_degree(&neighbours), by_definition(&neighbours), "{neighbours:?}");
         }
     }
 
@@ -158,7 +164,12 @@ mod tests {
             let rows = random_rows(&mut random, n, n % 2 == 0);
             let graph = Graph::of_blocks(&rows, &[(0..n).collect()]).remove(0);
             let neighbours = graph.neighbours();
-            let orders = [as_written(n), folded(n), in_bands(&neighbours), by_degree(&neighbours)];
+            let orders = [
+                as_written(n),
+                from_both_ends(n),
+                reverse_cuthill_mckee(&neighbours),
+                minimum_degree(&neighbours),
+            ];
             let first = orders.into_iter().min_by_key(|order| graph.filled(order, None).unwrap().price);
             assert_eq!(Some(cheapest(&graph).0), first, "{rows:?}");
         }

@@ -5,11 +5,11 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Name};
 use rustc_hash::FxHashMap;
 
-use crate::poly::{Budget, Monomial, Polynomial, Within};
+use crate::poly::{Budget, Monomial, Polynomial, WithinBudget};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 
-use super::everywhere::{Extent, MOST_WORK, Middle, budget, product};
+use super::everywhere::{MOST_WORK, MiddleSite, SiteRange, budget, product};
 use super::expand::Chain;
 use super::hamiltonian::check_hamiltonian;
 use super::{Family, SiteSum};
@@ -41,7 +41,7 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
         return Err(Diagnostic::new(Kind::Claim, integral.written.span, message, help));
     }
     let over_budget = |_| too_long(name);
-    let middle = Middle::of(family);
+    let middle = MiddleSite::of(family);
     if degree == 0 || is_constant(&middle, integral, &mut budget()).map_err(over_budget)? {
         let message = format!("`{}` says nothing: it depends on no state", name.text);
         let help = "write a sum of states, as in `sum(x[i])`";
@@ -74,10 +74,10 @@ pub(super) fn too_long(name: &Name) -> Diagnostic {
 }
 
 /// Returns whether the sum depends on no state, like `sum(x[i+1] - x[i])` in a ring.
-fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
+fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
     // Derivatives of the whole sum by the state of each array in the middle.
-    let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
+    let mut slopes: FxHashMap<(usize, SiteRange), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
         let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
         let Some(state) = variables.find(|variable| middle.chain.symbols.is_state(*variable)) else {
@@ -99,7 +99,7 @@ fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Withi
 
 /// Returns whether the terms of the sum's derivative along the field cancel in every chain,
 /// separately for each divisor. A negative answer proves nothing.
-pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<bool> {
+pub(super) fn cancels(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
     // By divisor, monomial and length, independent of position.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
@@ -142,7 +142,7 @@ pub(super) fn plural(sites: usize) -> &'static str {
     if sites == 1 { "site" } else { "sites" }
 }
 
-fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> Within<Option<Polynomial>> {
+fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<Option<Polynomial>> {
     let Chain { family, symbols, sites } = chain;
     // Terms over one divisor often cancel completely.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();

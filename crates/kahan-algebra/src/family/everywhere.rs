@@ -8,7 +8,7 @@
 
 use kahan_syntax::syntax::Boundary;
 
-use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
+use crate::poly::{Budget, Monomial, Polynomial, Variable, WithinBudget};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbol;
 
@@ -25,33 +25,33 @@ pub(super) fn budget() -> Budget {
 
 /// The first and last site that a term needs. A ring has no ends: every site is the middle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct Extent {
+pub(super) struct SiteRange {
     pub first: usize,
     pub last: usize,
 }
 
-impl Extent {
+impl SiteRange {
     /// Returns the number of sites of the shortest chain that contains the extent.
     pub(super) fn sites(self) -> usize {
         self.last - self.first + 1
     }
 
     pub(super) fn with(self, other: Self) -> Self {
-        Extent { first: self.first.min(other.first), last: self.last.max(other.last) }
+        SiteRange { first: self.first.min(other.first), last: self.last.max(other.last) }
     }
 }
 
 /// A long chain and its middle site.
-pub(super) struct Middle<'a> {
+pub(super) struct MiddleSite<'a> {
     pub chain: Chain<'a>,
     pub site: usize,
 }
 
-impl<'a> Middle<'a> {
+impl<'a> MiddleSite<'a> {
     /// Chooses a chain long enough for equations and sums of `reach`, and for the names in them.
     pub(super) fn of(family: &'a Family) -> Self {
         let sites = 8 * family.reach + 2;
-        Middle { chain: family.chain(sites), site: sites / 2 }
+        MiddleSite { chain: family.chain(sites), site: sites / 2 }
     }
 
     pub(super) fn at(&self, component: &RationalFunction, offset: i64) -> RationalFunction {
@@ -78,26 +78,26 @@ impl<'a> Middle<'a> {
         self.site_of(variable).is_some()
     }
 
-    pub(super) fn extent_of_site(&self, offset: i64) -> Extent {
+    pub(super) fn extent_of_site(&self, offset: i64) -> SiteRange {
         let offset = if self.chain.family.boundary == Boundary::Open { offset } else { 0 };
         let site = (self.site as i64 + offset) as usize;
-        Extent { first: site, last: site }
+        SiteRange { first: site, last: site }
     }
 
     /// Returns the extent of a monomial, extended to contain `place`.
-    pub(super) fn extent(&self, monomial: &Monomial, place: Extent) -> Extent {
+    pub(super) fn extent(&self, monomial: &Monomial, place: SiteRange) -> SiteRange {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;
         }
         let sites = monomial.powers().iter().filter_map(|(variable, _)| self.site_of(*variable));
-        sites.fold(place, |extent, site| extent.with(Extent { first: site, last: site }))
+        sites.fold(place, |extent, site| extent.with(SiteRange { first: site, last: site }))
     }
 
     /// Moves an extent by a number of sites; in a ring it stays.
-    pub(super) fn moved(&self, extent: Extent, by: i64) -> Extent {
+    pub(super) fn moved(&self, extent: SiteRange, by: i64) -> SiteRange {
         let by = if self.chain.family.boundary == Boundary::Open { by } else { 0 };
         let [first, last] = [extent.first, extent.last].map(|site| (site as i64 + by) as usize);
-        Extent { first, last }
+        SiteRange { first, last }
     }
 
     /// Returns the first site in these monomials, or the middle if none occurs.
@@ -124,7 +124,7 @@ impl<'a> Middle<'a> {
 }
 
 /// Multiplies, charging every expanded term to the budget.
-pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
+pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     if a.is_one() {
         budget.charge(b.len() as u64)?;
         return Ok(b.clone());

@@ -5,10 +5,10 @@ use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Facto
 use kahan_syntax::token::Span;
 
 use crate::field::Field;
-use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
+use crate::subexpressions::{FieldWithSubexpressions, Subexpressions};
 use crate::symbols::Symbols;
 use crate::system::{Claim, System};
 
@@ -43,7 +43,7 @@ impl Family {
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);
         let mut components = Vec::with_capacity(sites * self.block());
-        let mut values = Values::of(&chain.symbols);
+        let mut values = Subexpressions::of(&chain.symbols);
         let mut kept = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
             for component in &self.components {
@@ -55,7 +55,7 @@ impl Family {
         }
         let claims = self.integrals.iter().map(|sum| chain.claim(sum)).collect::<Option<_>>()?;
         let field = Field { symbols: chain.symbols, components };
-        let kept = Kept::new(values, kept);
+        let kept = FieldWithSubexpressions::new(values, kept);
         let (header, constants) = (self.header.clone(), self.constants.clone());
         Some(System { header, constants, claims, ..System::of(field, kept) })
     }

@@ -8,13 +8,13 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Reference};
 use kahan_syntax::table::Table;
 
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, Within};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, WithinBudget};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 use crate::render::{Notation, Text};
 use crate::symbols::Symbol;
 
 use super::conserved::{plural, too_long};
-use super::everywhere::{Extent, Middle, budget, product};
+use super::everywhere::{MiddleSite, SiteRange, budget, product};
 use super::{Family, Role, SiteSum};
 
 pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
@@ -35,10 +35,10 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     if divides_by_site {
         return refuse("divides by a parameter of a site", "declare the reciprocal as the parameter");
     }
-    match missing(&Middle::of(family), hamiltonian, &mut budget()) {
+    match missing(&MiddleSite::of(family), hamiltonian, &mut budget()) {
         Ok(None) => Ok(()),
         Err(OverBudget) => Err(too_long(name)),
-        Ok(Some(Missing { array, term, site, sites })) => {
+        Ok(Some(UnmatchedTerm { array, term, site, sites })) => {
             let place = match family.boundary {
                 Boundary::Periodic => String::new(),
                 Boundary::Open => format!(" (site {site} of {sites} {})", plural(sites)),
@@ -66,7 +66,7 @@ fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
 }
 
 /// A term of ẋ that K∇H cannot produce, and the chain and site where it occurs.
-pub(super) struct Missing {
+pub(super) struct UnmatchedTerm {
     array: usize,
     term: String,
     site: usize,
@@ -76,14 +76,14 @@ pub(super) struct Missing {
 struct Term {
     monomial: Monomial,
     coefficient: Rational,
-    extent: Extent,
+    extent: SiteRange,
 }
 
 /// A term of ẋ = K∇H for an array in the middle.
 struct RowTerm {
     /// The product of states and site parameters.
     monomial: Monomial,
-    extent: Extent,
+    extent: SiteRange,
     /// The index of the unknown that it multiplies; the number of unknowns for a term of ẋ.
     unknown: usize,
     /// The factor in parameters of the chain.
@@ -91,10 +91,10 @@ struct RowTerm {
 }
 
 pub(super) fn missing(
-    middle: &Middle<'_>,
+    middle: &MiddleSite<'_>,
     hamiltonian: &SiteSum,
     budget: &mut Budget,
-) -> Within<Option<Missing>> {
+) -> WithinBudget<Option<UnmatchedTerm>> {
     let unknowns = unknowns(middle.chain.family);
     budget.charge(unknowns.len() as u64)?;
     let gradient = gradient(middle, hamiltonian, budget)?;
@@ -104,7 +104,7 @@ pub(super) fn missing(
         rows.push(row(middle, &unknowns, &gradient, &divisor, array, budget)?);
     }
     let mut equations = Equations::new(unknowns.len());
-    let name = |array, term: &RowTerm, extent: Extent| Missing {
+    let name = |array, term: &RowTerm, extent: SiteRange| UnmatchedTerm {
         array,
         term: relative(middle, &term.monomial),
         site: middle.site - extent.first,
@@ -112,7 +112,7 @@ pub(super) fn missing(
     };
     // Far from the ends, terms with equal monomials combine. Terms of ẋ come first: reports name
     // them.
-    let long = Extent { first: 0, last: middle.chain.sites - 1 };
+    let long = SiteRange { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
             let given = |term: &RowTerm| term.unknown == unknowns.len();
@@ -139,7 +139,11 @@ pub(super) fn missing(
 }
 
 /// Returns ∂H/∂x, times the divisor of H, for each array in the middle.
-fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> Within<Vec<Vec<Term>>> {
+fn gradient(
+    middle: &MiddleSite<'_>,
+    hamiltonian: &SiteSum,
+    budget: &mut Budget,
+) -> WithinBudget<Vec<Vec<Term>>> {
     let mut gradient: Vec<Vec<Term>> = (0..middle.chain.family.block()).map(|_| Vec::new()).collect();
     let density = middle.at(&hamiltonian.density, 0);
     for (monomial, value) in density.numerator().terms() {
@@ -163,17 +167,17 @@ fn gradient(middle: &Middle<'_>, hamiltonian: &SiteSum, budget: &mut Budget) -> 
 
 /// Returns the terms of ẋ = K∇H for one array, multiplied by both divisors, in order of monomials.
 fn row(
-    middle: &Middle<'_>,
+    middle: &MiddleSite<'_>,
     unknowns: &[(usize, usize, usize)],
     gradient: &[Vec<Term>],
     divisor: &Polynomial,
     array: usize,
     budget: &mut Budget,
-) -> Within<Vec<RowTerm>> {
+) -> WithinBudget<Vec<RowTerm>> {
     let component = middle.at(&middle.chain.family.components[array], 0);
     let here = middle.extent_of_site(0);
     let mut terms = Vec::new();
-    let mut add = |unknown, monomial: &Monomial, coefficient: Rational, extent: Extent| {
+    let mut add = |unknown, monomial: &Monomial, coefficient: Rational, extent: SiteRange| {
         let (of_sites, of_chain) = monomial.split(|variable| middle.is_at_sites(variable));
         let coefficient = Polynomial::term(of_chain, coefficient);
         terms.push(RowTerm { monomial: of_sites, extent, unknown, coefficient });
@@ -203,7 +207,7 @@ fn row(
     Ok(terms)
 }
 
-fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
+fn relative(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
     let family = middle.chain.family;
     let name = |variable| match middle.chain.symbols.symbol(variable) {
         Symbol::State(_) => {
@@ -241,7 +245,7 @@ impl Equations {
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,
         budget: &mut Budget,
-    ) -> Within<bool> {
+    ) -> WithinBudget<bool> {
         let mut sums: Table<usize, RationalFunction> = Table::new();
         for (unknown, coefficient) in terms {
             let sum = sums.or_insert_with(unknown, |_| RationalFunction::zero());

@@ -14,10 +14,10 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Expr, Header, Name};
 use kahan_syntax::token::Span;
 
-use crate::kept::Kept;
 use crate::poly::Variable;
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
+use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::{Symbol, Symbols};
 
 /// A checked family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ).
@@ -43,7 +43,7 @@ pub struct Family {
     /// The field at site i, one component for each array.
     pub components: Vec<RationalFunction>,
     /// The field with the sums and divisors as written.
-    pub kept: Kept,
+    pub kept: FieldWithSubexpressions,
     /// Linear integrals, as sums over all sites.
     pub integrals: Vec<SiteSum>,
     /// The Hamiltonian, as a sum over all sites.

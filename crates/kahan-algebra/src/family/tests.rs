@@ -10,7 +10,7 @@ use crate::prime_field::SplitMix64;
 use crate::read;
 
 use super::conserved::cancels;
-use super::everywhere::{Middle, budget};
+use super::everywhere::{MiddleSite, budget};
 use super::hamiltonian::missing;
 
 /// A coefficient, and array names with offsets of their sites.
@@ -234,7 +234,7 @@ fn work(text: &str) -> u64 {
     let family = family.expect("a family");
     let mut budget = budget();
     let before = budget.work_left();
-    let middle = Middle::of(&family);
+    let middle = MiddleSite::of(&family);
     match (&family.hamiltonian, &*family.integrals) {
         (Some(energy), []) => {
             assert!(missing(&middle, energy, &mut budget).expect("within").is_none(), "{text}");

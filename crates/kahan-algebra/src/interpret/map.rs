@@ -6,9 +6,9 @@ use kahan_syntax::rational::Rational;
 use crate::arithmetic::{Dual, OverRationals, solve};
 use crate::plan::{Node, Operation, StepPlan};
 
-use super::{At, Point};
+use super::{Evaluator, Point};
 
-impl<A: OverRationals> At<'_, A> {
+impl<A: OverRationals> Evaluator<'_, A> {
     pub(super) fn next(&self) -> Option<Vec<A::Value>> {
         match self.derived.step() {
             Some(step) => self.next_by(step.at(self.arithmetic, &self.point.eps)),
@@ -53,12 +53,12 @@ impl<A: OverRationals> At<'_, A> {
     }
 
     pub(super) fn jacobian(&self, next: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
-        let At { derived, arithmetic, point } = *self;
+        let Evaluator { derived, arithmetic, point } = *self;
         let Point { state, parameters, eps } = point;
         if derived.step().is_none() {
             let (state, eps) = (next.to_vec(), arithmetic.negate(eps));
             let back = Point { state, parameters: parameters.clone(), eps };
-            let right = At { point: &back, ..*self }.matrix()?;
+            let right = Evaluator { point: &back, ..*self }.matrix()?;
             return solve(arithmetic, &self.matrix()?, &right).map(|solved| solved.solution);
         }
         let n = state.len();
@@ -70,7 +70,7 @@ impl<A: OverRationals> At<'_, A> {
             parameters: parameters.iter().map(|value| dual.fixed(value.clone())).collect(),
             eps: dual.fixed(eps.clone()),
         };
-        let moved = At { derived, arithmetic: &dual, point: &extended }.next()?;
+        let moved = Evaluator { derived, arithmetic: &dual, point: &extended }.next()?;
         let zero = arithmetic.constant(&Rational::zero())?;
         let row =
             |gradient: Vec<A::Value>| if gradient.is_empty() { vec![zero.clone(); n] } else { gradient };

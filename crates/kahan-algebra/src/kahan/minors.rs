@@ -5,7 +5,7 @@
 
 use kahan_syntax::table::Table;
 
-use crate::poly::{Budget, OverBudget, Polynomial, Within};
+use crate::poly::{Budget, OverBudget, Polynomial, WithinBudget};
 
 const MOST_MINORS: usize = 4096;
 
@@ -14,7 +14,7 @@ const MOST_MINORS: usize = 4096;
 ///
 /// # Errors
 /// Beyond the budget, 63 columns, or 4096 minors at a time.
-pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Within<Table<u64, Polynomial>> {
+pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> WithinBudget<Table<u64, Polynomial>> {
     if rows.first().is_some_and(|row| row.len() > 63) {
         return Err(OverBudget);
     }

@@ -9,7 +9,7 @@
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::poly::{Budget, Polynomial, Variable, Within, gcd_all_within};
+use crate::poly::{Budget, Polynomial, Variable, WithinBudget, gcd_all_within};
 use crate::symbols::Symbols;
 
 use super::matrix::scaled_matrix;
@@ -53,7 +53,7 @@ impl RationalMap {
         Self::within(field, &mut budget).ok()
     }
 
-    fn within(field: &Field, budget: &mut Budget) -> Within<Self> {
+    fn within(field: &Field, budget: &mut Budget) -> WithinBudget<Self> {
         let n = field.dimension();
         let mut rows = scaled_matrix(field);
         for (row, component) in rows.iter_mut().zip(&field.components) {
@@ -115,7 +115,7 @@ impl Reduced {
         self.increments.iter().enumerate().map(numerator).collect()
     }
 
-    fn of(increments: Vec<Polynomial>, denominator: &Polynomial, budget: &mut Budget) -> Within<Self> {
+    fn of(increments: Vec<Polynomial>, denominator: &Polynomial, budget: &mut Budget) -> WithinBudget<Self> {
         let mut all = vec![denominator.clone()];
         all.extend(increments.iter().filter(|increment| !increment.is_zero()).cloned());
         let common_factor = gcd_all_within(&all, budget)?;

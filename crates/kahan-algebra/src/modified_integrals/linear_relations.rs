@@ -1,6 +1,6 @@
 //! Linear relations of polynomials in the states, by sparse elimination to reduced echelon form.
 
-use crate::poly::{Budget, Monomial, Polynomial, Variable, Within};
+use crate::poly::{Budget, Monomial, Polynomial, Variable, WithinBudget};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 
 /// The nonzero coefficients cₖ of a relation Σ cₖ vₖ = 0 by ascending k: polynomials in the
@@ -15,7 +15,7 @@ pub(super) fn linear_relations(
     vectors: &[Polynomial],
     is_state: impl Fn(Variable) -> bool,
     budget: &mut Budget,
-) -> Within<Vec<Relation>> {
+) -> WithinBudget<Vec<Relation>> {
     let (rows, is_zero) = equations(vectors, is_state);
     let mut by_first: Vec<Vec<Row>> = vec![Vec::new(); vectors.len()];
     rows.into_iter().for_each(|row| by_first[row[0].0].push(row));
@@ -84,7 +84,7 @@ fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Ve
     (rows.into_iter().map(|row| row.into_iter().map(function).collect()).collect(), is_zero)
 }
 
-fn cleared(relation: &Row, budget: &mut Budget) -> Within<Relation> {
+fn cleared(relation: &Row, budget: &mut Budget) -> WithinBudget<Relation> {
     let entries = relation.iter().map(|(_, entry)| entry);
     let (numerators, _) = RationalFunction::over_common_within(entries, budget)?;
     let contents = numerators.iter().map(Polynomial::content);

@@ -7,7 +7,7 @@
 //! predicts k u in 53. A form beyond the limits is refused if another one stays well within them.
 
 mod float_plan;
-mod trial;
+mod sample_step;
 
 use std::cell::OnceCell;
 
@@ -18,7 +18,7 @@ use crate::prime_field::SplitMix64;
 
 use super::{LARGEST_SIZE, Plan, StepPlan};
 use float_plan::{FloatPlan, short};
-use trial::{Elimination, Trial};
+use sample_step::{Elimination, SampleStep};
 
 /// The sizes ‖εf′‖∞ of the points.
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
@@ -52,13 +52,13 @@ const TAIL: f64 = 0.9;
 /// Sample points of every size, with the errors of elimination.
 pub(super) struct Accuracy<'a> {
     field: &'a Field,
-    few: Vec<Vec<Trial>>,
-    many: OnceCell<Vec<Vec<Trial>>>,
+    few: Vec<Vec<SampleStep>>,
+    many: OnceCell<Vec<Vec<SampleStep>>>,
 }
 
 /// The ratio of a step's errors to the limit, for each size.
 #[derive(Debug)]
-pub(super) struct Loss(Vec<Ratio>);
+pub(super) struct AccuracyLoss(Vec<Ratio>);
 
 /// A ratio of errors to their limit; 1 is at the limit.
 #[derive(Clone, Copy, Debug)]
@@ -73,9 +73,11 @@ impl<'a> Accuracy<'a> {
     }
 
     /// Measures a step, with more points if the first round is inconclusive.
-    pub(super) fn loss(&self, step: &StepPlan) -> Loss {
+    pub(super) fn loss(&self, step: &StepPlan) -> AccuracyLoss {
         let runner = Runner::of(step);
-        let loss = |points: &[Vec<Trial>]| Loss(points.iter().map(|trials| runner.loss(trials)).collect());
+        let loss = |points: &[Vec<SampleStep>]| {
+            AccuracyLoss(points.iter().map(|trials| runner.loss(trials)).collect())
+        };
         let first = loss(&self.few);
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
@@ -91,7 +93,7 @@ impl<'a> Accuracy<'a> {
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
-        let error = |trial: &Trial| {
+        let error = |trial: &SampleStep| {
             let inputs: Vec<f64> = trial.inputs.iter().chain(&trial.next[..n]).copied().collect();
             trial.error_from(n, &program.run(short, &inputs, &[]))
         };
@@ -99,18 +101,19 @@ impl<'a> Accuracy<'a> {
     }
 }
 
-fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
+fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
     let plan = Elimination::plan(field);
     let elimination = Elimination::of(field, &plan);
     let mut random = SplitMix64::from_bytes(b"long steps");
     let mut of_size = |size: u32| {
-        let drawn = (0..2 * count).filter_map(|_| Trial::draw(&elimination, f64::from(size), &mut random));
+        let drawn =
+            (0..2 * count).filter_map(|_| SampleStep::draw(&elimination, f64::from(size), &mut random));
         drawn.take(count).collect()
     };
     SIZES.into_iter().map(&mut of_size).collect()
 }
 
-impl Loss {
+impl AccuracyLoss {
     /// Returns whether a step loses so many digits that a better one, if any, must replace it.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
@@ -143,11 +146,11 @@ impl<'a> Runner<'a> {
         Runner { step, constants: FloatPlan::of(&step.constants), kernel: FloatPlan::of(&step.kernel.plan) }
     }
 
-    fn loss(&self, trials: &[Trial]) -> Ratio {
+    fn loss(&self, trials: &[SampleStep]) -> Ratio {
         ratio(trials, |trial| self.error(trial))
     }
 
-    fn error(&self, trial: &Trial) -> f64 {
+    fn error(&self, trial: &SampleStep) -> f64 {
         let constants = self.constants.run(short, &trial.inputs, &[]);
         let results = self.kernel.run(short, &trial.inputs, &constants);
         let next = trial.inputs.iter().zip(self.step.kernel.factors(&results)).map(|(x, (numerator, by))| {
@@ -159,7 +162,7 @@ impl<'a> Runner<'a> {
 }
 
 /// Returns the larger of two ratios: median error to its limit, and tail of errors to its limit.
-fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
+fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };
     }

@@ -2,7 +2,7 @@
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
-use crate::kept::Kept;
+use crate::subexpressions::FieldWithSubexpressions;
 
 use crate::plan::StepPlan;
 use crate::plan::accuracy::Accuracy;
@@ -18,7 +18,11 @@ impl StepPlan {
 
     /// Returns the plan of a step from its written sums and its map (`None` beyond the budget).
     #[must_use]
-    pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
+    pub(crate) fn of_map(
+        field: &Field,
+        kept: Option<&FieldWithSubexpressions>,
+        map: Option<&RationalMap>,
+    ) -> Option<Self> {
         let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
         let kept = kept.filter(|kept| kept.needs_sums(&field.symbols) && !map.is_some_and(is_reduced));
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);

@@ -3,8 +3,8 @@
 
 use kahan_syntax::rational::Rational;
 
-use crate::kept::Kept;
 use crate::poly::{Monomial, Polynomial, Variable};
+use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::Symbols;
 
 use super::{Node, Plan, PlanBuilder};
@@ -47,7 +47,7 @@ pub(crate) struct DenseField {
 
 impl DenseField {
     /// Returns the field if it is dense and written with neither sums as factors nor divisors.
-    pub(crate) fn of(kept: &Kept, symbols: &Symbols) -> Option<Self> {
+    pub(crate) fn of(kept: &FieldWithSubexpressions, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
         let terms: usize = kept.components.iter().map(Polynomial::len).sum();

@@ -49,13 +49,13 @@ mod builder;
 
 mod horner;
 
-mod values;
+mod subexpressions;
 
 mod dense;
 
 mod step;
 
-mod words;
+mod descriptions;
 
 mod writing;
 
@@ -67,10 +67,10 @@ mod choice;
 
 pub use builder::{PlanBuilder, plan_of};
 pub(crate) use dense::DenseField;
+pub(crate) use descriptions::{descriptions, kind};
 pub(crate) use forms::structure::blocks as triangular_blocks;
 pub(crate) use forms::tangent::tangent_plan;
 pub use operation::{Cost, Input, Node, Operation, Plan, variables};
 pub use step::kernel::Kernel;
 pub(crate) use step::split::separated;
 pub use step::{LARGEST_SIZE, StepCost, StepPlan};
-pub(crate) use words::{descriptions, kind};

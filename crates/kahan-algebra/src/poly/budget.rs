@@ -24,7 +24,7 @@ pub struct Budget {
 pub struct OverBudget;
 
 /// The result of a computation within a budget.
-pub type Within<T> = Result<T, OverBudget>;
+pub type WithinBudget<T> = Result<T, OverBudget>;
 
 impl Budget {
     /// Returns a budget of `max_terms` terms in any result and `work` term products in total.
@@ -43,7 +43,7 @@ impl Budget {
     }
 
     /// Subtracts `work` from the budget.
-    pub fn charge(&mut self, work: u64) -> Within<()> {
+    pub fn charge(&mut self, work: u64) -> WithinBudget<()> {
         match self.work.checked_sub(work) {
             Some(rest) => {
                 self.work = rest;
@@ -57,7 +57,7 @@ impl Budget {
     }
 
     /// Returns an error if a result may not have this number of terms.
-    pub fn admit(&self, terms: usize) -> Within<()> {
+    pub fn admit(&self, terms: usize) -> WithinBudget<()> {
         if terms <= self.max_terms { Ok(()) } else { Err(OverBudget) }
     }
 }
@@ -72,7 +72,7 @@ impl Error for OverBudget {}
 
 impl Polynomial {
     /// Returns the sum within the budget.
-    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
+    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         budget.charge((self.len() + other.len()) as u64)?;
         let sum = self + other;
         budget.admit(sum.len())?;
@@ -85,7 +85,7 @@ impl Polynomial {
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
-    ) -> Within<Self> {
+    ) -> WithinBudget<Self> {
         let sum = Self::sum_with(summands, |a, b| {
             let words = a.bits() / 64 + b.bits() / 64;
             budget.charge(words.saturating_mul(words))?;
@@ -96,7 +96,7 @@ impl Polynomial {
     }
 
     /// Returns the product within the budget.
-    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Within<Self> {
+    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         if u64::from(self.degree()) + u64::from(other.degree()) > MAX_DEGREE {
             return Err(OverBudget);
         }
@@ -111,7 +111,7 @@ impl Polynomial {
     ///
     /// Terms are bounded in advance by C(e+t−1, t−1) for exponent e and t terms, and by the number
     /// of monomials of at most e times the base's degree in each variable.
-    pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Within<Self> {
+    pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> WithinBudget<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);
         }

@@ -3,7 +3,7 @@
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
 
-use super::{Budget, Monomial, Polynomial, Term, Variable, Within};
+use super::{Budget, Monomial, Polynomial, Term, Variable, WithinBudget};
 
 impl Polynomial {
     /// Returns the partial derivative.
@@ -65,7 +65,7 @@ impl Polynomial {
         (a, b): (&Self, &Self),
         degree: u32,
         budget: &mut Budget,
-    ) -> Within<Self> {
+    ) -> WithinBudget<Self> {
         let mut sum = Self::zero();
         for (exponent, coefficient) in self.coefficients_in(variable) {
             let power = a.pow_within(exponent, budget)?;

@@ -7,7 +7,7 @@
 use kahan_syntax::rational::Rational;
 
 use super::arithmetic::merge;
-use super::{Budget, Monomial, Polynomial, Within};
+use super::{Budget, Monomial, Polynomial, WithinBudget};
 
 impl Polynomial {
     /// Returns self/divisor if it is a polynomial; `None` otherwise, or if `divisor` is zero.
@@ -16,7 +16,7 @@ impl Polynomial {
     }
 
     /// Divides like [`checked_div`](Self::checked_div), with the work charged to a budget.
-    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Within<Option<Self>> {
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> WithinBudget<Option<Self>> {
         let Some((lead, lead_coefficient)) = divisor.leading_term() else { return Ok(None) };
         let Some(inverse) = lead_coefficient.recip() else { return Ok(None) };
         if lead.is_one() {

@@ -10,7 +10,7 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
 
 use super::images::degree_bounds;
-use super::{Budget, Monomial, Polynomial, Variable, Within};
+use super::{Budget, Monomial, Polynomial, Variable, WithinBudget};
 
 /// Returns the greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is
 /// the primitive part of b.
@@ -22,7 +22,7 @@ pub fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
 }
 
 /// Returns [`gcd`], or an error once the budget is spent.
-pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
+pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     if a.is_zero() || b.is_zero() {
         return Ok((if a.is_zero() { b } else { a }).primitive_part());
     }
@@ -48,7 +48,7 @@ pub fn gcd_all<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Pol
 pub fn gcd_all_within<'a>(
     polynomials: impl IntoIterator<Item = &'a Polynomial>,
     budget: &mut Budget,
-) -> Within<Polynomial> {
+) -> WithinBudget<Polynomial> {
     let shortest_first = sorted_by_key(polynomials, |polynomial| polynomial.len());
     let mut common = Polynomial::zero();
     for polynomial in shortest_first {
@@ -64,7 +64,7 @@ fn strip(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
     polynomial.div_monomial(monomial).expect("the monomial content divides every term").primitive_part()
 }
 
-fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Polynomial> {
+fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     if a == b {
         return Ok(a.clone());
     }
@@ -91,7 +91,7 @@ fn gcd_of_coefficients(
     b: &Polynomial,
     bounds: &Table<Variable, u32>,
     budget: &mut Budget,
-) -> Within<Polynomial> {
+) -> WithinBudget<Polynomial> {
     let outside = |variable| !bounds.contains_key(&variable);
     let (groups_a, groups_b) = (a.group(outside), b.group(outside));
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
@@ -103,7 +103,7 @@ fn gcd_in_main_variable(
     b: &Polynomial,
     bounds: &Table<Variable, u32>,
     budget: &mut Budget,
-) -> Within<Polynomial> {
+) -> WithinBudget<Polynomial> {
     let degree = |variable: Variable| a.degree_in(variable).min(b.degree_in(variable));
     let (&main, &bound) =
         bounds.iter().min_by_key(|(variable, _)| degree(**variable)).expect("some variable is left");
@@ -130,7 +130,7 @@ fn subresultants(
     main: Variable,
     bound: u32,
     budget: &mut Budget,
-) -> Within<Polynomial> {
+) -> WithinBudget<Polynomial> {
     let (mut upper, mut lower) =
         if a.degree_in(main) >= b.degree_in(main) { (a.clone(), b.clone()) } else { (b.clone(), a.clone()) };
     let (mut lead, mut scale) = (Polynomial::one(), Polynomial::one());
@@ -169,7 +169,7 @@ fn pseudo_remainder(
     divisor: &Polynomial,
     main: Variable,
     budget: &mut Budget,
-) -> Within<Polynomial> {
+) -> WithinBudget<Polynomial> {
     let degree = divisor.degree_in(main);
     let lead = divisor.leading_coefficient_in(main);
     let mut rest = dividend.clone();
@@ -185,7 +185,7 @@ fn pseudo_remainder(
 }
 
 /// Returns the part that is primitive in `main`, with coprime integer coefficients.
-fn primitive_in(polynomial: &Polynomial, main: Variable, budget: &mut Budget) -> Within<Polynomial> {
+fn primitive_in(polynomial: &Polynomial, main: Variable, budget: &mut Budget) -> WithinBudget<Polynomial> {
     let content = gcd_all_within(polynomial.coefficients_in(main).values(), budget)?;
     let primitive = polynomial.div_within(&content, budget)?.expect("a content divides");
     Ok(primitive.primitive_part())

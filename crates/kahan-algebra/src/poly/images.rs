@@ -9,7 +9,7 @@
 
 use kahan_syntax::table::Table;
 
-use super::{Budget, Polynomial, Variable, Within};
+use super::{Budget, Polynomial, Variable, WithinBudget};
 use crate::prime_field::{PrimeField, SplitMix64};
 
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
@@ -29,7 +29,11 @@ type Univariate = Vec<u64>;
 ///
 /// # Panics
 /// If a polynomial is not primitive and 2^61 − 1 divides a denominator.
-pub fn degree_bounds(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within<Table<Variable, u32>> {
+pub fn degree_bounds(
+    a: &Polynomial,
+    b: &Polynomial,
+    budget: &mut Budget,
+) -> WithinBudget<Table<Variable, u32>> {
     let (degrees_a, degrees_b) = (degrees(a), degrees(b));
     budget.charge((a.len() + b.len()) as u64)?;
     for (variable, &degree_a) in degrees_a.iter() {

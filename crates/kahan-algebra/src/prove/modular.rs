@@ -7,7 +7,7 @@ use crate::system::Claim;
 
 use super::Verdict;
 use super::refute::{Refutation, refute};
-use super::residual::Test;
+use super::residual::SampledClaim;
 use super::sample::{MOST_DRAWS, Samples, Scheme};
 use super::sizes::points_for;
 
@@ -36,7 +36,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
             return Verdict::NoMap;
         };
         drawn += 1;
-        let Some(evidence) = examine(&Test { claim, arithmetic, sample }) else { continue };
+        let Some(evidence) = examine(&SampledClaim { claim, arithmetic, sample }) else { continue };
         if !evidence.holds {
             return Verdict::Refuted(refute(scheme, claim));
         }
@@ -57,7 +57,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
 fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;
-        if let Some(evidence) = examine(&Test { claim, arithmetic: &Exact, sample }) {
+        if let Some(evidence) = examine(&SampledClaim { claim, arithmetic: &Exact, sample }) {
             return Some(evidence.holds);
         }
     }
@@ -65,7 +65,7 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Opt
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 
-fn examine<A: OverRationals>(test: &Test<'_, A>) -> Option<Evidence> {
+fn examine<A: OverRationals>(test: &SampledClaim<'_, A>) -> Option<Evidence> {
     let (pairs, arithmetic) = (test.pairs()?, test.arithmetic);
     let holds = pairs.iter().all(|pair| arithmetic.is_zero(&arithmetic.subtract(&pair.left, &pair.right)));
     let says_something = test.gradients()?.iter().any(|value| match test.claim.kind {

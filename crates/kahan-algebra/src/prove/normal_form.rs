@@ -10,8 +10,8 @@ use crate::poly::{Budget, Polynomial, Variable};
 use crate::relations::put_into;
 use crate::system::{Claim, System};
 
-use super::residual::Test;
-use super::sample::{Sample, Scheme, impose, rows, run};
+use super::residual::SampledClaim;
+use super::sample::{Sample, Scheme, evaluate_conditions, rows, run};
 
 /// Limits on the terms of intermediate results, and on products of terms: about a second at worst.
 const MOST_TERMS: usize = 20_000;
@@ -25,7 +25,7 @@ pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
     let sample = sample(&scheme, &map, claim, &functions)?;
     let mut holds = true;
-    for pair in (Test { claim, arithmetic: &functions, sample: &sample }).pairs()? {
+    for pair in (SampledClaim { claim, arithmetic: &functions, sample: &sample }).pairs()? {
         holds &= functions.subtract(&pair.left, &pair.right)?.numerator.is_zero();
     }
     Some(holds)
@@ -41,7 +41,7 @@ fn sample(
     let variable = |index: usize| Variable(u16::try_from(index).expect("symbols are numbered by 16 bits"));
     let mut here: Vec<Option<Function>> =
         (0..scheme.variables).map(|index| Some(Polynomial::variable(variable(index)).into())).collect();
-    impose(&claim.conditions, functions, &mut here)?;
+    evaluate_conditions(&claim.conditions, functions, &mut here)?;
     let eps = usize::from(scheme.symbols.epsilon().0);
     let specialised = |polynomial: &Polynomial| {
         let values = claim.conditions.iter().map(|condition| (condition.variable, &condition.value));

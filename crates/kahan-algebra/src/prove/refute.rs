@@ -8,7 +8,7 @@ use crate::prime_field::SplitMix64;
 use crate::symbols::Symbols;
 use crate::system::{Claim, upper_index};
 
-use super::residual::{Place, Test};
+use super::residual::{Identity, SampledClaim};
 use super::sample::{Scheme, run, small_point, take_step};
 
 /// The largest height of coordinates to search.
@@ -23,7 +23,7 @@ pub enum Refutation {
         /// The kind of claim.
         kind: ClaimKind,
         /// The identity that fails.
-        place: Place,
+        place: Identity,
         /// States, parameters and ε.
         point: Vec<Rational>,
         /// The left side.
@@ -41,7 +41,7 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
         for _ in 0..POINTS_PER_HEIGHT {
             let here = small_point(scheme, &claim.conditions, height, &mut random);
             let Some(sample) = here.and_then(|here| take_step(scheme, &Exact, here)) else { continue };
-            if let Some(refutation) = at(&Test { claim, arithmetic: &Exact, sample: &sample }) {
+            if let Some(refutation) = at(&SampledClaim { claim, arithmetic: &Exact, sample: &sample }) {
                 return refutation;
             }
         }
@@ -49,19 +49,19 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
     Refutation::NoPoint
 }
 
-fn at(test: &Test<'_, Exact>) -> Option<Refutation> {
-    let Test { claim, sample, .. } = *test;
+fn at(test: &SampledClaim<'_, Exact>) -> Option<Refutation> {
+    let SampledClaim { claim, sample, .. } = *test;
     let failing = test.pairs()?.into_iter().find(|pair| pair.left != pair.right)?;
     let (left, right) = match failing.place {
-        Place::Entry(i, j) => transported(test, i, j)?,
-        Place::Value | Place::Jacobi(..) => (failing.left, failing.right),
+        Identity::Entry(i, j) => bracket_entries_at(test, i, j)?,
+        Identity::Value | Identity::Jacobi(..) => (failing.left, failing.right),
     };
     Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
 }
 
 /// Returns (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the sides of the invariance as readers expect them.
-fn transported(test: &Test<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
-    let Test { claim, sample, .. } = *test;
+fn bracket_entries_at(test: &SampledClaim<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
+    let SampledClaim { claim, sample, .. } = *test;
     let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;
     let entry = upper_index(jacobian.len(), i, j);
     let here = run(&Exact, &claim.plan, &sample.here)?;
@@ -83,21 +83,21 @@ impl Refutation {
         let (left, right) = (shorten(left), shorten(right));
         let state = |i: &usize| symbols.states[*i].as_str();
         match (place, kind) {
-            (Place::Entry(i, j), _) => {
+            (Identity::Entry(i, j), _) => {
                 let entry = format!("{{{},{}}}", state(i), state(j));
                 format!("at {at} the map carries {entry} to {left}, but {entry} at the next point is {right}")
             }
-            (Place::Jacobi(i, j, k), _) => {
+            (Identity::Jacobi(i, j, k), _) => {
                 let [i, j, k] = [i, j, k].map(state);
                 format!("at {at} the Jacobi sum of {i}, {j}, {k} is {left}, not 0")
             }
-            (Place::Value, ClaimKind::Density) => {
+            (Identity::Value, ClaimKind::Density) => {
                 format!("at {at} it is {right}, but its next value times the Jacobian determinant is {left}")
             }
-            (Place::Value, ClaimKind::Drift) => {
+            (Identity::Value, ClaimKind::Drift) => {
                 format!("at {at} its next value is {left}, and the formula behind `by` gives {right}")
             }
-            (Place::Value, _) => format!("at {at} it is {right}, and at the next point {left}"),
+            (Identity::Value, _) => format!("at {at} it is {right}, and at the next point {left}"),
         }
     }
 }

@@ -20,15 +20,15 @@ use crate::system::{Claim, upper_index};
 use super::sample::{Sample, run};
 
 /// Two values that must agree, and their identity.
-pub(super) struct Pair<V> {
-    pub(super) place: Place,
+pub(super) struct Sides<V> {
+    pub(super) place: Identity,
     pub(super) left: V,
     pub(super) right: V,
 }
 
 /// An identity of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Identity {
     /// The only identity.
     Value,
     /// The entry {i, j} of the invariance of a bracket.
@@ -37,23 +37,24 @@ pub enum Place {
     Jacobi(usize, usize, usize),
 }
 
-pub(super) struct Test<'a, A: Arithmetic> {
+pub(super) struct SampledClaim<'a, A: Arithmetic> {
     pub(super) claim: &'a Claim,
     pub(super) arithmetic: &'a A,
     pub(super) sample: &'a Sample<A::Value>,
 }
 
-impl<A: OverRationals> Test<'_, A> {
+impl<A: OverRationals> SampledClaim<'_, A> {
     fn n(&self) -> usize {
         self.sample.matrix.len()
     }
 
-    pub(super) fn pairs(&self) -> Option<Vec<Pair<A::Value>>> {
-        let Test { claim, arithmetic, sample } = *self;
+    pub(super) fn pairs(&self) -> Option<Vec<Sides<A::Value>>> {
+        let SampledClaim { claim, arithmetic, sample } = *self;
         let here = run(arithmetic, &claim.plan, &sample.here)?;
         let there = run(arithmetic, &claim.plan, &sample.there)?;
-        let single =
-            |left: A::Value, right: &A::Value| vec![Pair { place: Place::Value, left, right: right.clone() }];
+        let single = |left: A::Value, right: &A::Value| {
+            vec![Sides { place: Identity::Value, left, right: right.clone() }]
+        };
         Some(match claim.kind {
             ClaimKind::Integral => single(there[0].clone(), &here[0]),
             ClaimKind::Drift => single(there[0].clone(), &here[1]),
@@ -66,13 +67,13 @@ impl<A: OverRationals> Test<'_, A> {
         })
     }
 
-    fn invariance(&self, here: &[A::Value], there: &[A::Value]) -> Vec<Pair<A::Value>> {
+    fn invariance(&self, here: &[A::Value], there: &[A::Value]) -> Vec<Sides<A::Value>> {
         let left = self.congruence(&self.sample.back_matrix, here);
         let right = self.congruence(&self.sample.matrix, there);
         let n = self.n();
-        let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| Place::Entry(i, j)));
+        let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| Identity::Entry(i, j)));
         let pairs = places.zip(left.into_iter().zip(right));
-        pairs.map(|(place, (left, right))| Pair { place, left, right }).collect()
+        pairs.map(|(place, (left, right))| Sides { place, left, right }).collect()
     }
 
     /// Returns the entries Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ, i < j, of M P Mᵀ.
@@ -102,7 +103,7 @@ impl<A: OverRationals> Test<'_, A> {
         entries
     }
 
-    fn jacobi(&self) -> Option<Vec<Pair<A::Value>>> {
+    fn jacobi(&self) -> Option<Vec<Sides<A::Value>>> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let zero = arithmetic.constant(&Rational::zero())?;
         let upper = self.gradients()?;
@@ -125,7 +126,7 @@ impl<A: OverRationals> Test<'_, A> {
                             sum = arithmetic.add(&sum, &signed(product, weight_negative != tensor_negative));
                         }
                     }
-                    pairs.push(Pair { place: Place::Jacobi(i, j, k), left: sum, right: zero.clone() });
+                    pairs.push(Sides { place: Identity::Jacobi(i, j, k), left: sum, right: zero.clone() });
                 }
             }
         }

@@ -105,7 +105,7 @@ impl<'a> Samples<'a> {
                 let arithmetic = Modular(PrimeField::random(&mut self.random));
                 let mut here: Vec<u64> =
                     (0..scheme.variables).map(|_| arithmetic.0.sample(&mut self.random)).collect();
-                impose(conditions, &arithmetic, &mut here)?;
+                evaluate_conditions(conditions, &arithmetic, &mut here)?;
                 Some((arithmetic, take_step(scheme, &arithmetic, here)?))
             })?;
             self.modular.push(sample);
@@ -128,7 +128,7 @@ impl<'a> Samples<'a> {
 }
 
 /// Sets the names that the conditions are solved for; `None` if one has no value.
-pub(super) fn impose<A: OverRationals>(
+pub(super) fn evaluate_conditions<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,
     here: &mut [A::Value],
@@ -158,7 +158,7 @@ pub(super) fn small_point(
             Rational::new(sign * numerator as i64, denominator as i64)
         })
         .collect();
-    impose(conditions, &Exact, &mut here)?;
+    evaluate_conditions(conditions, &Exact, &mut here)?;
     let eps = &here[usize::from(scheme.symbols.epsilon().0)];
     (!eps.is_zero()).then_some(here)
 }

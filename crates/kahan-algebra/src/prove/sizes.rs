@@ -16,14 +16,14 @@
 //! claim is proved with k points only if k of its first k + r − 1 independent steps pass:
 //! probability at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. k ≥ 3 is chosen with (r²·e)ᵏ <
 //! 2⁻¹⁰⁰. Points come from SHAKE256 of the block's text: builds are reproducible, and authors can
-//! influence the primes only by trying texts. Evaluation of the residuals in [`Sizes`] bounds deg F
+//! influence the primes only by trying texts. Evaluation of the residuals in [`SizeArithmetic`] bounds deg F
 //! and b.
 
-use crate::arithmetic::{Arithmetic, Length, Size, Sizes};
+use crate::arithmetic::{Arithmetic, FractionSize, PolynomialSize, SizeArithmetic};
 use crate::system::Claim;
 
-use super::residual::Test;
-use super::sample::{MOST_DRAWS, Sample, Scheme, impose, rows, run};
+use super::residual::SampledClaim;
+use super::sample::{MOST_DRAWS, Sample, Scheme, evaluate_conditions, rows, run};
 
 /// The error probability of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
@@ -33,9 +33,10 @@ pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
 /// Returns the number of points that proves a claim; `None` if no reasonable number does.
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
-    let residuals = Test { claim, arithmetic: &Sizes, sample: &sample(scheme, claim)? }.pairs()?;
-    let lengths = residuals.iter().map(|pair| Sizes.subtract(&pair.left, &pair.right).above);
-    let worst = lengths.fold(Length::default(), Length::max);
+    let residuals =
+        SampledClaim { claim, arithmetic: &SizeArithmetic, sample: &sample(scheme, claim)? }.pairs()?;
+    let lengths = residuals.iter().map(|pair| SizeArithmetic.subtract(&pair.left, &pair.right).above);
+    let worst = lengths.fold(PolynomialSize::default(), PolynomialSize::max);
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
@@ -51,26 +52,27 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
 }
 
 /// Takes one step in the arithmetic of sizes: x̃ by Cramer's rule, determinants by expansion.
-fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
+fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<FractionSize>> {
     let n = scheme.dimension();
-    let mut here = vec![Size::variable(); scheme.variables];
+    let mut here = vec![FractionSize::variable(); scheme.variables];
     // A name that a relation is solved for becomes a quotient of polynomials in the others.
-    impose(&claim.conditions, &Sizes, &mut here)?;
+    evaluate_conditions(&claim.conditions, &SizeArithmetic, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
-    let matrix = rows(&run(&Sizes, &scheme.matrix, &here)?, n);
-    let right = run(&Sizes, &scheme.numerators, &here)?;
+    let matrix = rows(&run(&SizeArithmetic, &scheme.matrix, &here)?, n);
+    let right = run(&SizeArithmetic, &scheme.numerators, &here)?;
     let mut extended = matrix.clone();
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
     // One bound serves every n×n minor of (Â | p), hence D̂ and each n̂ⱼ.
-    let minor = Sizes.determinant(&extended);
-    let increment = Sizes.multiply(&Sizes.add(&eps, &eps), &Sizes.divide(&minor, &minor)?);
+    let minor = SizeArithmetic.determinant(&extended);
+    let increment =
+        SizeArithmetic.multiply(&SizeArithmetic.add(&eps, &eps), &SizeArithmetic.divide(&minor, &minor)?);
     let mut there = here.clone();
     for value in &mut there[..n] {
-        *value = Sizes.add(value, &increment);
+        *value = SizeArithmetic.add(value, &increment);
     }
-    let back_matrix = rows(&run(&Sizes, &scheme.matrix, &there)?, n);
-    let jacobian_determinant = Sizes.divide(&Sizes.determinant(&back_matrix), &minor)?;
+    let back_matrix = rows(&run(&SizeArithmetic, &scheme.matrix, &there)?, n);
+    let jacobian_determinant = SizeArithmetic.divide(&SizeArithmetic.determinant(&back_matrix), &minor)?;
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }

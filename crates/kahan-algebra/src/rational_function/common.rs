@@ -1,7 +1,7 @@
 //! Operations on several rational functions: common denominators, and rows of linear equations.
 
 use super::{RationalFunction, divide, unlimited};
-use crate::poly::{Budget, Polynomial, Within, gcd_within};
+use crate::poly::{Budget, Polynomial, WithinBudget, gcd_within};
 
 /// The nonzero entries of a row, by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
@@ -19,7 +19,7 @@ impl RationalFunction {
     pub fn over_common_within<'a>(
         functions: impl Iterator<Item = &'a Self> + Clone,
         budget: &mut Budget,
-    ) -> Within<(Vec<Polynomial>, Polynomial)> {
+    ) -> WithinBudget<(Vec<Polynomial>, Polynomial)> {
         let mut common = Polynomial::one();
         for function in functions.clone() {
             let shared = gcd_within(&common, &function.denominator, budget)?;
@@ -32,13 +32,18 @@ impl RationalFunction {
     }
 }
 
-pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> Within<Row> {
+pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> WithinBudget<Row> {
     let inverse = row[0].1.recip().expect("entries are not zero");
     row.iter().map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?))).collect()
 }
 
 /// Returns row − factor · pivot.
-pub(crate) fn reduced(row: &Row, factor: &RationalFunction, pivot: &Row, budget: &mut Budget) -> Within<Row> {
+pub(crate) fn reduced(
+    row: &Row,
+    factor: &RationalFunction,
+    pivot: &Row,
+    budget: &mut Budget,
+) -> WithinBudget<Row> {
     let words = factor.numerator().coefficient_words();
     let mut difference = Row::with_capacity(row.len() + pivot.len());
     let mut own = row.iter().peekable();

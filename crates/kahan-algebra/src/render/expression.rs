@@ -6,7 +6,7 @@ use super::notation::{Notation, Text};
 
 /// The binding strength of an expression, for parentheses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
+pub enum Precedence {
     /// A sum or a negation.
     Sum,
     /// A product or a quotient.
@@ -24,39 +24,39 @@ pub fn expression_text(expr: &Expr) -> String {
 }
 
 /// Returns an expression in a notation, and its binding strength.
-pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Level) {
+pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Precedence) {
     match &expr.kind {
         ExprKind::Number(value) => {
-            let level = if value.is_integer() { Level::Atom } else { Level::Product };
+            let level = if value.is_integer() { Precedence::Atom } else { Precedence::Product };
             (notation.number(value), level)
         }
-        ExprKind::Name(name) => (notation.name(name), Level::Atom),
+        ExprKind::Name(name) => (notation.name(name), Precedence::Atom),
         ExprKind::Special(InFamily::Site { array, offset }) => {
-            (notation.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
+            (notation.name(&Reference::Site { array, offset: *offset }.to_string()), Precedence::Atom)
         }
         ExprKind::Negation(inner) => {
-            (format!("-{}", at_least(notation, inner, notation.behind_sign())), Level::Sum)
+            (format!("-{}", at_least(notation, inner, notation.behind_sign())), Precedence::Sum)
         }
         ExprKind::Sum(terms) => {
             let mut text = String::new();
             for (index, term) in terms.iter().enumerate() {
-                let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
+                let level = if index == 0 && !term.negative { Precedence::Sum } else { Precedence::Product };
                 push_term(&mut text, term.negative, &at_least(notation, &term.expr, level));
             }
-            (text, Level::Sum)
+            (text, Precedence::Sum)
         }
         ExprKind::Product(factors) => notation.written_product(factors),
         ExprKind::Special(InFamily::OverSites(inner)) => {
-            (notation.over_sites(&written(notation, inner).0), Level::Atom)
+            (notation.over_sites(&written(notation, inner).0), Precedence::Atom)
         }
         ExprKind::Power(base, exponent) => {
-            (notation.power(&at_least(notation, base, Level::Atom), *exponent), Level::Power)
+            (notation.power(&at_least(notation, base, Precedence::Atom), *exponent), Precedence::Power)
         }
     }
 }
 
 /// Returns an expression in a notation, in parentheses if it binds less tightly than `level`.
-pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Level) -> String {
+pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Precedence) -> String {
     let (text, own) = written(notation, expr);
     if own >= level { text } else { notation.parenthesized(&text) }
 }

@@ -12,7 +12,7 @@ mod report;
 pub use block::{block_lines, equation_lines, macro_block};
 pub use claim::{claim_statement, claim_text, condition_note, condition_statement, condition_text};
 pub use columns::{aligned, columns, shorten, widths};
-pub use expression::{Level, at_least, expression_text, push_term, written};
+pub use expression::{Precedence, at_least, expression_text, push_term, written};
 pub use formula::{Formulas, MatrixText};
 pub use lines::{folded, lines};
 pub use notation::{Notation, Text};

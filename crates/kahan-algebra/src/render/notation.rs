@@ -10,7 +10,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::{Symbol, Symbols};
 
-use super::expression::{Level, at_least, push_term, written};
+use super::expression::{Precedence, at_least, push_term, written};
 
 /// A notation for formulas: [`Text`], or LaTeX in `kahan-latex`.
 pub trait Notation: fmt::Debug {
@@ -54,7 +54,7 @@ pub trait Notation: fmt::Debug {
     }
 
     /// Returns a product in a notation, and its binding strength.
-    fn written_product(&self, factors: &[Factor]) -> (String, Level) {
+    fn written_product(&self, factors: &[Factor]) -> (String, Precedence) {
         let mut text = String::new();
         for (index, factor) in factors.iter().enumerate() {
             if index > 0 {
@@ -62,15 +62,19 @@ pub trait Notation: fmt::Debug {
             }
             // −a·b is read as (−a)·b: a leading sign belongs to the first factor.
             let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
-            text.push_str(&at_least(self, &factor.expr, if signed { Level::Sum } else { Level::Power }));
+            text.push_str(&at_least(
+                self,
+                &factor.expr,
+                if signed { Precedence::Sum } else { Precedence::Power },
+            ));
         }
-        (text, Level::Product)
+        (text, Precedence::Product)
     }
 
     /// Returns the minimal binding strength of an expression that follows a sign without
     /// parentheses.
-    fn behind_sign(&self) -> Level {
-        Level::Power
+    fn behind_sign(&self) -> Precedence {
+        Precedence::Power
     }
 
     /// Returns a sum over all sites of a written summand.

@@ -423,7 +423,7 @@ fn tangents_are_carried_by_the_jacobian() {
         let system = system(text);
         let written = Written::new(text, &system.field.symbols);
         let derived = derive(&system);
-        let Some((symbols, plan)) = derived.carry() else { continue };
+        let Some((symbols, plan)) = derived.tangent_map() else { continue };
         for Place { point, second: tangent } in places(&system) {
             let place = Place { point, second: tangent.clone() };
             let by = Definitions { written: &written, place: &place };

@@ -3,10 +3,10 @@
 use kahan_core::prelude::*;
 use maud::{Markup, html};
 
-use super::super::words::scientific;
-use super::Plate;
+use super::super::text::scientific;
+use super::FigureEntry;
 use kahan_draw::decimal;
-use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Sheet, Space};
+use kahan_draw::{Canvas, Mark, NumberLine, Plot, Series, SpacePlot, SpaceSeries};
 use kahan_paper::figures::{DE4, level_curve};
 use kahan_systems::{E4, e4};
 
@@ -15,7 +15,7 @@ const POINTS: usize = 1000;
 type Point = SVector<f64, 3>;
 
 /// Draws the figure; `None` if the data lie outside the domain of the elliptic solution.
-pub(super) fn plate() -> Option<Plate> {
+pub(super) fn plate() -> Option<FigureEntry> {
     let number = |&(p, q): &(i64, i64)| p as f64 / q as f64;
     let [x, y, z] = DE4.start else { return None };
     let start = Point::new(number(x), number(y), number(z));
@@ -33,7 +33,7 @@ pub(super) fn plate() -> Option<Plate> {
     let rotation = 2.0 * solution.delta / (4.0 * solution.modulus.quarter_period());
     let fractions: Vec<String> = DE4.start.iter().map(|(p, q)| format!("{p}/{q}")).collect();
     let (p, q) = DE4.eps;
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-curve",
         title: "dE4: a thousand points on one curve",
         drawings: vec![
@@ -63,7 +63,7 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
     let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     Plot {
         description: format!("The orbit of dE4 projected to {a} and {b}: points on a closed curve"),
-        sheet: Sheet::page(360, 300),
+        sheet: Canvas::page(360, 300),
         x: axis(a, i),
         y: axis(b, j),
         series: vec![
@@ -81,12 +81,12 @@ fn in_space(orbit: &[Point], curve: &[Point]) -> Markup {
     let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     let cloud = |colour, mark, points: &[Point]| {
         let points = points.iter().map(|point| [point[0], point[1], point[2]]).collect();
-        Cloud { colour, mark, points }
+        SpaceSeries { colour, mark, points }
     };
-    Space {
+    SpacePlot {
         description: "The orbit of dE4 in space: a thousand points on one closed curve that is bent like a saddle's edge"
             .to_owned(),
-        sheet: Sheet::page(480, 400),
+        sheet: Canvas::page(480, 400),
         axes: [axis("x", 0), axis("y", 1), axis("z", 2)],
         clouds: vec![cloud(6, Mark::Line, curve), cloud(3, Mark::Dots, orbit)],
     }

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use super::super::found::Orbits;
-use super::super::words::grouped;
-use super::Plate;
+use super::super::text::grouped;
+use super::FigureEntry;
 use super::orbit::{Heights, Orbit, h};
 use kahan_draw::decimal;
 use kahan_draw::{Mark, Plot, Series};
@@ -36,7 +36,7 @@ fn level(label: &str, colour: usize, height: f64, series: &Series) -> Series {
     Series::new(label, colour, Mark::Level, ends.into_iter().flatten().map(|(n, _)| (*n, height)).collect())
 }
 
-pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
+pub(super) fn overview(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let chosen = [
         (&DE1, "dE1", "z", 6),
         (&DE3, "dE3", "x", 2),
@@ -51,7 +51,7 @@ pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
         let mark = if heights.0.len() < 30 { Mark::Both } else { Mark::Line };
         series.push(Series::new(name, colour, mark, heights.log_log()));
     }
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-overview",
         title: "Integrable or not: six orbits at a glance",
         drawings: vec![log_log(
@@ -69,11 +69,11 @@ pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
     })
 }
 
-pub(super) fn lotka_volterra(orbits: &Orbits<'_>) -> Option<Plate> {
+pub(super) fn lotka_volterra(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let orbit = Orbit::of(orbits, &LV)?;
     let x = orbit.heights("x")?;
     let (n, last) = x.last();
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-lv",
         title: "Lotka–Volterra: heights double",
         drawings: vec![growth(
@@ -92,12 +92,12 @@ pub(super) fn lotka_volterra(orbits: &Orbits<'_>) -> Option<Plate> {
     })
 }
 
-pub(super) fn de3(orbits: &Orbits<'_>) -> Option<Plate> {
+pub(super) fn de3(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let orbit = Orbit::of(orbits, &DE3)?;
     let x = orbit.heights("x")?;
     let (n, last) = x.last();
     let slope = x.slope();
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-de3",
         title: "dE3: linear growth",
         drawings: vec![
@@ -120,12 +120,12 @@ pub(super) fn de3(orbits: &Orbits<'_>) -> Option<Plate> {
     })
 }
 
-pub(super) fn de4(orbits: &Orbits<'_>) -> Option<Plate> {
+pub(super) fn de4(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let orbit = Orbit::of(orbits, &DE4)?;
     let x = orbit.heights("x")?;
     let (n, last) = x.last();
     let coefficient = x.half_second_difference();
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-de4",
         title: "dE4: quadratic growth",
         drawings: vec![
@@ -149,7 +149,7 @@ pub(super) fn de4(orbits: &Orbits<'_>) -> Option<Plate> {
     })
 }
 
-pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
+pub(super) fn de7(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let orbit = Orbit::of(orbits, &DE7)?;
     let (y, z) = (orbit.heights("y")?, orbit.heights("z")?);
     let (slope_y, slope_z) = (y.slope(), z.slope());
@@ -164,7 +164,7 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
         let level = level(&format!("{name}: log {}", decimal(slope, 3)), colour, slope.ln(), &series);
         [series, level]
     });
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-de7",
         title: "dE7: linear growth with arithmetic noise",
         drawings: vec![
@@ -194,11 +194,11 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
     })
 }
 
-pub(super) fn de9(orbits: &Orbits<'_>) -> Option<Plate> {
+pub(super) fn de9(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let orbit = Orbit::of(orbits, &DE9)?;
     let x = orbit.heights("x")?;
     let (n, last) = x.last();
-    Some(Plate {
+    Some(FigureEntry {
         id: "figure-de9",
         title: "dE9: heights treble",
         drawings: vec![growth(

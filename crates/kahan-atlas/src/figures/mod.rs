@@ -8,11 +8,11 @@ mod summary;
 
 use maud::{Markup, html};
 
-use super::found::Found;
-use super::words::{badge, link};
+use super::found::AtlasContent;
+use super::text::{badge, link};
 use kahan_draw::document::readable;
 
-pub(super) struct Plate {
+pub(super) struct FigureEntry {
     pub(super) id: &'static str,
     pub(super) title: &'static str,
     /// One or more drawings, side by side if the page is wide enough.
@@ -25,7 +25,7 @@ pub(super) struct Plate {
     pub(super) claims: &'static [&'static str],
 }
 
-fn plates(found: &Found<'_>) -> Vec<Plate> {
+fn plates(found: &AtlasContent<'_>) -> Vec<FigureEntry> {
     let orbits = &found.orbits;
     let drawn = [
         heights::overview(orbits),
@@ -40,11 +40,11 @@ fn plates(found: &Found<'_>) -> Vec<Plate> {
     drawn.into_iter().flatten().collect()
 }
 
-pub(super) fn titles(found: &Found<'_>) -> Vec<(&'static str, &'static str)> {
+pub(super) fn titles(found: &AtlasContent<'_>) -> Vec<(&'static str, &'static str)> {
     plates(found).iter().map(|plate| (plate.id, plate.title)).collect()
 }
 
-pub(super) fn section(found: &Found<'_>) -> Markup {
+pub(super) fn section(found: &AtlasContent<'_>) -> Markup {
     html! {
         section #figures {
             h2 { "Figures" }
@@ -61,7 +61,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-fn figure(found: &Found<'_>, number: usize, plate: &Plate) -> Markup {
+fn figure(found: &AtlasContent<'_>, number: usize, plate: &FigureEntry) -> Markup {
     let claims: Vec<_> =
         if plate.claims.is_empty() { Vec::new() } else { found.claims_of(plate.claims).collect() };
     html! {

@@ -2,13 +2,13 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
-use kahan_study::{Kept, Method, Orbit, Study, Subject, Systems, Unwatched};
+use kahan_study::{Method, Orbit, StoredColumn, Study, Subject, Systems, Unwatched};
 use maud::{Markup, html};
 
-use super::super::words::scientific;
-use super::Plate;
+use super::super::text::scientific;
+use super::FigureEntry;
 use kahan_draw::decimal;
-use kahan_draw::{Mark, NumberLine, Plot, Series, Sheet};
+use kahan_draw::{Canvas, Mark, NumberLine, Plot, Series};
 
 /// Half the time step; a cycle has about twenty steps.
 const EPS: f64 = 0.147;
@@ -32,7 +32,9 @@ fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
         let eps = Rational::from_f64(EPS).expect("a number");
         let orbit = Orbit { method, ..Orbit::new(eps, at, steps) }.ask(study, &Unwatched);
         let rows = orbit.expect("the map is defined").rows.values;
-        let [Kept::F64(x), Kept::F64(y)] = &rows[2..4] else { unreachable!("an orbit in doubles") };
+        let [StoredColumn::F64(x), StoredColumn::F64(y)] = &rows[2..4] else {
+            unreachable!("an orbit in doubles")
+        };
         x.iter().zip(y).map(|(x, y)| vector![*x, *y]).collect()
     };
     RADII.iter().map(orbit).collect()
@@ -49,11 +51,11 @@ fn change(orbit: &[Point]) -> f64 {
     orbit.iter().map(|point| (integral(point) - first).abs()).fold(0.0, f64::max)
 }
 
-pub(super) fn plate() -> Plate {
+pub(super) fn plate() -> FigureEntry {
     let study = Subject::named("lv").study(&Systems).expect("it is in the catalog");
     let (kahan, euler) = (orbits(&study, Method::Kahan), inside(orbits(&study, Method::Euler)));
     let (inner_kahan, inner_euler) = (change(&kahan[0]), change(&euler[0]));
-    Plate {
+    FigureEntry {
         id: "figure-portrait",
         title: "No spirals: Lotka–Volterra by Kahan and by Euler",
         drawings: vec![
@@ -93,7 +95,7 @@ fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Marku
     });
     let plot = Plot {
         description: format!("{title}: {seen}"),
-        sheet: Sheet::page(400, 400),
+        sheet: Canvas::page(400, 400),
         x: axis("x"),
         y: axis("y"),
         series: series.collect(),

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::super::found::Orbits;
-use super::super::words::grouped;
+use super::super::text::grouped;
 use super::orbit::{Heights, Orbit};
 use kahan_draw::decimal;
 use kahan_paper::figures::Figure;

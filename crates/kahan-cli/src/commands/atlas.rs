@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
 use clap::Args;
-use kahan_atlas::{Found, Making, page};
+use kahan_atlas::{AtlasContent, PageCreation, page};
 use kahan_paper::Paper;
 
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::{Answer, OutputStream, ProgressDisplay, UsageError};
 
 /// Writes an HTML page about the paper: its tables, solutions, figures and claims.
 ///
@@ -30,11 +30,11 @@ pub(crate) struct Atlas {
 }
 
 impl Atlas {
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         let index = Index::begin(&self.out)?;
         let paper = Paper::new();
-        let prompt = Prompt::new(Found::steps(&paper) as u64, "claims and orbits");
-        let found = Found::compute(&paper, || prompt.done(1));
+        let prompt = ProgressDisplay::new(AtlasContent::steps(&paper) as u64, "claims and orbits");
+        let found = AtlasContent::compute(&paper, || prompt.done(1));
         drop(prompt);
         let text = page(&found, &index.making());
         let answer = index.put(&text, &format!("{} claims, ", found.claims.len()), 1)?;
@@ -54,14 +54,14 @@ pub(super) struct Index {
 
 impl Index {
     /// Makes the folder, if needed, and checks that the file can be written.
-    pub(super) fn begin(folder: &Path) -> Result<Self, Refusal> {
+    pub(super) fn begin(folder: &Path) -> Result<Self, UsageError> {
         let since = Instant::now();
         let shown = folder.display();
         let refused = |reason: &str| {
-            Refusal::new(format!("--out: cannot use the folder {shown}: {reason}; name another one"))
+            UsageError::new(format!("--out: cannot use the folder {shown}: {reason}; name another one"))
         };
         if folder.as_os_str().is_empty() {
-            return Err(Refusal::new("--out: the name of the folder is empty; write `.` for this one"));
+            return Err(UsageError::new("--out: the name of the folder is empty; write `.` for this one"));
         }
         if folder.exists() && !folder.is_dir() {
             return Err(refused("it is a file"));
@@ -69,20 +69,20 @@ impl Index {
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
         // Dropping the sink at once leaves no file behind if the work is interrupted.
-        drop(Sink::file(&path, "--out")?);
+        drop(OutputStream::file(&path, "--out")?);
         Ok(Index { path, since })
     }
 
     /// Returns the date, without the time of day, and the seconds so far.
-    pub(super) fn making(&self) -> Making {
+    pub(super) fn making(&self) -> PageCreation {
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = now.split('T').next().unwrap_or_default().to_owned();
-        Making { date, seconds: self.since.elapsed().as_secs_f64() }
+        PageCreation { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
     /// Writes the page. Returns an answer with its path, `holds`, its size and the time.
-    pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, Refusal> {
-        Sink::file(&self.path, "--out")?.put(text)?;
+    pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, UsageError> {
+        OutputStream::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);
         let seconds = self.since.elapsed().as_secs_f64();
         Ok(Answer::text(format!("{path} written: {holds}{size:.decimals$} MB, {seconds:.1} s\n")))

@@ -9,14 +9,14 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Command};
-use kahan_draw::picture::{Chart as Shown, Look, chart};
-use kahan_study::{Axis, Observable, Observe, Over, Question, Shade, Study, StudyError};
+use kahan_draw::picture::{Chart as PictureRequest, PictureOptions, chart};
+use kahan_study::{Axis, ColourColumn, Observable, Observe, Over, Question, Study, StudyError};
 use serde_json::{Value, json};
 
+use super::command_line::{CommandLine, QuestionCommand};
 use super::dynamics::radius;
-use super::line::{Asking, Line};
-use super::look::{OutFile, SheetOptions, usual};
-use crate::printing::{Answer, Prompt, Refusal, csv};
+use super::image_options::{ImageOptions, OutFile, usual};
+use crate::printing::{Answer, ProgressDisplay, UsageError, csv};
 use crate::reading::{self, Start, Stepping, Transient, observable, whole};
 
 use rows::Rows;
@@ -81,7 +81,7 @@ pub(crate) struct Chart {
 
     /// The observable, or a column such as rotation_x.
     #[arg(long, default_value = "sali", value_parser = Colours)]
-    color: Shade,
+    color: ColourColumn,
 
     /// End the orbit, as escaped, once a variable exceeds R in absolute value.
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
@@ -95,7 +95,7 @@ pub(crate) struct Chart {
     out: PathBuf,
 
     #[command(flatten)]
-    look: SheetOptions,
+    look: ImageOptions,
 
     /// Print one JSON object that describes the file.
     #[arg(long)]
@@ -123,13 +123,19 @@ const OF_ORBITS: [&str; 12] = [
 struct Colours;
 
 impl TypedValueParser for Colours {
-    type Value = Shade;
+    type Value = ColourColumn;
 
-    fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Shade, clap::Error> {
-        // `Shade::named` accepts all listed names, so `listed` only refuses the others here.
-        let refused =
-            |()| listed().parse_ref(cmd, arg, value).map(|of| Shade::named(of.name()).expect("listed"));
-        value.to_str().and_then(Shade::named).ok_or(()).or_else(refused)
+    fn parse_ref(
+        &self,
+        cmd: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<ColourColumn, clap::Error> {
+        // `ColourColumn::named` accepts all listed names, so `listed` only refuses the others here.
+        let refused = |()| {
+            listed().parse_ref(cmd, arg, value).map(|of| ColourColumn::named(of.name()).expect("listed"))
+        };
+        value.to_str().and_then(ColourColumn::named).ok_or(()).or_else(refused)
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
@@ -143,10 +149,10 @@ fn listed() -> impl TypedValueParser<Value = Observable> {
 
 const MOST_STEPS: u64 = 1 << 40;
 
-impl Asking for Chart {
+impl QuestionCommand for Chart {
     type Question = Over;
 
-    fn asked(&self) -> Result<(Study, Over), Refusal> {
+    fn read_question(&self) -> Result<(Study, Over), UsageError> {
         let axes = self.over.iter().map(|over| reading::over(over));
         let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
         let (study, at, eps) = self.start.study_over(&axes)?;
@@ -164,7 +170,7 @@ impl Asking for Chart {
         Ok((study, Over::new(Question::Observe(observe), axes)))
     }
 
-    fn options(asked: &Over, line: Line) -> Line {
+    fn options(asked: &Over, line: CommandLine) -> CommandLine {
         let Question::Observe(observe) = &*asked.question else { return line };
         let mut said = json!(observe);
         if asked.over.iter().any(|axis| axis.name == "eps") {
@@ -173,21 +179,21 @@ impl Asking for Chart {
         let Value::Object(over) = json!(asked)["over"].take() else { return line };
         said["over"] = over.into_iter().rev().collect();
         said["color"] = json!(observe.observe[0].name());
-        line.saying::<Self>(&said).with("--out", "chart.svg")
+        line.with_changed_options::<Self>(&said).with("--out", "chart.svg")
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, UsageError> {
         let out = OutFile::picture_or_table(&self.out)?;
         let shown = match &self.from {
             _ if self.over.len() > 2 => {
-                return Err(Refusal::new(
+                return Err(UsageError::new(
                     "--over: a chart has one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
                 ));
             }
             Some(from) => self.of_rows(from)?,
             None => self.of_orbits()?,
         };
-        let picture = chart(&shown, &Look::on(self.look.sheet(usual())));
+        let picture = chart(&shown, &PictureOptions::on(self.look.sheet(usual())));
         out.put(&picture.drawing, || table(&shown))?;
         let values = shown.values.iter().filter(|value| !value.is_nan());
         let ends = [f64::min as fn(f64, f64) -> f64, f64::max];
@@ -210,23 +216,23 @@ impl Asking for Chart {
 }
 
 impl Chart {
-    fn of_orbits(&self) -> Result<Shown, Refusal> {
-        let (study, asked) = self.asked()?;
-        let shade = Shade::read(&self.color.column, &study)?;
-        let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
-        Ok(Shown::of(&asked, &found, &shade))
+    fn of_orbits(&self) -> Result<PictureRequest, UsageError> {
+        let (study, asked) = self.read_question()?;
+        let shade = ColourColumn::read(&self.color.column, &study)?;
+        let found = asked.ask(&study, &ProgressDisplay::new(asked.cells(&study)?, "orbits"))?;
+        Ok(PictureRequest::of(&asked, &found, &shade))
     }
 
-    fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
+    fn of_rows(&self, from: &Path) -> Result<PictureRequest, UsageError> {
         let column = self.column.clone().unwrap_or_else(|| self.color.column.clone());
         let rows = Rows { from, over: &self.over, column: column.clone(), chosen: &self.chosen };
-        let (axes, values) = rows.cells(Shown::scale(&column))?;
-        Ok(Shown::of_column(from.display().to_string(), axes, column, values))
+        let (axes, values) = rows.cells(PictureRequest::scale(&column))?;
+        Ok(PictureRequest::of_column(from.display().to_string(), axes, column, values))
     }
 }
 
 /// Returns a CSV table with a row for each orbit; the first range varies fastest.
-fn table(shown: &Shown) -> String {
+fn table(shown: &PictureRequest) -> String {
     let floats = |axis: &Axis| axis.range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
     let along: Vec<Vec<f64>> = shown.axes.iter().map(floats).collect();
     let log = if shown.is_logarithm { "log_" } else { "" };

@@ -5,7 +5,7 @@ use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 use kahan_systems::registry::all;
 
-use crate::printing::{Answer, Refusal, joined};
+use crate::printing::{Answer, UsageError, joined};
 
 /// Prints a completion script for a shell: commands, options and systems.
 #[derive(Args, Debug)]
@@ -21,7 +21,7 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    pub(crate) fn run(&self, command: Command) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self, command: Command) -> Result<Answer, UsageError> {
         let mut command = naming_systems(command);
         let mut script = Vec::new();
         generate(self.shell, &mut command, "kahan", &mut script);

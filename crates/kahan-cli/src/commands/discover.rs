@@ -11,10 +11,10 @@ use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
 use kahan_study::{ClaimShown, Discover as Question, Discovered, Study};
 
-use super::line::Asking;
+use super::command_line::QuestionCommand;
 use crate::printing::layout::{labelled, matrix, paragraphs, screen_width};
 use crate::printing::page::{Page, aligned};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::{Answer, OutputStream, ProgressDisplay, UsageError};
 use crate::reading::{Source, StepLength, seconds, whole};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
@@ -94,19 +94,19 @@ pub(crate) struct Search {
     pub(crate) json: bool,
 }
 
-impl Asking for Discover {
+impl QuestionCommand for Discover {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let Search { source, step, degree, seconds, .. } = &self.search;
         let eps = step.half()?;
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let (study, asked) = self.asked()?;
-        let found = asked.ask(&study, &Prompt::stages())?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let sink = self.out.as_deref().map(|path| OutputStream::file(path, "--out")).transpose()?;
+        let (study, asked) = self.read_question()?;
+        let found = asked.ask(&study, &ProgressDisplay::stages())?;
         let answer = if self.latex {
             Answer::verbatim(latex(&found))
         } else if self.as_macro {
@@ -170,7 +170,7 @@ fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
 
 /// Returns results that no claim can express, as comments.
 fn comments(found: &Discovered, width: usize) -> String {
-    let modified = modified(found, found.report.alone()).into_iter().flatten();
+    let modified = modified(found, found.report.standalone()).into_iter().flatten();
     let texts = modified.chain(bases(found).flatten());
     let comment = |text: String| -> String {
         let rows = breakable(&text, width.saturating_sub(3));

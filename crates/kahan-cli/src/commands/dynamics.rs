@@ -3,11 +3,11 @@
 use clap::Args;
 use kahan_algebra::render::lines;
 use kahan_draw::answer::{self, convergence, out_of_range};
-use kahan_study::{Observable, Observe, Observed, Seen, Study};
+use kahan_study::{Observable, Observe, Observed, ObservedValue, Study};
 
-use super::line::Asking;
+use super::command_line::QuestionCommand;
 use crate::printing::layout::{paragraphs, screen_width, table};
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::{Answer, ProgressDisplay, UsageError};
 use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, observable, order, whole};
 
 /// Measures exponents, chaos indicators and drift along an orbit: also rotation, range and escape.
@@ -96,10 +96,10 @@ pub(super) fn radius(text: &str) -> Result<f64, String> {
     if radius > 0.0 { Ok(radius) } else { Err("it is a size, as in 1e6".to_owned()) }
 }
 
-impl Asking for Dynamics {
+impl QuestionCommand for Dynamics {
     type Question = Observe;
 
-    fn asked(&self) -> Result<(Study, Observe), Refusal> {
+    fn read_question(&self) -> Result<(Study, Observe), UsageError> {
         let (study, at, eps) = self.start.study()?;
         let Dynamics { before, steps, order, renormalize, spectrum, escape, stepping, ref observe, .. } =
             *self;
@@ -110,9 +110,9 @@ impl Asking for Dynamics {
         ))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
-        let (study, asked) = self.asked()?;
-        let observed = asked.ask(&study, &Prompt::of("steps"))?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let (study, asked) = self.read_question()?;
+        let observed = asked.ask(&study, &ProgressDisplay::of("steps"))?;
         Ok(Answer::of(&observed, self.json, text).but(out_of_range(&observed)))
     }
 }
@@ -120,11 +120,11 @@ impl Asking for Dynamics {
 fn text(observed: &Observed) -> String {
     let ended = format!("{}, {}", observed.steps, observed.end.name());
     let mut last = vec![vec!["steps".to_owned(), ended]];
-    if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
+    if let Some(ObservedValue::Step(escaped)) = observed.of(Observable::Escape) {
         let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
         last.push(vec!["escaped".to_owned(), escaped]);
     }
-    if let Some(Seen::Passed(passed)) = observed.of(Observable::PassedPoles) {
+    if let Some(ObservedValue::Passed(passed)) = observed.of(Observable::PassedPoles) {
         let at_least = if passed.is_lower_bound { "at least " } else { "" };
         last.push(vec!["passed poles".to_owned(), format!("{at_least}{}", passed.steps)]);
     }

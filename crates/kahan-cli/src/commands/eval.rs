@@ -8,9 +8,9 @@ use kahan_study::numbers::ScalarKind;
 use kahan_study::{Evaluate, NoStep, Study, Unwatched};
 use serde_json::{Value, json};
 
-use super::line::Asking;
+use super::command_line::QuestionCommand;
 use crate::printing::layout::{beside, labelled, matrix, screen_width};
-use crate::printing::{Answer, Refusal, joined};
+use crate::printing::{Answer, UsageError, joined};
 use crate::reading::{Start, scalar};
 
 /// Evaluates all formulas of a system at a point: field, matrices, map, Jacobian, claims.
@@ -38,16 +38,16 @@ pub(crate) struct Eval {
     json: bool,
 }
 
-impl Asking for Eval {
+impl QuestionCommand for Eval {
     type Question = Evaluate;
 
-    fn asked(&self) -> Result<(Study, Evaluate), Refusal> {
+    fn read_question(&self) -> Result<(Study, Evaluate), UsageError> {
         let (study, at, eps) = self.start.study()?;
         Ok((study, Evaluate { eps, at, scalar: self.scalar }))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
-        let (study, asked) = self.asked()?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let (study, asked) = self.read_question()?;
         let values = asked.ask(&study, &Unwatched)?;
         let complaint = values.no_step.map(|why| no_step(&study, &asked, why));
         Ok(Answer::of(&json!(values), self.json, readable).but(complaint))

@@ -1,11 +1,11 @@
 //! `kahan extremes`: the accuracy of floats at extreme inputs, judged by exact arithmetic.
 
 use clap::Args;
-use kahan_judge::{Broken, Cell, Extremes as Question, Judged, Place, usual_subjects};
+use kahan_judge::{BrokenPromises, Cell, CellKey, Extremes as Question, Judged, usual_subjects};
 use kahan_study::{Study, Systems};
 
 use crate::printing::layout::{headed, labelled, paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal, joined};
+use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::{Source, whole};
 
 /// Tests steps with extreme inputs, and compares each with exact arithmetic.
@@ -89,18 +89,18 @@ pub(crate) struct Extremes {
 }
 
 impl Extremes {
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         let Extremes { trials, random_fields, odd_fields, odd_trials, seed, .. } = *self;
         let asked = Question { trials, random_fields, odd_fields, odd_trials, seed };
-        let judged = asked.of(&self.studies()?, &Prompt::of("trials"));
-        let judged = judged.map_err(|why| Refusal::new(why.to_string()))?;
+        let judged = asked.of(&self.studies()?, &ProgressDisplay::of("trials"));
+        let judged = judged.map_err(|why| UsageError::new(why.to_string()))?;
         Ok(Answer::of(&judged, self.json, text).but(complaint(&judged)))
     }
 
-    fn studies(&self) -> Result<Vec<Study>, Refusal> {
+    fn studies(&self) -> Result<Vec<Study>, UsageError> {
         match (self.source.is_named(), self.source.has_parameters()) {
             (true, _) => Ok(vec![self.source.study()?]),
-            (false, true) => Err(Refusal::new(
+            (false, true) => Err(UsageError::new(
                 "--param: of which system? name one before its parameters, as in e9 --param xi=1/2",
             )),
             (false, false) => usual_subjects().map(|subject| Ok(subject.study(&Systems)?)).collect(),
@@ -122,9 +122,12 @@ fn text(judged: &Judged) -> String {
     lines.extend(labelled("removable poles", &removable, LABELS));
     lines.extend(judged.random_fields.iter().map(|(name, equations)| format!("{name}: {equations}")));
     if judged.odd_fields > 0 {
-        lines.push(format!("{} random fields with extreme coefficients were tested as well", judged.odd_fields));
+        lines.push(format!(
+            "{} random fields with extreme coefficients were tested as well",
+            judged.odd_fields
+        ));
     }
-    for (name, Broken { text, silently_wrong, unjustified, first }) in &judged.tally.broken {
+    for (name, BrokenPromises { text, silently_wrong, unjustified, first }) in &judged.tally.broken {
         lines.push(format!(
             "{name}, {silently_wrong} silently wrong, {unjustified} unjustified flags: {text}"
         ));
@@ -144,7 +147,7 @@ fn complaint(judged: &Judged) -> Option<String> {
     })
 }
 
-fn row((place, cell): (&Place, &Cell)) -> Vec<String> {
+fn row((place, cell): (&CellKey, &Cell)) -> Vec<String> {
     let (regime, tier, scalar) = place;
     let error = match cell.max_error_u {
         None => "-".to_owned(),

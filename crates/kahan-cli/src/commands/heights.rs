@@ -5,13 +5,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_draw::document::Rows;
-use kahan_runtime::heights::{Growth, Stop, Survey};
+use kahan_runtime::heights::{DiophantineTest, Growth, Stop};
 use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
 
+use super::command_line::QuestionCommand;
 use super::eval::unreduced;
-use super::line::Asking;
 use crate::printing::layout::{headed, paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal, Sink, csv};
+use crate::printing::{Answer, OutputStream, ProgressDisplay, UsageError, csv};
 use crate::reading::{Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
@@ -61,19 +61,19 @@ pub(crate) struct Heights {
     out: Option<PathBuf>,
 }
 
-impl Asking for Heights {
+impl QuestionCommand for Heights {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let (study, at, eps) = self.start.study()?;
         let Heights { steps, digits, seconds, .. } = *self;
         Ok((study, Question { eps, at, steps, digits, seconds }))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
-        let (study, asked) = self.asked()?;
-        let sink = self.out.as_deref().map(Sink::table).transpose()?;
-        let found = asked.ask(&study, &Prompt::of("steps"))?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let (study, asked) = self.read_question()?;
+        let sink = self.out.as_deref().map(OutputStream::table).transpose()?;
+        let found = asked.ask(&study, &ProgressDisplay::of("steps"))?;
         if let Some(sink) = sink {
             let all = (0..found.survey.heights.len()).collect();
             sink.put(csv(&rows(&found, all, |name| format!("h_{name}"))))?;
@@ -100,7 +100,7 @@ fn text(found: &HeightsFound, asked: &Question) -> String {
     let is_cut = shown.len() < all;
     let mut steps = table(&rows(found, shown, |name| format!("h({name})")), 1);
     steps.extend(is_cut.then(|| "(--json and --out have every step)".to_owned()));
-    let Survey { growth, entropy, .. } = &found.survey;
+    let DiophantineTest { growth, entropy, .. } = &found.survey;
     let entropy = match growth {
         Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
         _ => "entropy   0".to_owned(),

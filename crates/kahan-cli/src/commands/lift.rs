@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::render::{Formulas, macro_block};
-use kahan_draw::picture::{Look, relations};
+use kahan_draw::picture::{PictureOptions, relations};
 use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
-use kahan_study::{ClaimShown, Fate, LiftFound, RelationFound, Study};
+use kahan_study::{ClaimShown, LiftFound, RelationFate, RelationFound, Study};
 
-use super::look::{OutFile, SheetOptions, usual};
+use super::image_options::{ImageOptions, OutFile, usual};
 use crate::printing::page::{Page, aligned, paragraph};
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, UsageError};
 use crate::reading::{Source, StepLength};
 
 /// Lifts a field to a quadratic one: functions, quotients and powers become new variables.
@@ -64,11 +64,11 @@ pub(crate) struct Lift {
     out: Option<PathBuf>,
 
     #[command(flatten)]
-    look: SheetOptions,
+    look: ImageOptions,
 }
 
 impl Lift {
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         let eps = self.step.half()?;
         let study = self.source.clone().lifted().proved(self.at.as_deref())?;
         if let Some(at) = &self.at {
@@ -76,12 +76,14 @@ impl Lift {
         }
         let found = study.lift_found(eps.map(|eps| eps.to_f64()))?;
         let Some(found) = found else {
-            return Err(Refusal::new("--sites: a chain `for i in … { … }` cannot be lifted; write out its equations"));
+            return Err(UsageError::new(
+                "--sites: a chain `for i in … { … }` cannot be lifted; write out its equations",
+            ));
         };
         if let Some(out) = &self.out {
-            let look = Look::on(self.look.sheet(usual()));
+            let look = PictureOptions::on(self.look.sheet(usual()));
             let picture = relations(&found, &look).ok_or_else(|| {
-                Refusal::new("--out draws errors along an orbit: give --at, and a value to each parameter")
+                UsageError::new("--out draws errors along an orbit: give --at, and a value to each parameter")
             })?;
             OutFile::picture(out)?.put(&picture.drawing, String::new)?;
         }
@@ -124,8 +126,8 @@ fn text(found: &LiftFound) -> String {
     page.section("choice", paragraph(&format!("{}; {}.", found.chosen, found.optimality())));
     let is_kept = found.relations.iter().any(|relation| relation.formula.is_some());
     let strays = found.relations.iter().any(|relation| match relation.along {
-        Some(Fate::Drifts | Fate::Grows) => true,
-        Some(Fate::Bounded) => !is_kept,
+        Some(RelationFate::Drifts | RelationFate::Grows) => true,
+        Some(RelationFate::Bounded) => !is_kept,
         _ => false,
     });
     let projected =

@@ -4,7 +4,7 @@ use clap::Args;
 use kahan_study::{Listed, Systems, list};
 
 use crate::printing::layout::{headed, table};
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, UsageError};
 
 /// Lists the systems of the catalog.
 ///
@@ -19,7 +19,7 @@ pub(crate) struct List {
 }
 
 impl List {
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         Ok(Answer::of(&list(&Systems)?, self.json, text))
     }
 }

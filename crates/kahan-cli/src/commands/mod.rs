@@ -1,18 +1,18 @@
-//! The commands, one module each: arguments in, an [`Answer`] or a [`Refusal`] out.
+//! The commands, one module each: arguments in, an [`Answer`] or a [`UsageError`] out.
 
-mod line;
-mod look;
+mod command_line;
+mod image_options;
 
 use clap::Subcommand;
 use kahan_study::Question;
 
-use crate::printing::{Answer, Refusal};
-use line::{Asking, Line};
+use crate::printing::{Answer, UsageError};
+use command_line::{CommandLine, QuestionCommand};
 
 /// Declares the commands, each in a module of its name.
 ///
 /// Generates their modules; `GROUPS`, the groups of `kahan --help`; the enum `Command` that clap
-/// reads, with `run`; and `Line::asking`. `$whole` returns the whole command line.
+/// reads, with `run`; and `CommandLine::asking`. `$whole` returns the whole command line.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident
@@ -28,20 +28,20 @@ macro_rules! commands {
         }
 
         impl Command {
-            pub(crate) fn run(&self, $whole: fn() -> clap::Command) -> Result<Answer, Refusal> {
+            pub(crate) fn run(&self, $whole: fn() -> clap::Command) -> Result<Answer, UsageError> {
                 match self {
                     $($(Self::$command(command) => command.run($($argument)?),)*)*
                 }
             }
         }
 
-        impl Line {
+        impl CommandLine {
             fn asking(system: &[String], question: &Question) -> Self {
                 match question {
                     $($($(
                         Question::$question(asked) => {
                             $(let asked = &$($shown)::+(asked);)?
-                            $module::$command::options(asked, Line::new(stringify!($module), system))
+                            $module::$command::options(asked, CommandLine::new(stringify!($module), system))
                         }
                     )?)*)*
                 }
@@ -54,7 +54,7 @@ commands! { |whole|
     "A field": list::List, show::Show asking Show, eval::Eval asking Evaluate, lift::Lift;
     "Orbits": orbit::Orbit asking Orbit, dynamics::Dynamics asking Observe, section::Section asking Section,
         periodic::Periodic asking Periodic, chart::Chart asking Over,
-        picture::Picture asking Diagram by picture::shown::Shown::of_diagram, sweep::Sweep;
+        picture::Picture asking Diagram by picture::request::PictureRequest::of_diagram, sweep::Sweep;
     "What is preserved": discover::Discover asking Discover, scan::Scan asking Scan,
         poles::Poles asking Poles, heights::Heights asking Heights;
     "Accuracy": trade::Trade asking Trade, extremes::Extremes;

@@ -11,11 +11,11 @@ use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::{Kept, MOST_VARIABLES, Method, Orbit as Question, Paces, Study};
+use kahan_study::{MOST_VARIABLES, Method, Orbit as Question, RowSchedule, StoredColumn, Study};
 use serde_json::json;
 
-use super::line::Asking;
-use crate::printing::{Answer, Npy, Refusal, Sink};
+use super::command_line::QuestionCommand;
+use crate::printing::{Answer, Npy, OutputStream, UsageError};
 use crate::reading::{Start, Stepping, Transient, one_of, order, scalar, whole};
 
 /// Prints an orbit of a system's map as CSV: step n, time t = 2 eps n, variables, integrals.
@@ -131,20 +131,20 @@ pub(crate) struct Orbit {
 /// Rows count steps in an `i64`.
 const MOST: u64 = i64::MAX as u64;
 
-impl Asking for Orbit {
+impl QuestionCommand for Orbit {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let (study, at, eps) = self.start.study()?;
         Ok((study, self.question(eps, at)))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, UsageError> {
         if let Some(start) = &self.begin {
             return self.chain(start);
         }
         if self.out.as_deref().is_some_and(is_array) {
-            return Err(Refusal::new(
+            return Err(UsageError::new(
                 "--out F.npy is for the states of a chain, with --start; write --out F.csv",
             ));
         }
@@ -158,8 +158,9 @@ impl Asking for Orbit {
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);
-        let place =
-            |start: usize| has_places.then(|| Kept::Integer(vec![start as i64])).into_iter().collect();
+        let place = |start: usize| {
+            has_places.then(|| StoredColumn::Integer(vec![start as i64])).into_iter().collect()
+        };
         let orbits = begun.into_iter().enumerate().map(|(start, orbit)| (place(start), orbit));
         let names = if has_places { &names[..] } else { &[] };
         self.write(head, names, orbits, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
@@ -173,11 +174,11 @@ impl Orbit {
         Question { eps, at, transient, steps, every, scalar, order, method, projective, reembed }
     }
 
-    fn chain(&self, start: &str) -> Result<Answer, Refusal> {
+    fn chain(&self, start: &str) -> Result<Answer, UsageError> {
         let has_numbers = self.scalar != ScalarKind::F64 || self.order != 2;
         if has_numbers || self.method != Method::Kahan {
             let what = if has_numbers { " in f64: leave --scalar and --order" } else { ": leave --method" };
-            return Err(Refusal::new(format!(
+            return Err(UsageError::new(format!(
                 "--start is for chains, which are stepped by Kahan's map{what} out"
             )));
         }
@@ -187,14 +188,15 @@ impl Orbit {
         let mut chain = self.start.chain(start, most_names)?;
         let arrays = chain.lattice.arrays().len();
         let sizes = if arrays == 1 { vec![chain.sites] } else { vec![chain.sites, arrays] };
-        let array = array.map(|path| Npy::new(Sink::file(path, "--out")?, sizes).map_err(Refusal::from));
+        let array =
+            array.map(|path| Npy::new(OutputStream::file(path, "--out")?, sizes).map_err(UsageError::from));
         let mut array = array.transpose()?;
-        let paces = Paces::new(self.before.transient, self.steps, self.every);
+        let paces = RowSchedule::new(self.before.transient, self.steps, self.every);
         let paces = paces.expect("--every is 1 or more");
         let head = chain.head(paces);
         self.write(json!(head), &[], [(Vec::new(), &mut chain)].into_iter(), |chain, table, watch| {
             // The file must be complete even if the reader of the table has gone.
-            table.outlive_reader(array.is_some());
+            table.continue_without_reader(array.is_some());
             let mut written = Ok(());
             let see = &mut |state: &[f64]| {
                 written = array.as_mut().map_or(Ok(()), |array| array.row(state));

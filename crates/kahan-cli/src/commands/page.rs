@@ -10,16 +10,16 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::block_lines;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
-use kahan_draw::document::{Making, colophon, document, readable};
+use kahan_draw::document::{PageCreation, colophon, document, readable};
 use kahan_study::{Answer as Found, Lift, ShownOrbit, Study, Systems};
 use kahan_systems::entry::Entry;
 use maud::{Markup, html};
 
 use super::atlas::Index;
-use super::line::Line;
-use crate::printing::{Answer, Prompt, Refusal, joined};
+use super::command_line::CommandLine;
+use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::{Block, Source, StepLength, point, seconds};
-use figures::{Asked, Field, Subject, command};
+use figures::{AnsweredQuestion, Field, Subject, command};
 
 /// Writes an HTML page about a field: formulas, findings with proofs, figures, settings.
 ///
@@ -66,12 +66,12 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         let index = Index::begin(&self.out)?;
         let block = self.source.required_block()?;
         let at = self.at.as_deref();
-        let (source, begun) = self.begun(&block)?;
-        let read = |source: &Source| -> Result<Field, Refusal> {
+        let (source, begun) = self.with_chosen_start(&block)?;
+        let read = |source: &Source| -> Result<Field, UsageError> {
             Ok(Field { words: source.words(&begun), study: source.study_of_block(&begun, at)? })
         };
         let generic = read(&source)?;
@@ -87,14 +87,14 @@ impl Page {
         index.put(&text, "", 2)
     }
 
-    fn shown(&self, study: &Study) -> Result<ShownOrbit, Refusal> {
+    fn shown(&self, study: &Study) -> Result<ShownOrbit, UsageError> {
         let eps = self.step.half()?;
         let at = self.at.as_deref().map(|at| point(Some(at), study)).transpose()?;
         Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
 
-    fn line(&self, block: &Block) -> Line {
-        let line = Line::new("page", &self.source.words(block));
+    fn line(&self, block: &Block) -> CommandLine {
+        let line = CommandLine::new("page", &self.source.words(block));
         let line = self.step.given().into_iter().fold(line, |line, (option, text)| line.with(option, text));
         let line = line.with_some("--at", self.at.as_ref());
         line.with("--seconds", self.seconds).with("--out", self.out.display())
@@ -124,7 +124,7 @@ struct Chapter {
 /// Computes all chapters in order. `written` is the original text of a lifted field.
 fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
-    let progress = Prompt::stages();
+    let progress = ProgressDisplay::stages();
     let mut chapters = Vec::new();
     let mut chapter = |id, title, make: &dyn Fn() -> Markup| {
         progress.say(title);
@@ -152,8 +152,8 @@ fn written(
     subject: &Subject<'_>,
     entry: Option<&Entry>,
     chapters: &[Chapter],
-    again: &Line,
-    making: &Making,
+    again: &CommandLine,
+    making: &PageCreation,
 ) -> String {
     let study = &subject.valued.study;
     let header = study.system().header.as_ref().map(|_| study.name());
@@ -202,7 +202,7 @@ fn introduction(subject: &Subject<'_>) -> Markup {
 }
 
 /// Returns the field with the discovered integrals, if they are few and short enough.
-fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field> {
+fn with_integrals(found: &AnsweredQuestion, values: &[(String, Rational)]) -> Option<Field> {
     const LONGEST: usize = 800;
 
     let Ok(Found::Discover(found)) = &found.answer else { return None };

@@ -6,16 +6,17 @@ use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_core::nalgebra::Complex;
 use kahan_draw::document::Rows;
-use kahan_draw::picture::{Look, branch};
-use kahan_dynamics::periodic::{BranchPoint, Change, Extrapolated, PeriodicPoint};
+use kahan_draw::picture::{PictureOptions, branch};
+use kahan_dynamics::periodic::{BranchChange, BranchPoint, Extrapolated, PeriodicPoint};
 use kahan_study::{
-    CycleFound, FlowFound, Free, Hold, Periodic as Question, Study, StudyError, characteristic_polynomial,
+    CycleFound, FlowFound, FreeUnknown, HeldIntegrals, Periodic as Question, Study, StudyError,
+    characteristic_polynomial,
 };
 
-use super::line::Asking;
-use super::look::{OutFile, SheetOptions, usual};
+use super::command_line::QuestionCommand;
+use super::image_options::{ImageOptions, OutFile, usual};
 use crate::printing::layout::{headed, paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal, csv, joined};
+use crate::printing::{Answer, ProgressDisplay, UsageError, csv, joined};
 use crate::reading::{Start, one_of, over, whole};
 
 /// Finds a periodic point near a given point: its stability, and how it changes with a parameter.
@@ -60,8 +61,8 @@ pub(crate) struct Periodic {
     period: usize,
 
     /// The unknown besides the points: eps, for a limit cycle of the flow.
-    #[arg(long, value_name = "WHAT", value_parser = one_of(&[Free::Eps], |_| PossibleValue::new("eps").help("half the time step")), hide_possible_values = true)]
-    free: Option<Free>,
+    #[arg(long, value_name = "WHAT", value_parser = one_of(&[FreeUnknown::Eps], |_| PossibleValue::new("eps").help("half the time step")), hide_possible_values = true)]
+    free: Option<FreeUnknown>,
 
     /// With --free: make N steps before looking for a point where the orbit nearly returns.
     #[arg(long, value_name = "N", default_value = "0", requires = "free", value_parser = whole(0, u64::MAX))]
@@ -72,8 +73,8 @@ pub(crate) struct Periodic {
     over: Option<String>,
 
     /// The integrals that keep their values at the initial point.
-    #[arg(long, value_name = "WHICH", default_value = "linear", value_parser = one_of(&Hold::ALL, |one| one.name().into()))]
-    hold: Hold,
+    #[arg(long, value_name = "WHICH", default_value = "linear", value_parser = one_of(&HeldIntegrals::ALL, |one| one.name().into()))]
+    hold: HeldIntegrals,
 
     /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg,
     /// F.png or F.pdf.
@@ -81,7 +82,7 @@ pub(crate) struct Periodic {
     out: Option<PathBuf>,
 
     #[command(flatten)]
-    look: SheetOptions,
+    look: ImageOptions,
 
     /// Print one JSON object.
     ///
@@ -96,15 +97,15 @@ pub(crate) struct Periodic {
 const LONGEST_PERIOD: usize = 200;
 const MOST_STEPS: usize = 1_000_000;
 
-impl Asking for Periodic {
+impl QuestionCommand for Periodic {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let axis = self.over.as_deref().map(over).transpose()?;
         let (study, at, eps) = self.start.study_over(axis.as_slice())?;
         if self.free.is_none() && self.period > LONGEST_PERIOD {
             let period = self.period;
-            return Err(Refusal::new(format!(
+            return Err(UsageError::new(format!(
                 "--period {period}: a cycle of the map has at most {LONGEST_PERIOD} points; --free eps takes more steps"
             )));
         }
@@ -112,20 +113,20 @@ impl Asking for Periodic {
         Ok((study, Question { eps, at, period, free, transient, over: axis, hold }))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, UsageError> {
         let out = self.out.as_deref().map(OutFile::picture_or_table).transpose()?;
-        let (study, asked) = self.asked()?;
-        let found = match asked.ask(&study, &Prompt::of("cycles")) {
+        let (study, asked) = self.read_question()?;
+        let found = match asked.ask(&study, &ProgressDisplay::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
                 return Ok(Answer::text(String::new()).but(Some(why.to_string())));
             }
             Err(why @ StudyError::LongCycle { .. }) => {
-                return Err(Refusal::new(format!("--period {}: {why}", self.period)));
+                return Err(UsageError::new(format!("--period {}: {why}", self.period)));
             }
             found => found?,
         };
         if let Some(out) = out {
-            let picture = branch(&found, &Look::on(self.look.sheet(usual())));
+            let picture = branch(&found, &PictureOptions::on(self.look.sheet(usual())));
             out.put(&picture.drawing, || csv(&points(&found)))?;
         }
         Ok(Answer::of(&found, self.json, text))
@@ -183,10 +184,10 @@ fn text(found: &CycleFound) -> String {
                 Some(of_flow) => with_error(&of_flow.parameter),
                 None => format!("{:.10}", point.parameter),
             };
-            Some(format!("at {name} = {parameter}: {}", found.said(point.change()?)))
+            Some(format!("at {name} = {parameter}: {}", found.change_in_words(point.change()?)))
         });
         let is_plain = found.flow.is_some() && found.rows().any(|(_, of_flow)| of_flow.is_none());
-        let has_end = found.rows().any(|(point, _)| point.change().is_some_and(Change::is_end));
+        let has_end = found.rows().any(|(point, _)| point.change().is_some_and(BranchChange::is_end));
         let mut lines: Vec<String> = changes.collect();
         lines.extend(
             is_plain.then(|| format!("periods without an error are those of {steps} steps: {PLAIN}")),
@@ -214,7 +215,7 @@ fn branch_rows(found: &CycleFound, name: &str) -> Rows {
             None => format!("{:.8}", 2.0 * point.eps * steps as f64),
         };
         let first = point.cycle.points[0].iter().map(|x| format!("{x:.8}"));
-        let change = point.change().map(|change| found.said(change)).unwrap_or_default();
+        let change = point.change().map(|change| found.change_in_words(change)).unwrap_or_default();
         let multipliers = complex_numbers(&point.cycle.multipliers);
         let head = [format!("{:.8}", point.parameter)].into_iter();
         let head = head.chain(is_of_flow.then_some([period, steps.to_string()]).into_iter().flatten());
@@ -251,7 +252,7 @@ fn tail(found: &CycleFound, point: &BranchPoint, of_flow: Option<&FlowFound>) ->
     let PeriodicPoint { points, multipliers, .. } = &point.cycle;
     let mut cells = vec![point.cycle.stability().to_string()];
     cells.extend(multipliers.iter().flat_map(|one| [shown(one.re), shown(one.im)]));
-    cells.push(point.change().map(|change| found.said(change)).unwrap_or_default());
+    cells.push(point.change().map(|change| found.change_in_words(change)).unwrap_or_default());
     if found.flow.is_some() {
         let of_map = 2.0 * point.eps * points.len() as f64;
         let period = of_flow.map_or(of_map, |of_flow| of_flow.period.value);

@@ -1,7 +1,7 @@
 //! `kahan picture`: parses the arguments of pictures of orbits, orbit diagrams and heights;
 //! [`shown`] computes and draws.
 
-pub(crate) mod shown;
+pub(crate) mod request;
 pub(crate) mod starts;
 
 use std::path::PathBuf;
@@ -12,13 +12,13 @@ use kahan_draw::picture::Picture as Drawing;
 use kahan_study::{Diagram, Direction, Section, Study};
 use serde_json::json;
 
-use super::line::Line;
-use super::look::{OutFile, SheetOptions};
+use super::command_line::CommandLine;
+use super::image_options::{ImageOptions, OutFile};
 use super::section::section;
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, UsageError};
 use crate::reading::{Source, StepLength, Stepping, number, over, point, seconds, whole};
-use shown::{Drawn, Shown, What};
-use starts::{At, Spread};
+use request::{NotedPicture, PictureContent, PictureRequest};
+use starts::{StartSpec, StartSpread};
 
 /// Draws orbits, sections, orbit diagrams or heights.
 ///
@@ -120,7 +120,7 @@ pub(crate) struct Picture {
     window: Vec<String>,
 
     #[command(flatten)]
-    look: SheetOptions,
+    look: ImageOptions,
 
     /// Stop after S seconds and draw the points so far.
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds)]
@@ -155,15 +155,20 @@ const USUAL_CROSSINGS: u64 = 100;
 
 impl Picture {
     /// Returns the field, and the picture as a value.
-    pub(super) fn asked(&self) -> Result<(Study, Shown), Refusal> {
+    pub(super) fn read_question(&self) -> Result<(Study, PictureRequest), UsageError> {
         let kind = self.kind()?;
         let study = self.source.proved(self.at.first().map(String::as_str))?;
         let what = match kind {
-            Kind::Portrait => What::Portrait,
+            Kind::Portrait => PictureContent::Portrait,
             Kind::Section => {
                 let (plane, direction, crossings) = self.section(&study)?.unwrap_or_default();
                 let asked = Section::new(Rational::zero(), Vec::new(), 0, plane);
-                What::Section(Box::new(Section { steps: self.steps, direction, crossings, ..asked }))
+                PictureContent::Section(Box::new(Section {
+                    steps: self.steps,
+                    direction,
+                    crossings,
+                    ..asked
+                }))
             }
             Kind::OrbitsOver => {
                 let axis = over(self.over.as_deref().unwrap_or_default())?;
@@ -172,7 +177,7 @@ impl Picture {
                 let plane = section.as_ref().map(|(plane, ..)| plane.clone());
                 let (_, direction, crossings) = section.unwrap_or_default();
                 let asked = Diagram::new(None, Vec::new(), axis, 0);
-                What::Over(Box::new(Diagram {
+                PictureContent::Over(Box::new(Diagram {
                     plane,
                     direction,
                     transient: self.transient,
@@ -183,25 +188,25 @@ impl Picture {
                 }))
             }
             Kind::Heights if self.starts.is_some() || !self.axes.is_empty() => {
-                return Err(Refusal::new(
+                return Err(UsageError::new(
                     "--kind heights shows all variables of one orbit; leave --starts and --axes out",
                 ));
             }
             Kind::Heights if self.stepping.reembed => {
-                return Err(Refusal::new(
+                return Err(UsageError::new(
                     "--kind heights is of exact orbits, and --reembed projects steps in f64; leave --reembed out",
                 ));
             }
-            Kind::Heights => What::Heights,
+            Kind::Heights => PictureContent::Heights,
         };
         let radius = number(&self.radius, "--radius")?;
-        let spread = Spread { count: self.starts, radius, seed: self.seed };
-        let at = self.at.iter().map(|at| At::read(at, &spread, &study));
-        let own = self.at.is_empty().then(|| Ok(vec![At::Point(point(None, &study)?)]));
-        let shown = Shown {
+        let spread = StartSpread { count: self.starts, radius, seed: self.seed };
+        let at = self.at.iter().map(|at| StartSpec::read(at, &spread, &study));
+        let own = self.at.is_empty().then(|| Ok(vec![StartSpec::Point(point(None, &study)?)]));
+        let shown = PictureRequest {
             what,
             eps: self.step.half()?,
-            at: at.chain(own).collect::<Result<Vec<_>, Refusal>>()?.concat(),
+            at: at.chain(own).collect::<Result<Vec<_>, UsageError>>()?.concat(),
             spread,
             steps: self.steps.unwrap_or_default(),
             axes: self.axes.iter().map(|name| name.trim().to_owned()).collect(),
@@ -215,27 +220,46 @@ impl Picture {
         let names = shown.names(&study)?;
         if let Some((name, _)) = shown.windows.iter().find(|(name, _)| !names.contains(name)) {
             let known = names.join(", ");
-            return Err(Refusal::new(format!("--window: the picture has no axis `{name}`; it has {known}")));
+            return Err(UsageError::new(format!(
+                "--window: the picture has no axis `{name}`; it has {known}"
+            )));
         }
         Ok((study, shown))
     }
 
     /// Appends the options for this picture that differ from the defaults.
-    pub(super) fn options(asked: &Shown, line: Line) -> Line {
-        let Shown { what, eps, at, spread, steps, axes, windows, lines, reembed, seconds, look, out } = asked;
+    pub(super) fn options(asked: &PictureRequest, line: CommandLine) -> CommandLine {
+        let PictureRequest {
+            what,
+            eps,
+            at,
+            spread,
+            steps,
+            axes,
+            windows,
+            lines,
+            reembed,
+            seconds,
+            look,
+            out,
+        } = asked;
         let (kind, over) = match what {
-            What::Portrait | What::Section(_) => (None, None),
-            What::Heights => (Some("heights"), None),
-            What::Over(asked) => (None, Some(asked)),
+            PictureContent::Portrait | PictureContent::Section(_) => (None, None),
+            PictureContent::Heights => (Some("heights"), None),
+            PictureContent::Over(asked) => (None, Some(asked)),
         };
         let (plane, direction, steps, crossings) = match what {
-            What::Section(asked) => (Some(&asked.plane), Some(asked.direction), asked.steps, asked.crossings),
-            What::Over(asked) => (asked.plane.as_ref(), Some(asked.direction), asked.steps, asked.crossings),
-            What::Portrait | What::Heights => (None, None, Some(*steps), None),
+            PictureContent::Section(asked) => {
+                (Some(&asked.plane), Some(asked.direction), asked.steps, asked.crossings)
+            }
+            PictureContent::Over(asked) => {
+                (asked.plane.as_ref(), Some(asked.direction), asked.steps, asked.crossings)
+            }
+            PictureContent::Portrait | PictureContent::Heights => (None, None, Some(*steps), None),
         };
         let windows = windows.iter().map(|(name, [low, high])| format!("{name}={low}:{high}"));
-        let line = line.saying::<Self>(&json!({
-            "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(At::to_string).collect::<Vec<_>>(),
+        let line = line.with_changed_options::<Self>(&json!({
+            "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(StartSpec::to_string).collect::<Vec<_>>(),
             "starts": spread.count, "radius": spread.radius.to_string(), "seed": spread.seed, "plane": plane,
             "over": over.map(|asked| json!({(asked.over.name.clone()): asked.over.range})), "kind": kind, "axes": axes,
             "transient": over.map(|asked| asked.transient), "direction": direction.map(Direction::name),
@@ -246,17 +270,17 @@ impl Picture {
     }
 
     /// Writes the file, and returns a description of its contents.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         let kind = self.kind()?;
         let out = OutFile::picture(&self.out)?;
-        let (study, shown) = self.asked()?;
+        let (study, shown) = self.read_question()?;
         let drawn = shown.drawn(&study)?;
         let bytes = out.put(&drawn.picture.drawing, String::new)?;
         Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
     /// Returns formula, direction and number of crossings of the section, if requested.
-    fn section(&self, study: &Study) -> Result<Option<(String, Direction, Option<u64>)>, Refusal> {
+    fn section(&self, study: &Study) -> Result<Option<(String, Direction, Option<u64>)>, UsageError> {
         let (plane, maxima) = (self.plane.as_deref(), self.maxima.as_deref());
         if plane.or(maxima).is_none() {
             return Ok(None);
@@ -266,9 +290,9 @@ impl Picture {
         Ok(Some((plane, direction, self.crossings.or(usual))))
     }
 
-    fn kind(&self) -> Result<Kind, Refusal> {
+    fn kind(&self) -> Result<Kind, UsageError> {
         let section = self.plane.as_ref().or(self.maxima.as_ref());
-        Err(Refusal::new(match (self.kind, section, &self.over) {
+        Err(UsageError::new(match (self.kind, section, &self.over) {
             (None | Some(Kind::Section), Some(_), None) => return Ok(Kind::Section),
             (Some(_), Some(_), None) => {
                 "--plane and --maxima make a section; leave them out, or leave --kind out"
@@ -288,8 +312,8 @@ impl Picture {
         }))
     }
 
-    fn answer(&self, system: &str, kind: Kind, drawn: &Drawn, bytes: usize) -> Answer {
-        let Drawn { picture: Drawing { drawing, points, outside, .. }, notes } = drawn;
+    fn answer(&self, system: &str, kind: Kind, drawn: &NotedPicture, bytes: usize) -> Answer {
+        let NotedPicture { picture: Drawing { drawing, points, outside, .. }, notes } = drawn;
         let file = self.out.display().to_string();
         if self.json {
             let kind = kind.to_possible_value().map(|value| value.get_name().to_owned());
@@ -307,15 +331,15 @@ impl Picture {
 }
 
 /// Reads NAME=LOW:HIGH.
-fn read_window(window: &str) -> Result<(String, [Rational; 2]), Refusal> {
+fn read_window(window: &str) -> Result<(String, [Rational; 2]), UsageError> {
     let (name, range) = window.split_once('=').unwrap_or((window, ""));
     let wrong = format!("--window: `{window}` is not NAME=LOW:HIGH with LOW below HIGH, as in {name}=-2:2");
-    let (low, high) = range.split_once(':').ok_or_else(|| Refusal::new(&wrong))?;
+    let (low, high) = range.split_once(':').ok_or_else(|| UsageError::new(&wrong))?;
     let ends = [number(low, "--window")?, number(high, "--window")?];
     let [from, to] = ends.each_ref().map(Rational::to_f64);
     if from.is_finite() && to.is_finite() && from < to {
         Ok((name.trim().to_owned(), ends))
     } else {
-        Err(Refusal::new(wrong))
+        Err(UsageError::new(wrong))
     }
 }

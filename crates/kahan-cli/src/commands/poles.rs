@@ -4,9 +4,9 @@ use clap::Args;
 use kahan_draw::answer::poles;
 use kahan_study::{Poles as Question, PolesFound, Study};
 
-use super::line::Asking;
+use super::command_line::QuestionCommand;
 use crate::printing::layout::{paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal, joined};
+use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::{Source, StepLength, seconds, whole};
 
 /// Tests whether the singularities of a map are confined: follows them, step by step.
@@ -53,17 +53,17 @@ pub(crate) struct Poles {
 
 const LONGEST: usize = 100;
 
-impl Asking for Poles {
+impl QuestionCommand for Poles {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let eps = self.step.half()?;
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
-        let (study, asked) = self.asked()?;
-        let found = asked.ask(&study, &Prompt::stages())?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let (study, asked) = self.read_question()?;
+        let found = asked.ask(&study, &ProgressDisplay::stages())?;
         Ok(Answer::of(&found, self.json, text))
     }
 }

@@ -1,13 +1,13 @@
 //! `kahan scan`: special values of parameters and of ε.
 
 use clap::Args;
-use kahan_discover::scan::{Proposal, Sight};
+use kahan_discover::scan::{DegreesAndRanks, Proposal};
 use kahan_study::{Axis, Scan as Question, ScanFound, Study};
 
+use super::command_line::{CommandLine, QuestionCommand};
 use super::discover::Search;
-use super::line::{Asking, Line};
 use crate::printing::layout::{paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal, joined};
+use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::axis;
 
 /// Searches a grid for special values of parameters and of eps.
@@ -36,15 +36,15 @@ pub(crate) struct Scan {
     search: Search,
 }
 
-impl Asking for Scan {
+impl QuestionCommand for Scan {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let (source, ranges) = self.search.source.without_ranges();
         let study = source.study()?;
         let of_parameter =
             |&(name, range): &(&str, &str)| axis(name.trim(), range, &format!("--param {}", name.trim()));
-        let mut axes = ranges.iter().map(of_parameter).collect::<Result<Vec<Axis>, Refusal>>()?;
+        let mut axes = ranges.iter().map(of_parameter).collect::<Result<Vec<Axis>, UsageError>>()?;
         let range = self.search.step.range().map(|range| axis("eps", range, "--eps")).transpose()?;
         let eps = if range.is_some() { None } else { self.search.step.half()? };
         axes.extend(range);
@@ -52,17 +52,17 @@ impl Asking for Scan {
         Ok((study, Question { eps, over: axes, degree, seconds }))
     }
 
-    fn options(asked: &Question, line: Line) -> Line {
+    fn options(asked: &Question, line: CommandLine) -> CommandLine {
         let line = asked.over.iter().fold(line, |line, axis| match axis.name.as_str() {
             "eps" => line.with("--eps", &axis.range),
             name => line.with("--param", format!("{name}={}", axis.range)),
         });
-        line.saying::<Self>(asked)
+        line.with_changed_options::<Self>(asked)
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
-        let (study, asked) = self.asked()?;
-        let found = asked.ask(&study, &Prompt::of("points"))?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let (study, asked) = self.read_question()?;
+        let found = asked.ask(&study, &ProgressDisplay::of("points"))?;
         Ok(Answer::of(&found, self.search.json, text))
     }
 }
@@ -84,7 +84,7 @@ fn relation_lines(found: &Proposal) -> Vec<String> {
 fn text(answer: &ScanFound) -> String {
     let ScanFound { system: name, found, total, seconds } = answer;
     let seconds = seconds.unwrap_or_default();
-    let seen = |sight: &Option<Sight>| match sight {
+    let seen = |sight: &Option<DegreesAndRanks>| match sight {
         Some(sight) => {
             vec![sight.integrals.to_string(), joined(&sight.hilbert, " "), joined(&sight.degrees, " ")]
         }

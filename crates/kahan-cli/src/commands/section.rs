@@ -8,8 +8,8 @@ use kahan_draw::answer::jumps;
 use kahan_study::{Axis, Column, Crossed, Direction, Rows, Section as Question, Study, Values};
 use serde_json::{Map, Value, json};
 
-use super::line::Asking;
-use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
+use super::command_line::QuestionCommand;
+use crate::printing::{Answer, Format, OutputStream, ProgressDisplay, Table, UsageError, WriteError, warn};
 use crate::reading::{MOST_OBSERVED, Start, Stepping, Transient, one_of, order, over, whole};
 
 /// Prints where orbits cross a section, as CSV: step n, time t, variables.
@@ -87,10 +87,10 @@ pub(crate) struct Section {
     json: bool,
 }
 
-impl Asking for Section {
+impl QuestionCommand for Section {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let axes = self.over.iter().map(|given| over(given)).collect::<Result<Vec<Axis>, _>>()?;
         let (study, mut starts, eps) = if axes.is_empty() {
             let (study, starts, eps) = self.start.starts()?;
@@ -123,19 +123,22 @@ impl Asking for Section {
     }
 
     /// Writes the crossings; returns notes as the answer.
-    fn run(&self) -> Result<Answer, Refusal> {
-        let (study, asked) = self.asked()?;
+    fn run(&self) -> Result<Answer, UsageError> {
+        let (study, asked) = self.read_question()?;
         if self.json && self.out.is_none() {
-            let found = asked.ask(&study, &Prompt::of("steps"))?;
+            let found = asked.ask(&study, &ProgressDisplay::of("steps"))?;
             let complaint = complaint(&study, &found.orbits);
             return Ok(Answer::of(&found, true, |_| String::new()).but(complaint));
         }
         let columns: Vec<String> = asked.columns(&study)?.into_iter().map(|column| column.name).collect();
         let head = Map::from_iter([("columns".to_owned(), json!(columns))]);
-        let sink = self.out.as_deref().map(Sink::table).transpose()?;
-        let watch = Prompt::beside_rows(sink.is_some(), 0);
-        let mut rows =
-            Late { table: None, begin: Some((sink.unwrap_or_else(Sink::standard), head)), broken: None };
+        let sink = self.out.as_deref().map(OutputStream::table).transpose()?;
+        let watch = ProgressDisplay::beside_rows(sink.is_some(), 0);
+        let mut rows = DeferredTable {
+            table: None,
+            begin: Some((sink.unwrap_or_else(OutputStream::standard), head)),
+            broken: None,
+        };
         let orbits = asked.find(&study, &mut rows, &watch)?;
         rows.end()?;
         jumps(&asked.plane, orbits.iter().map(|one| one.jumps).sum()).iter().for_each(|note| warn(note));
@@ -150,9 +153,9 @@ pub(super) fn section(
     plane: Option<&str>,
     maxima: Option<&str>,
     direction: Direction,
-) -> Result<(String, Direction), Refusal> {
+) -> Result<(String, Direction), UsageError> {
     let Some(variable) = maxima else { return Ok((plane.unwrap_or_default().to_owned(), direction)) };
-    let rate = study.rate(variable).map_err(|why| Refusal::new(format!("--maxima: {why}")))?;
+    let rate = study.rate(variable).map_err(|why| UsageError::new(format!("--maxima: {why}")))?;
     Ok((rate, Direction::Falling))
 }
 
@@ -177,14 +180,14 @@ fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
 }
 
 /// A table that is opened at its first rows, so that a refused question leaves no output.
-struct Late {
+struct DeferredTable {
     table: Option<Table>,
-    begin: Option<(Sink, Map<String, Value>)>,
-    broken: Option<Broken>,
+    begin: Option<(OutputStream, Map<String, Value>)>,
+    broken: Option<WriteError>,
 }
 
-impl Late {
-    fn begun(&mut self) -> Option<&mut Table> {
+impl DeferredTable {
+    fn open_table(&mut self) -> Option<&mut Table> {
         if let Some((sink, head)) = self.begin.take() {
             match Table::begin(sink, Format::Csv, &head) {
                 Ok(table) => self.table = Some(table),
@@ -194,8 +197,8 @@ impl Late {
         self.table.as_mut()
     }
 
-    fn end(mut self) -> Result<(), Broken> {
-        self.begun();
+    fn end(mut self) -> Result<(), WriteError> {
+        self.open_table();
         self.broken.map_or(Ok(()), Err)?;
         let Some(mut table) = self.table else { return Ok(()) };
         table.written()?;
@@ -203,8 +206,8 @@ impl Late {
     }
 }
 
-impl Rows for Late {
+impl Rows for DeferredTable {
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
-        self.begun().map_or(ControlFlow::Break(()), |table| table.block(columns, values))
+        self.open_table().map_or(ControlFlow::Break(()), |table| table.block(columns, values))
     }
 }

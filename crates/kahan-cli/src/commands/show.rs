@@ -6,11 +6,11 @@ mod sheet;
 
 use clap::Args;
 use kahan_algebra::render::macro_block;
-use kahan_study::{Form, Show as Question, Shown, Study};
+use kahan_study::{Show as Question, ShowForm, ShownField, Study};
 use serde_json::json;
 
-use super::line::{Asking, Line};
-use crate::printing::{Answer, Prompt, Refusal};
+use super::command_line::{CommandLine, QuestionCommand};
+use crate::printing::{Answer, ProgressDisplay, UsageError};
 use crate::reading::{Block, Source};
 
 /// Shows the formulas of a system: field, f', A, b, bilinear form, det A, map, Jacobian, claims.
@@ -67,45 +67,47 @@ pub(crate) struct Show {
     json: bool,
 }
 
-impl Asking for Show {
+impl QuestionCommand for Show {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         let form = match self {
-            Show { latex: true, .. } => Form::Latex,
-            Show { sympy: true, .. } => Form::Sympy,
-            Show { plan: true, .. } => Form::Plan,
+            Show { latex: true, .. } => ShowForm::Latex,
+            Show { sympy: true, .. } => ShowForm::Sympy,
+            Show { plan: true, .. } => ShowForm::Plan,
             // With --json, the block is one of the formulas.
-            Show { as_macro: true, json: false, .. } => Form::Kahan,
-            _ => Form::Text,
+            Show { as_macro: true, json: false, .. } => ShowForm::Kahan,
+            _ => ShowForm::Text,
         };
         Ok((self.source.study()?, Question { form, jacobian: self.jacobian }))
     }
 
-    fn options(asked: &Question, line: Line) -> Line {
+    fn options(asked: &Question, line: CommandLine) -> CommandLine {
         let line = if asked.jacobian { line.with_flag("--jacobian") } else { line };
         match asked.form {
-            Form::Text => line,
-            Form::Latex => line.with_flag("--latex"),
-            Form::Sympy => line.with_flag("--sympy"),
-            Form::Kahan => line.with_flag("--macro"),
-            Form::Plan => line.with_flag("--plan"),
+            ShowForm::Text => line,
+            ShowForm::Latex => line.with_flag("--latex"),
+            ShowForm::Sympy => line.with_flag("--sympy"),
+            ShowForm::Kahan => line.with_flag("--macro"),
+            ShowForm::Plan => line.with_flag("--plan"),
         }
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, UsageError> {
         if self.expand {
             return self.expanded();
         }
-        let (study, asked) = self.asked()?;
-        let shown = asked.ask(&study, &Prompt::stages())?;
+        let (study, asked) = self.read_question()?;
+        let shown = asked.ask(&study, &ProgressDisplay::stages())?;
         Ok(match &shown {
             _ if self.json => Answer::json(&json!(shown)),
-            Shown::Formulas(sheet) if let Some(script) = &sheet.script => Answer::verbatim(script.clone()),
-            Shown::Formulas(sheet) if self.latex => Answer::verbatim(sheet::latex(sheet)),
-            Shown::Formulas(sheet) => Answer::text(sheet::text(sheet)),
-            Shown::Block { block, .. } => Answer::text(format!("{block}\n")),
-            Shown::Plan(planned) => Answer::text(plan::text(planned)),
+            ShownField::Formulas(sheet) if let Some(script) = &sheet.script => {
+                Answer::verbatim(script.clone())
+            }
+            ShownField::Formulas(sheet) if self.latex => Answer::verbatim(sheet::latex(sheet)),
+            ShownField::Formulas(sheet) => Answer::text(sheet::text(sheet)),
+            ShownField::Block { block, .. } => Answer::text(format!("{block}\n")),
+            ShownField::Plan(planned) => Answer::text(plan::text(planned)),
         })
     }
 }
@@ -113,7 +115,7 @@ impl Asking for Show {
 impl Show {
     /// Returns the macro's expansion of the block; with parameter values, of the block of
     /// `--macro`.
-    fn expanded(&self) -> Result<Answer, Refusal> {
+    fn expanded(&self) -> Result<Answer, UsageError> {
         let study = self.source.proved(None)?;
         let core = "::kahan_core".parse().expect("a path");
         let block = if study.fixed().is_empty() {
@@ -122,7 +124,7 @@ impl Show {
             Block::of_text(macro_block(&study.specialised()?), "--macro".to_owned()).text().to_owned()
         };
         let expansion =
-            kahan_emit::text(&core, &block).map_err(|why| Refusal::new(format!("--expand: {why}")))?;
+            kahan_emit::text(&core, &block).map_err(|why| UsageError::new(format!("--expand: {why}")))?;
         Ok(match self.json {
             true => Answer::json(&json!({ "system": study.name(), "expansion": expansion })),
             false => Answer::verbatim(expansion),

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::Args;
 
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, UsageError};
 use crate::reading::{not_started, sweeper};
 
 /// Runs a plan of many orbits, on one machine or many: calls the program kahan-sweep.
@@ -27,7 +27,7 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    pub(crate) fn run(&self) -> Result<Answer, UsageError> {
         match sweeper().args(&self.arguments).status() {
             Ok(status) => {
                 Ok(Answer::silent(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))

@@ -6,17 +6,17 @@ use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_core::Composition;
 use kahan_draw::answer::{choice, front};
-use kahan_draw::picture::{Look, trade, trade_sheet};
+use kahan_draw::picture::{PictureOptions, trade, trade_canvas};
 use kahan_dynamics::{Need, Precision};
 use kahan_study::Study;
 use kahan_study::numbers::ScalarKind;
 use kahan_study::reference::Method;
 use kahan_study::trade::{Measured, Trade as Question, Traded, need_name};
 
-use super::line::{Asking, Line};
-use super::look::{OutFile, SheetOptions};
+use super::command_line::{CommandLine, QuestionCommand};
+use super::image_options::{ImageOptions, OutFile};
 use crate::printing::layout::{paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::{Answer, ProgressDisplay, UsageError};
 use crate::reading::{Block, Source, number, one_of, point, seconds};
 
 /// Measures what accuracy costs: finds the cheapest settings that meet a tolerance.
@@ -98,7 +98,7 @@ pub(crate) struct Trade {
     out: Option<PathBuf>,
 
     #[command(flatten)]
-    look: SheetOptions,
+    look: ImageOptions,
 
     /// Print one JSON object: settings, choice, reference and more.
     #[arg(long)]
@@ -112,20 +112,23 @@ fn need(need: Need) -> PossibleValue {
     })
 }
 
-impl Asking for Trade {
+impl QuestionCommand for Trade {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         self.asked_of(&self.source.required_block()?)
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, UsageError> {
         let out = self.out.as_deref().map(OutFile::picture).transpose()?;
         let block = self.source.required_block()?;
         let (study, asked) = self.asked_of(&block)?;
-        let traded = asked.ask(&study, &Prompt::stages())?;
+        let traded = asked.ask(&study, &ProgressDisplay::stages())?;
         if let Some(out) = out {
-            out.put(&trade(&traded, &Look::on(self.look.sheet(trade_sheet()))).drawing, String::new)?;
+            out.put(
+                &trade(&traded, &PictureOptions::on(self.look.sheet(trade_canvas()))).drawing,
+                String::new,
+            )?;
         }
         let written =
             self.out.as_ref().map_or_else(String::new, |out| format!("{} written\n", out.display()));
@@ -136,7 +139,7 @@ impl Asking for Trade {
 }
 
 impl Trade {
-    fn asked_of(&self, block: &Block) -> Result<(Study, Question), Refusal> {
+    fn asked_of(&self, block: &Block) -> Result<(Study, Question), UsageError> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
         // Report a false claim before a missing number.
         study.proved()?;
@@ -152,7 +155,7 @@ impl Trade {
 
     /// Returns the command line for the orbit of the choice. `kahan orbit` has no compensated steps
     /// and no f32 through f64.
-    fn orbit(&self, traded: &Traded, block: &Block) -> Option<Line> {
+    fn orbit(&self, traded: &Traded, block: &Block) -> Option<CommandLine> {
         let setting = &traded.choice()?.setting;
         let scheme = setting.scheme();
         let scalar = match scheme.precision {
@@ -161,8 +164,8 @@ impl Trade {
             Precision::DoubleDouble => ScalarKind::Dd,
             Precision::SingleThroughDouble => return None,
         };
-        let line =
-            Line::new("orbit", &self.source.words(block)).with("--eps", format!("{:?}", setting.eps()));
+        let line = CommandLine::new("orbit", &self.source.words(block))
+            .with("--eps", format!("{:?}", setting.eps()));
         let line = line.with_some("--at", self.at.as_ref()).with("--steps", setting.steps());
         let line = line.with_some("--scalar", (scalar != ScalarKind::F64).then(|| scalar.name()));
         let order = Some(scheme.order()).filter(|order| *order != 2);
@@ -178,7 +181,7 @@ fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
-fn text(traded: &Traded, call: Option<&Line>) -> String {
+fn text(traded: &Traded, call: Option<&CommandLine>) -> String {
     let scene = &traded.scene;
     let title =
         format!("{}: need {}, tolerance {:e}", traded.title(), need_name(scene.need()), scene.tolerance());

@@ -3,9 +3,9 @@
 use clap::Args;
 use kahan_study::{Mutations, Study, Verified, Verify as Question};
 
-use super::line::Asking;
+use super::command_line::QuestionCommand;
 use crate::printing::layout::{page_width, screen_width};
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::{Answer, ProgressDisplay, UsageError};
 use crate::reading::Source;
 
 /// Proves the formulas of the paper, or the claims of a field.
@@ -47,16 +47,16 @@ pub(crate) struct Verify {
     json: bool,
 }
 
-impl Asking for Verify {
+impl QuestionCommand for Verify {
     type Question = Question;
 
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn read_question(&self) -> Result<(Study, Question), UsageError> {
         Ok((self.source().study()?, Question { mutate: self.mutate }))
     }
 
-    fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, UsageError> {
         let source = self.source();
-        let prompt = Prompt::of("claims");
+        let prompt = ProgressDisplay::of("claims");
         let (asked, is_all) = (Question { mutate: self.mutate }, source == Source::default());
         let verified = if is_all {
             asked.of_paper(None, &prompt)

@@ -11,22 +11,22 @@ use tempfile::NamedTempFile;
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A registration in the list of unfinished files; dropping it ends the registration.
-pub(super) struct Unfinished(PathBuf);
+pub(super) struct UnfinishedFile(PathBuf);
 
 /// Makes a temporary file that signals remove.
 pub(super) fn unfinished(
     make: impl FnOnce() -> io::Result<NamedTempFile>,
-) -> io::Result<(NamedTempFile, Unfinished)> {
+) -> io::Result<(NamedTempFile, UnfinishedFile)> {
     listen()?;
     // The lock makes signals wait while a file exists but is not in the list.
     let mut list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());
     let path = file.path().to_path_buf();
-    Ok((file, Unfinished(path)))
+    Ok((file, UnfinishedFile(path)))
 }
 
-impl Drop for Unfinished {
+impl Drop for UnfinishedFile {
     fn drop(&mut self) {
         UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| *path != self.0);
     }

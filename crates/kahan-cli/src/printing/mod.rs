@@ -4,13 +4,13 @@ mod interrupt;
 pub(crate) mod layout;
 mod npy;
 mod output;
+mod output_stream;
 pub(crate) mod page;
-mod prompt;
-mod sink;
+mod progress_display;
 mod table;
 
 pub(crate) use npy::Npy;
-pub(crate) use output::{Answer, Refusal, csv, finish, joined, warn};
-pub(crate) use prompt::Prompt;
-pub(crate) use sink::{Broken, Sink, is_table};
+pub(crate) use output::{Answer, UsageError, csv, finish, joined, warn};
+pub(crate) use output_stream::{OutputStream, WriteError, is_table};
+pub(crate) use progress_display::ProgressDisplay;
 pub(crate) use table::{Format, Table};

@@ -1,25 +1,25 @@
 //! Arrays of NumPy (numpy.lib.format, version 1.0), written row by row.
 
-use super::sink::{Broken, Sink};
+use super::output_stream::{OutputStream, WriteError};
 
 pub(crate) struct Npy {
-    sink: Sink,
+    sink: OutputStream,
     row: Vec<usize>,
     rows: u64,
 }
 
 impl Npy {
-    pub(crate) fn new(mut sink: Sink, row: Vec<usize>) -> Result<Self, Broken> {
+    pub(crate) fn new(mut sink: OutputStream, row: Vec<usize>) -> Result<Self, WriteError> {
         sink.write(header(0, &row))?;
         Ok(Npy { sink, row, rows: 0 })
     }
 
-    pub(crate) fn row(&mut self, numbers: &[f64]) -> Result<(), Broken> {
+    pub(crate) fn row(&mut self, numbers: &[f64]) -> Result<(), WriteError> {
         self.rows += 1;
         numbers.iter().try_for_each(|number| self.sink.write(number.to_le_bytes()))
     }
 
-    pub(crate) fn finish(mut self) -> Result<(), Broken> {
+    pub(crate) fn finish(mut self) -> Result<(), WriteError> {
         self.sink.overwrite_beginning(&header(self.rows, &self.row))?;
         self.sink.finish()
     }

@@ -23,7 +23,7 @@ pub(crate) struct Answer {
 
 /// Wrong usage or input: one paragraph for standard error, with exit status 2.
 #[derive(Debug)]
-pub(crate) struct Refusal(String);
+pub(crate) struct UsageError(String);
 
 impl Answer {
     /// Returns a plain text, whose long lines a terminal breaks at spaces.
@@ -57,10 +57,10 @@ impl Answer {
     }
 }
 
-impl Refusal {
+impl UsageError {
     /// Makes a refusal that says what is wrong and what to write instead, without `error:`.
     pub(crate) fn new(message: impl AsRef<str>) -> Self {
-        Refusal(paragraph(message.as_ref()))
+        UsageError(paragraph(message.as_ref()))
     }
 
     pub(crate) fn message(&self) -> &str {
@@ -69,7 +69,7 @@ impl Refusal {
 
     /// Makes a refusal of reports that begin with `error:` and end with a line break.
     pub(crate) fn reports(reports: String) -> Self {
-        Refusal(reports)
+        UsageError(reports)
     }
 }
 
@@ -83,14 +83,14 @@ pub(crate) fn warn(note: &str) {
 
 /// Prints a result and returns the exit status. A reader that has gone away (`kahan | head`) is not
 /// an error.
-pub(crate) fn finish(result: Result<Answer, Refusal>) -> u8 {
+pub(crate) fn finish(result: Result<Answer, UsageError>) -> u8 {
     let (text, complaint, status) = match result {
         Ok(Answer { text, breaks, complaint, status }) => {
             let width = terminal_width().filter(|_| breaks);
             let text = width.map_or_else(|| text.clone(), |width| folded(&text, width));
             (text, complaint.map_or_else(String::new, |complaint| paragraph(&complaint)), status)
         }
-        Err(Refusal(reports)) => (String::new(), reports, 2),
+        Err(UsageError(reports)) => (String::new(), reports, 2),
     };
     let written = io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush());
     let _ = io::stderr().write_all(complaint.as_bytes());

@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use kahan_study::{Cell, Column, Kept, Rows, Values, csv_line};
+use kahan_study::{Cell, Column, Rows, StoredColumn, Values, csv_line};
 use serde_json::{Map, Value};
 
 use super::layout::{after_commas, terminal_width};
-use super::sink::{Broken, Sink};
+use super::output_stream::{OutputStream, WriteError};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
@@ -18,21 +18,25 @@ pub(crate) enum Format {
 }
 
 pub(crate) struct Table {
-    sink: Sink,
+    sink: OutputStream,
     format: Format,
     /// The first cells of all rows of an orbit, which identify it among several.
-    place: Vec<Kept>,
+    place: Vec<StoredColumn>,
     line: String,
     has_rows: bool,
     width: Option<usize>,
-    broken: Option<Broken>,
+    broken: Option<WriteError>,
     /// Whether rows are computed even without a reader.
     outlives_reader: bool,
 }
 
 impl Table {
     /// Writes the metadata of a table; its `columns` are the names of the columns.
-    pub(crate) fn begin(sink: Sink, format: Format, head: &Map<String, Value>) -> Result<Self, Broken> {
+    pub(crate) fn begin(
+        sink: OutputStream,
+        format: Format,
+        head: &Map<String, Value>,
+    ) -> Result<Self, WriteError> {
         let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
         let text = match format {
             Format::Csv => {
@@ -55,15 +59,15 @@ impl Table {
     }
 
     /// Begins an orbit, all of whose rows start with these cells.
-    pub(crate) fn begin_orbit(&mut self, place: Vec<Kept>) {
+    pub(crate) fn begin_orbit(&mut self, place: Vec<StoredColumn>) {
         self.place = place;
     }
 
-    pub(crate) fn outlive_reader(&mut self, does: bool) {
+    pub(crate) fn continue_without_reader(&mut self, does: bool) {
         self.outlives_reader = does;
     }
 
-    fn row<'a>(&mut self, cells: impl Iterator<Item = Cell<'a>>) -> Result<(), Broken> {
+    fn row<'a>(&mut self, cells: impl Iterator<Item = Cell<'a>>) -> Result<(), WriteError> {
         self.line.clear();
         match self.format {
             Format::Csv => csv_line(&mut self.line, cells),
@@ -80,12 +84,12 @@ impl Table {
         }
     }
 
-    pub(crate) fn written(&mut self) -> Result<(), Broken> {
+    pub(crate) fn written(&mut self) -> Result<(), WriteError> {
         self.broken.take().map_or(Ok(()), Err)
     }
 
     /// Writes the members after the rows, and closes the sink.
-    pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), Broken> {
+    pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), WriteError> {
         if self.format == Format::Json {
             self.sink.write("\n  ]")?;
             for (name, value) in behind {
@@ -107,7 +111,7 @@ impl Rows for Table {
         });
         self.place = place;
         match written {
-            Err(Broken::ReaderGone) if self.outlives_reader => ControlFlow::Continue(()),
+            Err(WriteError::ReaderGone) if self.outlives_reader => ControlFlow::Continue(()),
             Err(broken) => {
                 self.broken = Some(broken);
                 ControlFlow::Break(())

@@ -15,7 +15,7 @@ use kahan_systems::registry::find;
 
 use super::npz::coefficients;
 use super::rust_file::{RustBlock, blocks};
-use crate::printing::{Refusal, joined};
+use crate::printing::{UsageError, joined};
 
 thread_local! {
     /// Caches the last block, since a command reads its field twice: for notes, and for its answer.
@@ -50,11 +50,11 @@ impl Block {
         Block { entry, ..Block::within(text, body, origin) }
     }
 
-    pub(super) fn of_arrays(path: &Path) -> Result<Self, Refusal> {
+    pub(super) fn of_arrays(path: &Path) -> Result<Self, UsageError> {
         let origin = path.display();
         let bytes = fs::read(path)
-            .map_err(|error| Refusal::new(format!("cannot read the file {origin}: {error}")))?;
-        let field = coefficients(&bytes).map_err(|why| Refusal::new(format!("{origin} {why}")))?;
+            .map_err(|error| UsageError::new(format!("cannot read the file {origin}: {error}")))?;
+        let field = coefficients(&bytes).map_err(|why| UsageError::new(format!("{origin} {why}")))?;
         let text = FieldText::of_system(field.system(), origin.to_string());
         Ok(Block { entry: None, text, is_rust: false })
     }
@@ -80,9 +80,9 @@ impl Block {
     }
 
     /// Returns the family of the block. `option` is named in the refusal of a plain system.
-    pub(crate) fn family(&self, option: &str) -> Result<Family, Refusal> {
-        self.text.family().map_err(|mistakes| Refusal::reports(mistakes.to_string()))?.ok_or_else(|| {
-            Refusal::new(format!(
+    pub(crate) fn family(&self, option: &str) -> Result<Family, UsageError> {
+        self.text.family().map_err(|mistakes| UsageError::reports(mistakes.to_string()))?.ok_or_else(|| {
+            UsageError::new(format!(
                 "{option} is for a family, `for i in periodic {{ x[i]dot = …; }}`, and this field has its equations written out"
             ))
         })
@@ -137,14 +137,14 @@ impl Block {
 }
 
 /// Reads a file, or standard input for `-`. Returns the text and its name in reports.
-pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
+pub(super) fn read_file(path: &Path) -> Result<(String, String), UsageError> {
     let is_input = path.as_os_str() == "-";
     let origin = if is_input { "standard input".to_owned() } else { path.display().to_string() };
     let read = if is_input { io::read_to_string(io::stdin()) } else { fs::read_to_string(path) };
     let what = if is_input { "" } else { "the file " };
     let ending = path.extension().filter(|_| !is_input).unwrap_or_default();
     let is_of_system = |error: &io::Error| error.kind() != io::ErrorKind::InvalidData;
-    Err(Refusal::new(match read {
+    Err(UsageError::new(match read {
         Err(error) if is_of_system(&error) => format!("cannot read {what}{origin}: {error}"),
         _ if MODELS.iter().any(|model| ending.eq_ignore_ascii_case(model)) => format!(
             "{origin} is a model that Python reads: kahan.read(\"{origin}\"); its `source` is a text for --file"
@@ -159,7 +159,11 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
 
 /// Returns the range of the field: the whole text, or one call of `kahan!`. If there are several,
 /// `wanted` selects one by name or line.
-pub(super) fn chosen(text: &str, origin: &str, wanted: Option<&str>) -> Result<Range<usize>, Refusal> {
+pub(super) fn select_block(
+    text: &str,
+    origin: &str,
+    wanted: Option<&str>,
+) -> Result<Range<usize>, UsageError> {
     let blocks = blocks(text);
     let is_wanted = |block: &&RustBlock| {
         wanted.is_none_or(|wanted| block.name.as_deref() == Some(wanted) || block.line.to_string() == wanted)
@@ -170,7 +174,7 @@ pub(super) fn chosen(text: &str, origin: &str, wanted: Option<&str>) -> Result<R
         None => format!("line {}", block.line),
     });
     let listed = joined(listed, ", ");
-    Err(Refusal::new(match (&found[..], wanted) {
+    Err(UsageError::new(match (&found[..], wanted) {
         ([one], _) => return Ok(one.range.clone()),
         ([], None) => return Ok(0..text.len()),
         ([], Some(wanted)) if blocks.is_empty() => {

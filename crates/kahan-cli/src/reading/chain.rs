@@ -3,33 +3,37 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
-use kahan_study::columns::{Others, Wanted};
-use kahan_study::formula::{Formula, Known};
+use kahan_study::columns::{ExpectedColumns, OtherColumns};
+use kahan_study::formula::{Formula, NamedConstants};
 use kahan_study::number_file::Numbers;
 use kahan_study::{Chain, StudyError};
 
 use super::points::{is_number_file, read};
 use super::source::Start;
 use super::values::{formula, formulas, named, number};
-use crate::printing::{Refusal, joined};
+use crate::printing::{UsageError, joined};
 
 impl Start {
     /// Reads the chain that begins as `--start` says. Variables get names if there are at most
     /// `most_names`.
-    pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, Refusal> {
+    pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, UsageError> {
         const MOST_SITES: usize = 1 << 28;
 
         let block = self.source.required_block()?;
         let family = block.family("--start")?;
         let sites = self.source.sites.ok_or_else(|| {
-            Refusal::new("--start is for a chain of some number of sites: add --sites N, as in --sites 1000")
+            UsageError::new(
+                "--start is for a chain of some number of sites: add --sites N, as in --sites 1000",
+            )
         })?;
         if sites.saturating_mul(family.block()) > MOST_SITES {
-            return Err(Refusal::new(format!("--sites {sites}: at most {MOST_SITES} numbers are stepped")));
+            return Err(UsageError::new(format!(
+                "--sites {sites}: at most {MOST_SITES} numbers are stepped"
+            )));
         }
         let eps = self.step.half()?.ok_or(StudyError::MissingStep)?.to_f64();
         if !eps.is_finite() {
-            return Err(Refusal::new("the step is beyond the range of f64"));
+            return Err(UsageError::new("the step is beyond the range of f64"));
         }
         let size = ("n".to_owned(), sites as f64);
         let given = self.source.parameters.iter();
@@ -43,7 +47,7 @@ impl Start {
         let lattice = Lattice::of(&family);
         let map = lattice
             .at(eps, sites, values.iter().map(|(name, value)| (name, value)))
-            .map_err(|error| Refusal::new(format!("--param: {error}")))?;
+            .map_err(|error| UsageError::new(format!("--param: {error}")))?;
         let once = |name: &String| {
             let (name, value) = values.iter().find(|(given, _)| given == name)?;
             Some(((*name).to_owned(), *value.first()?))
@@ -59,7 +63,11 @@ impl Start {
 }
 
 /// Reads `--param NAME=V`: one number, or one for each site.
-fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str, Vec<f64>), Refusal> {
+fn parameter<'a>(
+    given: &'a str,
+    sites: usize,
+    known: &NamedConstants,
+) -> Result<(&'a str, Vec<f64>), UsageError> {
     let (name, value) = named(given, "--param", "c=1/2")?;
     let option = format!("--param {name}");
     if is_number_file(value) {
@@ -67,8 +75,9 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
         // With several columns, a heading selects the column.
         let Some(names) = names.filter(|names| names.len() > 1) else { return Ok((name, values)) };
         let wanted = [name.to_owned()];
-        let place = Wanted::new(&wanted, &[], Others::Ignored).places(&names);
-        let place = place.map_err(|why| Refusal::new(format!("{option}: the file {value} {why}")))?.states[0];
+        let place = ExpectedColumns::new(&wanted, &[], OtherColumns::Ignored).places(&names);
+        let place =
+            place.map_err(|why| UsageError::new(format!("{option}: the file {value} {why}")))?.states[0];
         return Ok((name, values.into_iter().skip(place).step_by(names.len()).collect()));
     }
     if let Ok(number) = number(value, &option) {
@@ -80,7 +89,12 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     Ok((name, (0..places).map(|site| value(&[site as f64])).collect()))
 }
 
-fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<Vec<f64>, Refusal> {
+fn state(
+    start: &str,
+    arrays: &[String],
+    sites: usize,
+    known: &NamedConstants,
+) -> Result<Vec<f64>, UsageError> {
     let state = if is_number_file(start) {
         of_file(start, arrays, sites)?
     } else {
@@ -91,17 +105,17 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
     match state.iter().position(|value| !value.is_finite()) {
         Some(place) => {
             let (array, site, value) = (&arrays[place % arrays.len()], place / arrays.len(), state[place]);
-            Err(Refusal::new(format!("--start: {array}[{site}] is {value}; a state needs finite numbers")))
+            Err(UsageError::new(format!("--start: {array}[{site}] is {value}; a state needs finite numbers")))
         }
         None => Ok(state),
     }
 }
 
-fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refusal> {
+fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, UsageError> {
     let Numbers { names, sizes, mut values } = read::<f64>(path, "--start")?;
     if let Some(names) = names {
-        let places = Wanted::new(arrays, &[], Others::Refused).places(&names);
-        let places = places.map_err(|why| Refusal::new(format!("--start: the file {path} {why}")))?.states;
+        let places = ExpectedColumns::new(arrays, &[], OtherColumns::Refused).places(&names);
+        let places = places.map_err(|why| UsageError::new(format!("--start: the file {path} {why}")))?.states;
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
@@ -118,7 +132,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
         let first = values.len() - sites * arrays.len();
         return Ok(values[first..].to_vec());
     }
-    Err(Refusal::new(format!(
+    Err(UsageError::new(format!(
         "--start: the file {path} has {} numbers, and {sites} sites take {}: a row a site, each with its {}; of several states \
          the last is taken",
         joined(&sizes, " x "),
@@ -127,15 +141,17 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
     )))
 }
 
-fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Formula>, Refusal> {
+fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Formula>, UsageError> {
     let mut formulas: Vec<Option<Formula>> = vec![None; arrays.len()];
     for (name, formula) in given {
         let Some(index) = arrays.iter().position(|array| *array == name) else {
             let known = arrays.join(", ");
-            return Err(Refusal::new(format!("--start: there is no array `{name}`; the family has {known}")));
+            return Err(UsageError::new(format!(
+                "--start: there is no array `{name}`; the family has {known}"
+            )));
         };
         if formulas[index].replace(formula).is_some() {
-            return Err(Refusal::new(format!("--start: `{name}` is given twice; leave one of them out")));
+            return Err(UsageError::new(format!("--start: `{name}` is given twice; leave one of them out")));
         }
     }
     let missing = arrays.iter().zip(&formulas).filter(|(_, formula)| formula.is_none());
@@ -143,7 +159,7 @@ fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Form
     if missing.is_empty() {
         return Ok(formulas.into_iter().flatten().collect());
     }
-    Err(Refusal::new(format!(
+    Err(UsageError::new(format!(
         "--start: add {missing}; a start is a file F.npy or F.csv, or a formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)'"
     )))
 }

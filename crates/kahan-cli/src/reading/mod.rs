@@ -1,5 +1,5 @@
 //! Input: arguments and files in, checked systems and numbers out. Mistakes become a
-//! [`Refusal`](crate::printing::Refusal).
+//! [`UsageError`](crate::printing::UsageError).
 
 mod block;
 mod chain;

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use kahan_algebra::rational::Rational;
 use kahan_study::Study;
-use kahan_study::columns::{Others, Wanted};
-use kahan_study::number_file::{Entry, Numbers};
+use kahan_study::columns::{ExpectedColumns, OtherColumns};
+use kahan_study::number_file::{FileNumber, Numbers};
 
 use super::values::number;
-use crate::printing::Refusal;
+use crate::printing::UsageError;
 
 pub(crate) fn is_number_file(text: &str) -> bool {
     let ending = Path::new(text).extension().and_then(|ending| ending.to_str());
@@ -17,29 +17,30 @@ pub(crate) fn is_number_file(text: &str) -> bool {
 }
 
 /// Reads a file of numbers. Refusals name `option`.
-pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Refusal> {
-    let refused = |why: String| Refusal::new(format!("{option}: cannot read the file {path}: {why}"));
+pub(super) fn read<V: FileNumber>(path: &str, option: &str) -> Result<Numbers<V>, UsageError> {
+    let refused = |why: String| UsageError::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
     Numbers::of(path, &bytes).map_err(refused)
 }
 
 /// Returns the points of `--at`, at least one. The default is the point in the text of the field.
-pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
+pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, UsageError> {
     let states = study.coordinates();
     let Some(at) = at else {
         let wanted =
-            || Refusal::new(format!("from which point? add --at {}, with numbers", states.join(",")));
+            || UsageError::new(format!("from which point? add --at {}, with numbers", states.join(",")));
         return study.start().map(|start| vec![start]).ok_or_else(wanted);
     };
     if !is_number_file(at) {
         return Ok(vec![coordinates(at, states)?]);
     }
-    let points = read(at, "--at")?.points(&Wanted::new(states, study.parameters(), Others::Refused));
-    points.map_err(|why| Refusal::new(format!("--at: the file {at} {why}")))
+    let points =
+        read(at, "--at")?.points(&ExpectedColumns::new(states, study.parameters(), OtherColumns::Refused));
+    points.map_err(|why| UsageError::new(format!("--at: the file {at} {why}")))
 }
 
 /// Returns the only point of `--at`. The default is the point in the text of the field.
-pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Refusal> {
+pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, UsageError> {
     only(points(at, study)?, at)
 }
 
@@ -60,10 +61,10 @@ pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     Some((first.split(',').map(|part| number(part, "--at").ok()).collect::<Option<_>>()?, Vec::new()))
 }
 
-pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<Vec<Rational>, Refusal> {
+pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<Vec<Rational>, UsageError> {
     match (points.pop(), points.len()) {
         (Some(point), 0) => Ok(point),
-        (_, others) => Err(Refusal::new(format!(
+        (_, others) => Err(UsageError::new(format!(
             "--at: the file {} has {} rows, and here one point is asked for; write its coordinates, or a file of one row",
             at.unwrap_or_default(),
             others + 1
@@ -71,17 +72,17 @@ pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<V
     }
 }
 
-fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
+fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, UsageError> {
     let parts: Vec<&str> = text.split(',').collect();
     if Path::new(text).is_file() && parts.iter().any(|part| number(part, "--at").is_err()) {
-        return Err(Refusal::new(format!(
+        return Err(UsageError::new(format!(
             "--at: the name of a file of points ends in .csv or .npy, and {text} does not; its rows are numbers with commas between them"
         )));
     }
     if parts.len() != states.len() {
         let (expected, given, names) = (states.len(), parts.len(), states.join(","));
         let plural = if expected == 1 { "" } else { "s" };
-        return Err(Refusal::new(format!(
+        return Err(UsageError::new(format!(
             "--at: {expected} coordinate{plural} {names} expected, {given} given"
         )));
     }

@@ -8,7 +8,7 @@ use std::process::Command;
 use kahan_study::number_file::Numbers;
 
 use super::points::read;
-use crate::printing::Refusal;
+use crate::printing::UsageError;
 
 /// Returns the program `kahan-sweep`: beside this one, otherwise on the search path.
 pub(crate) fn sweeper() -> Command {
@@ -18,8 +18,8 @@ pub(crate) fn sweeper() -> Command {
     Command::new(beside.unwrap_or_else(|| PathBuf::from(&name)))
 }
 
-pub(crate) fn not_started(error: &io::Error) -> Refusal {
-    Refusal::new(if error.kind() == io::ErrorKind::NotFound {
+pub(crate) fn not_started(error: &io::Error) -> UsageError {
+    UsageError::new(if error.kind() == io::ErrorKind::NotFound {
         "sweeps and their results are for the program kahan-sweep, which is not installed here; `cargo install \
          --profile sweep --path crates/kahan-sweep` in the source tree installs it"
             .to_owned()
@@ -29,47 +29,47 @@ pub(crate) fn not_started(error: &io::Error) -> Refusal {
 }
 
 /// Reads columns by name. A folder stands for the sweep result in it. Refusals name `option`.
-pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<Vec<f64>>, Refusal> {
+pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<Vec<f64>>, UsageError> {
     let merged = path.join("results.parquet");
     if path.is_dir() && !merged.exists() {
         let path = path.display();
-        return Err(Refusal::new(format!(
+        return Err(UsageError::new(format!(
             "{option}: there is no results.parquet in {path}; `kahan sweep PLAN.toml --out {path} --merge` joins what is there"
         )));
     }
     let path = if path.is_dir() { &merged } else { path };
     let shown = path.display().to_string();
     let numbers = match path.extension().and_then(|ending| ending.to_str()) {
-        Some("parquet") => swept(path, names, option)?,
+        Some("parquet") => read_results(path, names, option)?,
         Some("csv") => read(&shown, option)?,
         _ => {
-            return Err(Refusal::new(format!(
+            return Err(UsageError::new(format!(
                 "{option}: {shown} is no result that can be read; it ends in .parquet or .csv, or is the folder of a sweep"
             )));
         }
     };
     let known = numbers.names.ok_or_else(|| {
-        Refusal::new(format!("{option}: {shown} does not begin with a line of its columns' names"))
+        UsageError::new(format!("{option}: {shown} does not begin with a line of its columns' names"))
     })?;
     let column = |name: &&str| {
         let place = known.iter().position(|known| known == name).ok_or_else(|| {
             let known = known.join(", ");
-            Refusal::new(format!("{option}: {shown} has no column `{name}`; it has {known}"))
+            UsageError::new(format!("{option}: {shown} has no column `{name}`; it has {known}"))
         })?;
         Ok(numbers.values.iter().skip(place).step_by(known.len()).copied().collect())
     };
     names.iter().map(column).collect()
 }
 
-fn swept(path: &Path, names: &[&str], option: &str) -> Result<Numbers, Refusal> {
+fn read_results(path: &Path, names: &[&str], option: &str) -> Result<Numbers, UsageError> {
     let mut program = sweeper();
     program.arg("--read").arg(path).arg("--columns").arg(names.join(","));
     let read = program.output().map_err(|error| not_started(&error))?;
     if !read.status.success() {
         let complaint = String::from_utf8_lossy(&read.stderr);
         let why = complaint.trim_start_matches("error: ").trim();
-        return Err(Refusal::new(format!("{option}: {why}")));
+        return Err(UsageError::new(format!("{option}: {why}")));
     }
     let numbers = Numbers::of("rows.csv", &read.stdout);
-    numbers.map_err(|why| Refusal::new(format!("{option}: {}: {why}", path.display())))
+    numbers.map_err(|why| UsageError::new(format!("{option}: {}: {why}", path.display())))
 }

@@ -8,12 +8,12 @@ use clap::Args;
 use clap::builder::{PossibleValue, TypedValueParser};
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
-use kahan_study::{Axis, Catalog, Lifting, StudyError, Subject, Systems, Which};
+use kahan_study::{Axis, Catalog, LiftCriterion, Lifting, StudyError, Subject, Systems};
 
-use crate::printing::{Refusal, joined, warn};
+use crate::printing::{UsageError, joined, warn};
 
 use super::MOST_OBSERVED;
-use super::block::{Block, chosen, read_file};
+use super::block::{Block, read_file, select_block};
 use super::values::{named, number, one_of, whole};
 
 /// Advice for a value that the shell split into several words.
@@ -67,7 +67,7 @@ pub(crate) struct Source {
     /// Other fields get a lift whose relations the map preserves exactly, or else one whose
     /// relations have errors that do not grow along the orbit.
     #[arg(long, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "automatic", hide_possible_values = true, value_parser = which())]
-    pub(super) lift: Option<Which>,
+    pub(super) lift: Option<LiftCriterion>,
 
     /// With --lift: show the new variables as well.
     #[arg(long)]
@@ -78,8 +78,8 @@ pub(crate) struct Source {
     t0: Option<String>,
 }
 
-fn which() -> impl TypedValueParser<Value = Which> {
-    one_of(&Which::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
+fn which() -> impl TypedValueParser<Value = LiftCriterion> {
+    one_of(&LiftCriterion::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
 }
 
 /// The length of a step, by one of two options.
@@ -97,7 +97,7 @@ pub(crate) struct StepLength {
 
 impl StepLength {
     /// Returns ε, half the time step, if an option gives it.
-    pub(crate) fn half(&self) -> Result<Option<Rational>, Refusal> {
+    pub(crate) fn half(&self) -> Result<Option<Rational>, UsageError> {
         let Some((option, text)) = self.given() else { return Ok(None) };
         let value = number(text, option)?;
         Ok(Some(if option == "--dt" { &value * &Rational::new(1, 2) } else { value }))
@@ -178,7 +178,7 @@ impl Source {
         let options = options.into_iter().filter_map(|(option, value)| Some([option.to_owned(), value?]));
         let parameters = self.parameters.iter().map(|given| ["--param".to_owned(), given.clone()]);
         let lift = self.lift.map(|which| match which {
-            Which::Automatic => "--lift".to_owned(),
+            LiftCriterion::Automatic => "--lift".to_owned(),
             which => format!("--lift={}", which.name()),
         });
         let all = self.all.then(|| "--all".to_owned());
@@ -202,9 +202,9 @@ impl Source {
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
         near: Vec<(String, Rational)>,
-    ) -> Result<Option<Lifting>, Refusal> {
+    ) -> Result<Option<Lifting>, UsageError> {
         let Some(which) = self.lift else {
-            let refusal = || Refusal::new("--all shows the new variables of a lift; add --lift");
+            let refusal = || UsageError::new("--all shows the new variables of a lift; add --lift");
             return if self.all { Err(refusal()) } else { Ok(None) };
         };
         let time = self.t0.as_deref().map(|time| number(time, "--t0")).transpose()?.unwrap_or_default();
@@ -220,7 +220,7 @@ impl Source {
         !self.parameters.is_empty()
     }
 
-    pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
+    pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, UsageError> {
         let value = |given: &String| {
             let (name, value) = named(given, "--param", "xi=1/2")?;
             Ok((name.to_owned(), number(value, &format!("--param {name}"))?))
@@ -229,24 +229,24 @@ impl Source {
     }
 
     /// Refuses a parameter value, or a `step`, for a name on one of the `axes`.
-    pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), Refusal> {
+    pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
             parameters.chain(step.given().map(|(option, _)| (option.to_owned(), "eps".to_owned())));
         let Some((option, name)) = given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) else {
             return Ok(());
         };
-        Err(Refusal::new(format!("--over already varies {name}; leave {option} out")))
+        Err(UsageError::new(format!("--over already varies {name}; leave {option} out")))
     }
 
-    pub(super) fn subject(&self) -> Result<Subject, Refusal> {
+    pub(super) fn subject(&self) -> Result<Subject, UsageError> {
         match &self.system {
             Some(name) if self.field.is_none() && self.file.is_none() => Ok(Subject::named(name)),
             _ => Ok(self.required_block()?.subject()),
         }
     }
 
-    pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
+    pub(crate) fn block(&self) -> Result<Option<Block>, UsageError> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
             (Some(name), None, None) => match Block::named(name) {
@@ -259,17 +259,17 @@ impl Source {
             }
             (None, None, Some(path)) => {
                 let (text, origin) = read_file(path)?;
-                let body = chosen(&text, &origin, self.block.as_deref())?;
+                let body = select_block(&text, &origin, self.block.as_deref())?;
                 let block = Block::within(text, body, origin);
                 if self.is_input() {
                     self.notes_on(&block, &[]).iter().for_each(|note| warn(note));
                 }
                 Ok(Some(block))
             }
-            (Some(word), ..) => Err(Refusal::new(format!(
+            (Some(word), ..) => Err(UsageError::new(format!(
                 "one field at a time: `{word}` is read as a SYSTEM, and --field or --file is given as well; {ONE_WORD}"
             ))),
-            _ => Err(Refusal::new("one field at a time: give --field or --file")),
+            _ => Err(UsageError::new("one field at a time: give --field or --file")),
         }
     }
 
@@ -309,10 +309,10 @@ impl Source {
     }
 
     /// Returns the named block, or refuses if none was named.
-    pub(crate) fn required_block(&self) -> Result<Block, Refusal> {
+    pub(crate) fn required_block(&self) -> Result<Block, UsageError> {
         self.block()?.ok_or_else(|| {
             let names = joined(Systems.names().iter().map(|[name, _]| name), ", ");
-            Refusal::new(format!("which system? give one of {names}, or --field TEXT, or --file FILE"))
+            UsageError::new(format!("which system? give one of {names}, or --field TEXT, or --file FILE"))
         })
     }
 }

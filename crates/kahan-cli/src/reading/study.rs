@@ -1,4 +1,4 @@
-//! Arguments to a field, as a `Study`. A [`Refusal`] names the option to change.
+//! Arguments to a field, as a `Study`. A [`UsageError`] names the option to change.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
@@ -6,24 +6,24 @@ use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, System
 use super::block::Block;
 use super::points::{first_point, only, points};
 use super::source::{Source, Start};
-use crate::printing::{Refusal, warn};
+use crate::printing::{UsageError, warn};
 
 impl Source {
-    pub(crate) fn study(&self) -> Result<Study, Refusal> {
+    pub(crate) fn study(&self) -> Result<Study, UsageError> {
         self.study_at(None)
     }
 
     /// Returns the field with the given parameters. A lift is chosen along the orbit of `at`.
-    pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, Refusal> {
+    pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.study_of(self.subject()?, at, &[])
     }
 
     /// Returns the field like `study_at`, and refuses false claims before missing numbers.
-    pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, Refusal> {
+    pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.proved_over(at, &[])
     }
 
-    fn proved_over(&self, at: Option<&str>, axes: &[Axis]) -> Result<Study, Refusal> {
+    fn proved_over(&self, at: Option<&str>, axes: &[Axis]) -> Result<Study, UsageError> {
         let study = self.study_of(self.subject()?, at, axes)?;
         study.proved()?;
         study.lift().and_then(Lift::warning).iter().for_each(|note| warn(note));
@@ -31,25 +31,25 @@ impl Source {
     }
 
     /// Returns the field of a block that was already read: standard input can be read only once.
-    pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
+    pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
     /// Returns the field for display; a lift without a start is chosen along some orbit.
-    pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
+    pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
 
-    fn subject_of_block(&self, block: &Block, at: Option<&str>) -> Result<Subject, Refusal> {
+    fn subject_of_block(&self, block: &Block, at: Option<&str>) -> Result<Subject, UsageError> {
         let named = self.system.as_ref().map(Subject::named);
         self.subject_of(named.unwrap_or_else(|| block.subject()), at, &[])
     }
 
-    fn study_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Study, Refusal> {
+    fn study_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Study, UsageError> {
         Ok(self.subject_of(subject, at, axes)?.study(&Systems)?)
     }
 
-    fn subject_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Subject, Refusal> {
+    fn subject_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Subject, UsageError> {
         let middle = |axis: &Axis| (axis.name.clone(), axis.range.value(axis.range.count() / 2));
         let lifting = self.lifting(at.and_then(first_point), axes.iter().map(middle).collect())?;
         let subject = lifting.into_iter().fold(subject, Subject::lifting);
@@ -62,12 +62,12 @@ impl Source {
 type Points = Vec<Vec<Rational>>;
 
 impl Start {
-    pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
+    pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), UsageError> {
         let (study, starts, eps) = self.starts()?;
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    pub(crate) fn starts(&self) -> Result<(Study, Points, Rational), Refusal> {
+    pub(crate) fn starts(&self) -> Result<(Study, Points, Rational), UsageError> {
         let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;
         study.values()?;
@@ -78,13 +78,13 @@ impl Start {
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
-    ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
+    ) -> Result<(Study, Vec<Rational>, Option<Rational>), UsageError> {
         let (study, starts, eps) = self.starts_over(axes)?;
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
     /// Returns the field, all starts, and ε. Parameters and ε on `axes` have no other values.
-    pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), Refusal> {
+    pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), UsageError> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;
         let starts = points(self.at.as_deref(), &study)?;
@@ -97,10 +97,10 @@ pub(crate) fn option(name: &str, value: &str) -> String {
     format!("--{name} {value}").trim_end().to_owned()
 }
 
-impl From<StudyError> for Refusal {
+impl From<StudyError> for UsageError {
     fn from(error: StudyError) -> Self {
-        Refusal::new(match error {
-            StudyError::Field(mistakes) => return Refusal::reports(mistakes.to_string()),
+        UsageError::new(match error {
+            StudyError::Field(mistakes) => return UsageError::reports(mistakes.to_string()),
             StudyError::UnknownSystem { name, nearest, known } => {
                 let hint = nearest.map_or_else(String::new, |name| format!(" Did you mean `{name}`?"));
                 let names = known.join(", ");
@@ -127,7 +127,7 @@ impl From<StudyError> for Refusal {
                 format!("{system} needs a value for each of its parameters: add {}", options.join(" "))
             }
             StudyError::UnknownAxis { .. } | StudyError::AxisTwice { .. } => format!("--over: {error}"),
-            error @ StudyError::Formula { .. } => return Refusal::reports(error.spelled(option)),
+            error @ StudyError::Formula { .. } => return UsageError::reports(error.spelled(option)),
             StudyError::ConstantPlane { text } => format!(
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
                  --plane 'x - 1/2'"

@@ -4,21 +4,25 @@ use std::fmt::Display;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use kahan_algebra::rational::Rational;
-use kahan_study::formula::{self, Formula, Known, NoFormula};
+use kahan_study::formula::{self, Formula, NamedConstants, NoFormula};
 use kahan_study::numbers::{self, ScalarKind};
 use kahan_study::{Axis, Observable, Range};
 
-use crate::printing::Refusal;
+use crate::printing::UsageError;
 
-pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
-    numbers::number(text).map_err(|why| Refusal::new(format!("{what}: {why}")))
+pub(crate) fn number(text: &str, what: &str) -> Result<Rational, UsageError> {
+    numbers::number(text).map_err(|why| UsageError::new(format!("{what}: {why}")))
 }
 
 /// Splits NAME=VALUE; the refusal shows `example`.
-pub(crate) fn named<'a>(given: &'a str, option: &str, example: &str) -> Result<(&'a str, &'a str), Refusal> {
+pub(crate) fn named<'a>(
+    given: &'a str,
+    option: &str,
+    example: &str,
+) -> Result<(&'a str, &'a str), UsageError> {
     let parts = given.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
     parts.ok_or_else(|| {
-        Refusal::new(format!("{option}: `{given}` is not NAME=VALUE, as in {option} {example}"))
+        UsageError::new(format!("{option}: `{given}` is not NAME=VALUE, as in {option} {example}"))
     })
 }
 
@@ -62,9 +66,9 @@ pub(crate) fn order() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse().expect("clap takes no others"))
 }
 
-pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
+pub(crate) fn over(text: &str) -> Result<Axis, UsageError> {
     let (name, range) = text.split_once('=').ok_or_else(|| {
-        Refusal::new(format!(
+        UsageError::new(format!(
             "--over: `{text}` names no parameter or variable; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
         ))
     })?;
@@ -72,21 +76,25 @@ pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
 }
 
 /// Reads FROM:TO:… of an option, as the range of `name`.
-pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, Refusal> {
-    let range = Range::read(text).map_err(|why| Refusal::new(format!("{option}: {why}")))?;
+pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, UsageError> {
+    let range = Range::read(text).map_err(|why| UsageError::new(format!("{option}: {why}")))?;
     Ok(Axis { name: name.to_owned(), range })
 }
 
 /// Reads one formula of the index of a site; `option` names the text in reports.
-pub(super) fn formula(text: &str, known: &Known, option: &str) -> Result<Formula, Refusal> {
+pub(super) fn formula(text: &str, known: &NamedConstants, option: &str) -> Result<Formula, UsageError> {
     formula::formula(text, known).map_err(|why| refused(&why, option))
 }
 
 /// Reads named formulas of the index of a site: `a = 1; b = i/n`.
-pub(super) fn formulas(text: &str, known: &Known, option: &str) -> Result<Vec<(String, Formula)>, Refusal> {
+pub(super) fn formulas(
+    text: &str,
+    known: &NamedConstants,
+    option: &str,
+) -> Result<Vec<(String, Formula)>, UsageError> {
     formula::formulas(text, known).map_err(|why| refused(&why, option))
 }
 
-fn refused(why: &NoFormula, option: &str) -> Refusal {
-    Refusal::reports(why.report(option))
+fn refused(why: &NoFormula, option: &str) -> UsageError {
+    UsageError::reports(why.report(option))
 }

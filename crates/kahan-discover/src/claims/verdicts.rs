@@ -188,7 +188,7 @@ fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let formulas = report.integrals.len();
     let in_bases = report.integrals_in_bases();
-    let alone: Vec<&HamiltonianReport> = report.alone().collect();
+    let alone: Vec<&HamiltonianReport> = report.standalone().collect();
     let mut sentences = Vec::new();
     if formulas > 0 {
         sentences.push(format!(

@@ -20,7 +20,11 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
 ///
 /// # Errors
 /// [`OverBudget`] beyond the budget or 12 variables.
-pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+pub fn bordered_determinant(
+    field: &Field,
+    covector: &[Polynomial],
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
     let mut rows = scaled_matrix(field);
     for (row, component) in rows.iter_mut().zip(&field.components) {
         row.push(component.numerator().clone());
@@ -54,7 +58,7 @@ mod tests {
         for i in 0..3 {
             let mut unit = vec![Polynomial::zero(); 3];
             unit[i] = Polynomial::one();
-            let increment = along(&field, &unit, &mut budget).unwrap();
+            let increment = bordered_determinant(&field, &unit, &mut budget).unwrap();
             let moved = &map.denominator * &Polynomial::variable(field.symbols.state(i));
             assert_eq!(moved + &two_eps * &increment, map.numerators[i]);
         }

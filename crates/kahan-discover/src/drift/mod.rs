@@ -24,8 +24,8 @@ use crate::claims::writing::quotient;
 use crate::deadline::Deadline;
 use crate::integrals::independence::Independent;
 use crate::integrals::search::quotient_gradients;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SampledStep, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
@@ -33,8 +33,8 @@ use crate::modular::subspace::{Form, PolynomialSpace, combination, tidy};
 
 use cofactors::Cofactors;
 use normal::{Next, carried};
-use spaces::{Carried, Points};
-use triangular::Triangle;
+use spaces::{InvariantSpace, Points};
+use triangular::TriangularSystem;
 
 pub(crate) const SHARE: f64 = 0.03;
 
@@ -112,7 +112,7 @@ pub(crate) fn drifts(
         let SampledStep { sample, here, .. } = known.step()?.clone();
         let names = integrals.iter().map(|formula| formula.name().to_owned());
         let names = names.chain((1..=searched.dimension()).map(|index| claims.name("F", Some(index))));
-        let triangle = Triangle::new(&field.symbols, &cofactors.components, names.collect());
+        let triangle = TriangularSystem::new(&field.symbols, &cofactors.components, names.collect());
         let mut search = Search {
             searched,
             claims,
@@ -194,7 +194,7 @@ struct Search<'a> {
     sample: Sample,
     here: Vec<u64>,
     known: Independent<'a>,
-    triangle: Triangle,
+    triangle: TriangularSystem,
     deadline: &'a Deadline<'a>,
     tell: &'a dyn Fn(&Claim, &str),
     found: Vec<Drift>,
@@ -218,7 +218,7 @@ impl Search<'_> {
                 pairs.iter().map(|pair| pair[..monomials.len()].to_vec()).collect(),
             );
             let gradients = quotient_gradients(&modulus, monomials, &space, &self.here);
-            let carried = Carried::of_form(&modulus, &space.form, &pairs)?;
+            let carried = InvariantSpace::of_form(&modulus, &space.form, &pairs)?;
             let known = self.known.rank_with(Vec::new());
             if !carried.is_scalar() && self.known.rank_with(gradients) > known {
                 self.of_space(monomials, exponents, &space.form, random);
@@ -242,7 +242,7 @@ impl Search<'_> {
             let sample = Sample { map: self.searched.at(modulus, unknowns)?, unknowns: unknowns.to_vec() };
             let points = Points::new(self.searched, &sample, &self.cofactors, monomials, random)?;
             let pairs = points.invariant(exponents, self.deadline)?;
-            let carried = Carried::of_form(&modulus, form, &pairs)?;
+            let carried = InvariantSpace::of_form(&modulus, form, &pairs)?;
             Some([carried.rows.concat(), carried.matrix.concat()].concat())
         };
         let unknowns = self.searched.unknown_variables();
@@ -296,7 +296,7 @@ impl Search<'_> {
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
         let Some((drift, image, kind, text)) = self.triangle.written(&name, next) else { return };
         if self.add(&name, &value, &text, kind, [above, below]) {
-            self.triangle.take(drift, [above, below], image);
+            self.triangle.add_drift(drift, [above, below], image);
         }
     }
 

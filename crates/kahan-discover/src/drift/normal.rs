@@ -74,7 +74,7 @@ impl Next {
 }
 
 /// A function F = P_above/P_below with its next value.
-pub(super) struct Carried {
+pub(super) struct FunctionWithNext {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: Next,
@@ -82,7 +82,7 @@ pub(super) struct Carried {
 
 /// Returns all drifts in the table above for M: sums, multiples, images. `free` is a variable that
 /// does not occur in M.
-pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
+pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
     let characteristic = characteristic(matrix, free);
@@ -100,12 +100,12 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
                 for above in left_null_space(&product(&difference, &difference)) {
                     let below = image(&above, &difference);
                     if below.iter().any(|entry| !entry.is_zero()) {
-                        sums.push(Carried { above, below, next: Next::Sum(step.clone()) });
+                        sums.push(FunctionWithNext { above, below, next: Next::Sum(step.clone()) });
                     }
                 }
                 for (other, below) in &eigenvectors {
                     let quotient = value.checked_div(other).expect("no eigenvalue is 0");
-                    multiples.extend(own.iter().map(|above| Carried {
+                    multiples.extend(own.iter().map(|above| FunctionWithNext {
                         above: above.clone(),
                         below: below.clone(),
                         next: Next::Multiple(quotient.clone()),
@@ -131,7 +131,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
     sums.into_iter().chain(multiples).chain(images).collect()
 }
 
-fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> {
+fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<FunctionWithNext> {
     // Of two basis vectors of a null space, each has an entry 1 where the other has 0.
     let place = |of: &Vector, other: &Vector| {
         (0..of.len()).find(|&place| of[place] == RationalFunction::one() && other[place].is_zero())
@@ -139,7 +139,7 @@ fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> 
     let (first, second) = (place(above, below)?, place(below, above)?);
     let [of_above, of_below] = [above, below].map(|vector| image(vector, matrix));
     let next = [&of_above[first], &of_above[second], &of_below[first], &of_below[second]].map(Clone::clone);
-    Some(Carried { above: above.clone(), below: below.clone(), next: Next::Image(next) })
+    Some(FunctionWithNext { above: above.clone(), below: below.clone(), next: Next::Image(next) })
 }
 
 /// Returns det(λ − M) times a factor without λ, by the algorithm of Faddeev and LeVerrier.
@@ -237,7 +237,7 @@ mod tests {
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
         // For a column P of values, F = wP/vP has the next value wMP/vMP.
-        for Carried { above, below, next } in found {
+        for FunctionWithNext { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);
             let value = |vector: &Vector| image(vector, &point).remove(0);

@@ -3,8 +3,8 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::matrix::{Echelon, SPARE};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
@@ -85,12 +85,12 @@ fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
 }
 
 /// A basis P in reduced form, and the matrix M with P(x̃) = C(x)·M·P(x).
-pub(super) struct Carried {
+pub(super) struct InvariantSpace {
     pub(super) rows: Vec<Vec<u64>>,
     pub(super) matrix: Vec<Vec<u64>>,
 }
 
-impl Carried {
+impl InvariantSpace {
     /// Restricts the space to the support of `form`; `None` if the basis has another form.
     pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
         let count = pairs.first()?.len() / 2;
@@ -105,7 +105,7 @@ impl Carried {
         }
         let coordinates =
             |row: &Vec<u64>| form.pivots.iter().map(|&pivot| row[width + pivot]).collect::<Vec<u64>>();
-        Some(Carried {
+        Some(InvariantSpace {
             matrix: echelon.rows.iter().map(coordinates).collect(),
             rows: echelon.rows.iter().map(|row| row[..width].to_vec()).collect(),
         })

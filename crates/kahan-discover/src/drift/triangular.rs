@@ -23,7 +23,7 @@ const MOST_WORK: u64 = 200_000;
 /// The exponents of an earlier drift that are tried in its product with a state.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
-pub(super) struct Triangle {
+pub(super) struct TriangularSystem {
     /// The states, followed by the names of drifts and integrals.
     symbols: Symbols,
     own: Symbols,
@@ -35,7 +35,7 @@ pub(super) struct Triangle {
 }
 
 /// A candidate for a drift w·F^k, with a state w and an earlier drift F.
-pub(super) struct Link {
+pub(super) struct DriftCandidate {
     state: usize,
     pub(super) value: RationalFunction,
     pub(super) value_text: String,
@@ -45,14 +45,14 @@ pub(super) struct Link {
     solved: RationalFunction,
 }
 
-impl Triangle {
+impl TriangularSystem {
     /// Starts without drifts; `names` lists the names that drifts and integrals may get.
     pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
         let states = [symbols.states.clone(), names].concat();
         let joint = Symbols { states, parameters: symbols.parameters.clone() };
         let components = components.iter().map(|component| moved(component, symbols, &joint)).collect();
         let values = vec![None; symbols.dimension()];
-        Triangle { symbols: joint, own: symbols.clone(), components, values, steps: Vec::new() }
+        TriangularSystem { symbols: joint, own: symbols.clone(), components, values, steps: Vec::new() }
     }
 
     fn variable(&self, name: &str) -> Option<Variable> {
@@ -114,12 +114,17 @@ impl Triangle {
     pub(super) fn take_integral(&mut self, formula: &Formula) {
         if let Some(variable) = self.variable(formula.name()) {
             let value = RationalFunction::variable(variable);
-            self.take(value.clone(), [&formula.numerator, &formula.denominator], value);
+            self.add_drift(value.clone(), [&formula.numerator, &formula.denominator], value);
         }
     }
 
     /// Adds the drift above/below if a state is a function of it.
-    pub(super) fn take(&mut self, drift: RationalFunction, sides: [&Polynomial; 2], next: RationalFunction) {
+    pub(super) fn add_drift(
+        &mut self,
+        drift: RationalFunction,
+        sides: [&Polynomial; 2],
+        next: RationalFunction,
+    ) {
         let [above, below] = sides.map(|side| moved(side, &self.own, &self.symbols));
         let mut states = (0..self.values.len()).filter(|&i| {
             let state = self.symbols.state(i);
@@ -143,7 +148,7 @@ impl Triangle {
     }
 
     /// Returns the shortest drift for the first state that yields one, with this name.
-    pub(super) fn link(&self, name: &str) -> Option<Link> {
+    pub(super) fn link(&self, name: &str) -> Option<DriftCandidate> {
         if self.steps.is_empty() {
             return None;
         }
@@ -178,7 +183,7 @@ impl Triangle {
             let texts = [self.affine(&next, variable), Some(self.text(&next))];
             let next_text = texts.into_iter().flatten().min_by_key(String::len)?;
             let value_text = self.text(&value);
-            Some(Link { state, value, value_text, next_text, next, solved })
+            Some(DriftCandidate { state, value, value_text, next_text, next, solved })
         };
         let others =
             POWERS[1..].iter().flat_map(|&power| self.steps.iter().map(move |step| (power, Some(step))));
@@ -188,11 +193,11 @@ impl Triangle {
     }
 
     /// Returns numerator and denominator of a link as polynomials in the states.
-    pub(super) fn in_states(&self, link: &Link) -> [Polynomial; 2] {
+    pub(super) fn in_states(&self, link: &DriftCandidate) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
 
-    pub(super) fn names(&self, link: &Link) -> Vec<String> {
+    pub(super) fn names(&self, link: &DriftCandidate) -> Vec<String> {
         let own = self.own.dimension();
         let is_used = |index: &usize| {
             let variable = self.symbols.state(*index);
@@ -201,7 +206,7 @@ impl Triangle {
         (own..self.symbols.dimension()).filter(is_used).map(|i| self.symbols.states[i].clone()).collect()
     }
 
-    pub(super) fn keep(&mut self, name: &str, link: Link) {
+    pub(super) fn keep(&mut self, name: &str, link: DriftCandidate) {
         let drift = self.variable(name).map(RationalFunction::variable);
         self.values[link.state] = Some(link.solved);
         self.steps.extend(drift.map(|drift| [drift, link.value, link.next]));

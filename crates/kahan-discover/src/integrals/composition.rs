@@ -8,15 +8,15 @@ use kahan_algebra::prime_field::SplitMix64;
 use crate::claims::proved::Formula;
 use crate::deadline::Deadline;
 use crate::maps::map::ModularMap;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::hilbert::{Hilbert, random_relations};
 
 /// The integrals that survive composition.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Survivors {
+pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
     /// For each formula, whether the composed map preserves it.
@@ -30,7 +30,7 @@ struct Composed {
     inner: ModularMap,
 }
 
-impl Stepping for Composed {
+impl ModularStep for Composed {
     fn modulus(&self) -> &Modulus {
         self.outer.modulus()
     }
@@ -52,7 +52,7 @@ pub fn survivors(
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
-) -> Option<Survivors> {
+) -> Option<CompositionIntegrals> {
     let modulus = Modulus::mersenne_61();
     let sample = searched.sample(modulus, random)?;
     let eps = sample.map.eps();
@@ -81,5 +81,5 @@ pub fn survivors(
         let same = factors[i + 1..].iter().position(|other| other == own);
         quotients.extend(same.map(|offset| (i, i + 1 + offset)));
     }
-    Some(Survivors { hilbert, formulas: survives, quotients })
+    Some(CompositionIntegrals { hilbert, formulas: survives, quotients })
 }

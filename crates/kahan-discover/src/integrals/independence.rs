@@ -4,8 +4,8 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::claims::proved::Formula;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SampledStep, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::matrix::Echelon;
 
 /// Returns ∇(P/Q) Q² at a point; `None` if the prime divides a denominator of the coefficients.

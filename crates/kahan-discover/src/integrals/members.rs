@@ -4,7 +4,7 @@
 //! of degree d − 1 other than multiples of ∇F if and only if F factors over ℂ or has a square
 //! factor (Ruppert, J. reine angew. Math. 369, 1986; Gao, Math. Comp. 72, 2003). For F = P + cQ on
 //! a random plane the equation is linear in c, so the wanted c are roots of a polynomial modulo a
-//! prime. Elements at different parameters are matched by [`Kind`] and interpolated; the caller
+//! prime. Elements at different parameters are matched by [`MemberProperties`] and interpolated; the caller
 //! proves their integrals.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
@@ -119,7 +119,7 @@ pub(crate) fn members(
         special(&modulus, monomials, &pair(modulus, values, random)?, random)
     };
     // The number of elements of each kind at each sample; those with irrational c may be missing.
-    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    let mut kinds: Vec<(MemberProperties, Vec<usize>)> = Vec::new();
     for look in 0..LOOKS {
         let values: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
         for (kind, _) in at(modulus, &values, random).unwrap_or_default() {
@@ -155,7 +155,7 @@ fn common(modulus: &Modulus, here: &[Vec<u64>; 2], there: &[Vec<u64>; 2]) -> Opt
 
 /// Properties of a special element that do not depend on the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Kind {
+struct MemberProperties {
     multiplicity: usize,
     /// The dimension of the space of solutions G, H.
     solutions: usize,
@@ -170,7 +170,7 @@ fn special(
     monomials: &Monomials,
     pair: &[Vec<u64>; 2],
     random: &mut SplitMix64,
-) -> Option<Vec<(Kind, Vec<u64>)>> {
+) -> Option<Vec<(MemberProperties, Vec<u64>)>> {
     let combined = |[left, right]: &[Vec<u64>; 2], factor: u64| -> Vec<u64> {
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
@@ -212,7 +212,7 @@ fn special(
         let leading = trimmed(residues(&leading));
         let repeated = gcd(field, &derivative(field, &leading), &leading);
         let at_infinity = repeated.len().checked_sub(1).unwrap_or(degree);
-        found.push((Kind { multiplicity, solutions, at_infinity, support }, member));
+        found.push((MemberProperties { multiplicity, solutions, at_infinity, support }, member));
     }
     Some(found)
 }

@@ -3,7 +3,7 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
@@ -75,7 +75,7 @@ impl Pencil {
     /// map has no value, or the deadline passes.
     pub fn at(
         &self,
-        map: &impl Stepping,
+        map: &impl ModularStep,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<PolynomialSpace> {
@@ -111,7 +111,7 @@ impl Pencil {
     /// space.
     fn span_at(
         &self,
-        map: &impl Stepping,
+        map: &impl ModularStep,
         monomials: &Monomials,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,

@@ -11,11 +11,11 @@ use crate::integrals::independence::Independent;
 use crate::integrals::limit::with_a_limit;
 use crate::integrals::members::members;
 use crate::integrals::pencil::Pencil;
-use crate::integrals::search::{Reach, pencils_of_entries, spanned_pencils};
+use crate::integrals::search::{FormulaLimits, pencils_of_entries, spanned_pencils};
 use crate::maps::affine_subspace::{AffineSubspace, Coordinate};
 use crate::maps::chart::Chart;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
@@ -28,7 +28,7 @@ const HIGHEST: u32 = 8;
 const CHEAP: usize = 100;
 
 /// The inputs and limits of a search.
-pub struct Aims<'a> {
+pub struct SearchGoals<'a> {
     /// Independent integrals that are already proved.
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
@@ -41,7 +41,7 @@ pub struct Aims<'a> {
     /// Integrals P/Q; each is accepted unless the search finds others below its degree.
     pub known: &'a [(Polynomial, Polynomial)],
     /// The limits on the size of formulas.
-    pub reach: Reach,
+    pub reach: FormulaLimits,
     /// Called with each integral as soon as it is proved.
     pub tell: &'a dyn Fn(&Formula),
 }
@@ -51,7 +51,7 @@ pub struct Aims<'a> {
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,
-    aims: &Aims<'_>,
+    aims: &SearchGoals<'_>,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<Formula> {
@@ -87,7 +87,7 @@ impl Accepted<'_> {
     fn search(
         &mut self,
         hilbert: &Hilbert,
-        reach: Reach,
+        reach: FormulaLimits,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<()> {
@@ -239,7 +239,7 @@ fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Ve
 pub(crate) struct SearchLimits<'a> {
     pub(crate) relation_degree: u32,
     highest: u32,
-    reach: Reach,
+    reach: FormulaLimits,
     pub(crate) deadline: &'a Deadline<'a>,
 }
 

@@ -9,8 +9,8 @@ use kahan_algebra::rational::Rational;
 
 use crate::claims::writing::{in_powers, state_factors};
 use crate::densities::products::exponents;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::subspace::tidy;
 
 /// Cancels factors of the denominator as often as possible; `factors` come from known integrals.

@@ -8,19 +8,19 @@ use kahan_algebra::prime_field::SplitMix64;
 use crate::deadline::Deadline;
 use crate::integrals::parity::character;
 use crate::integrals::pencil::{Pencil, PencilEntry, SPARE, Source};
-use crate::integrals::search::{Reach, Search};
-use crate::maps::stepping::Stepping;
+use crate::integrals::search::{FormulaLimits, Search};
+use crate::maps::modular_step::ModularStep;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
 /// Searches the coefficients of relations for quotients P/Q of one degree.
-pub(crate) fn entries_of_degree<M: Stepping>(
+pub(crate) fn entries_of_degree<M: ModularStep>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
     degree: u32,
-    reach: Reach,
+    reach: FormulaLimits,
     deadline: &Deadline<'_>,
 ) {
     let map = search.map;
@@ -117,7 +117,7 @@ fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usiz
 
 /// Merges pencils of one degree whose elements have one cofactor P(φ(x))/P(x).
 fn merge_by_cofactor(
-    map: &impl Stepping,
+    map: &impl ModularStep,
     monomials: &Monomials,
     pencils: Vec<Pencil>,
     random: &mut SplitMix64,

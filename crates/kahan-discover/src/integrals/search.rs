@@ -10,7 +10,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use crate::deadline::Deadline;
 use crate::integrals::pencil::{Pencil, Source};
 use crate::integrals::relation_coefficients::entries_of_degree;
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
@@ -20,7 +20,7 @@ use crate::orbits::relations::{gradient, monomial_gradients};
 
 /// The size of formulas that are searched.
 #[derive(Clone, Copy, Debug)]
-pub struct Reach {
+pub struct FormulaLimits {
     /// The most unknown coefficients of P and Q together.
     pub coefficients: usize,
     /// The most monomials in the states of a pencil's shortest polynomial.
@@ -29,17 +29,17 @@ pub struct Reach {
     pub orders: usize,
 }
 
-impl Reach {
+impl FormulaLimits {
     /// The largest limits.
-    pub const FULL: Self = Reach { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
+    pub const FULL: Self = FormulaLimits { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
     /// Limits for readable formulas, if bases describe the other integrals.
-    pub const SHORT: Self = Reach { coefficients: 300, terms: 60, orders: 2 };
+    pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
 /// Finds pencils spanned by relations of orbits, by ascending degree up to `relation_degree`. Stops
 /// at `wanted` independent integrals.
-pub fn spanned_pencils<M: Stepping>(
+pub fn spanned_pencils<M: ModularStep>(
     map: &M,
     relation_degree: u32,
     wanted: usize,
@@ -63,11 +63,11 @@ pub fn spanned_pencils<M: Stepping>(
 /// Returns those with integrals independent of the functions whose gradients `known` returns at a
 /// point. Empty if the deadline passes. Cost: for P and Q with N monomials each, 2N orbits and
 /// (2N)³ products for each coefficient of the relations up to `relation_degree`.
-pub fn pencils_of_entries<M: Stepping>(
+pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
     relation_degree: u32,
     degree: u32,
-    reach: Reach,
+    reach: FormulaLimits,
     known: impl Fn(&[u64]) -> Vec<Vec<u64>>,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
@@ -86,7 +86,7 @@ pub(crate) struct Search<'a, M> {
     pencils: Vec<Pencil>,
 }
 
-impl<'a, M: Stepping> Search<'a, M> {
+impl<'a, M: ModularStep> Search<'a, M> {
     fn new(map: &'a M, random: &'a mut SplitMix64) -> Self {
         let point = map.point(random);
         Search { map, random, point, gradients: Vec::new(), pencils: Vec::new() }
@@ -139,7 +139,7 @@ pub fn quotient_gradients(
 
 /// Returns the span of the relations of all orbits, if one orbit has one dimension less.
 fn span_of_relations(
-    map: &impl Stepping,
+    map: &impl ModularStep,
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,

@@ -13,8 +13,8 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::deadline::Deadline;
 use crate::integrals::pencil::{PencilEntry, SPARE};
 use crate::maps::map::ModularMap;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
@@ -219,7 +219,7 @@ impl MapOnSubspace {
     }
 }
 
-impl Stepping for MapOnSubspace {
+impl ModularStep for MapOnSubspace {
     fn modulus(&self) -> &Modulus {
         self.map.modulus()
     }

@@ -11,9 +11,9 @@ use crate::integrals::reconstructed::SearchLimits;
 use crate::integrals::search::spanned_pencils;
 use crate::maps::affine_subspace::{Coordinate, MapOnSubspace};
 use crate::maps::chart::Chart;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::parametric_field::evaluate;
 use crate::maps::search_field::Sample;
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
@@ -74,7 +74,7 @@ impl ConstrainedMap<'_> {
     }
 }
 
-impl Stepping for ConstrainedMap<'_> {
+impl ModularStep for ConstrainedMap<'_> {
     fn modulus(&self) -> &Modulus {
         self.base.modulus()
     }

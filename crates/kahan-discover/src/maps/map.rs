@@ -1,10 +1,10 @@
 //! Kahan's map modulo a prime, at parameters and ε that are residues.
 //!
-//! Made by a [`Family`](crate::maps::parametric_field::Family) at values of the parameters; steps
+//! Made by a [`ParametricField`](crate::maps::parametric_field::ParametricField) at values of the parameters; steps
 //! by elimination on A(x,ε). Removable poles count as poles; random points almost never hit one.
 
 use crate::integrals::parity::sign_changes;
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
@@ -35,7 +35,7 @@ pub struct ModularMap {
     terms: Vec<Term>,
 }
 
-impl Stepping for ModularMap {
+impl ModularStep for ModularMap {
     fn modulus(&self) -> &Modulus {
         &self.modulus
     }
@@ -219,7 +219,7 @@ impl ModularMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::maps::parametric_field::Family;
+    use crate::maps::parametric_field::ParametricField;
     use kahan_algebra::interpret::{Interpreter, Point};
     use kahan_algebra::prime_field::SplitMix64;
     use kahan_algebra::{lexer, read};
@@ -237,7 +237,7 @@ mod tests {
             let parameters: Vec<u64> =
                 system.field.symbols.parameters.iter().map(|_| modulus.sample(&mut random)).collect();
             let eps = modulus.sample(&mut random);
-            let map = Family::of(&system.field).at(modulus, &parameters, eps).unwrap();
+            let map = ParametricField::of(&system.field).at(modulus, &parameters, eps).unwrap();
             let state = map.point(&mut random);
             let step = map.step(&state).unwrap();
             let there =

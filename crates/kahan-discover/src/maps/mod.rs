@@ -5,6 +5,6 @@ pub mod affine_subspace;
 pub mod chart;
 pub mod constrained;
 pub mod map;
+pub mod modular_step;
 pub mod parametric_field;
 pub mod search_field;
-pub mod stepping;

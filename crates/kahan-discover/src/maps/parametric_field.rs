@@ -10,7 +10,7 @@ use crate::modular::modulus::Modulus;
 
 /// A field whose coefficients are sorted by the monomials of the states.
 #[derive(Clone, Debug)]
-pub struct Family {
+pub struct ParametricField {
     dimension: usize,
     symbols: Symbols,
     divisors: Vec<Polynomial>,
@@ -24,7 +24,7 @@ struct FamilyTerm {
     coefficient: Polynomial,
 }
 
-impl Family {
+impl ParametricField {
     /// Groups the terms of a field by the monomials of its states.
     #[must_use]
     pub fn of(field: &Field) -> Self {
@@ -36,7 +36,7 @@ impl Family {
                 terms.push(FamilyTerm { component, states: field.states_of(&monomial), coefficient });
             }
         }
-        Family {
+        ParametricField {
             dimension: field.dimension(),
             symbols: field.symbols.clone(),
             divisors: field.denominators().cloned().collect(),

@@ -7,15 +7,15 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 
 use crate::maps::map::ModularMap;
-use crate::maps::parametric_field::{Family, evaluate};
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
+use crate::maps::parametric_field::{ParametricField, evaluate};
 use crate::modular::modulus::Modulus;
 use crate::modular::weights::Weights;
 
 /// A field, and the value of ε if it is fixed.
 #[derive(Clone, Debug)]
 pub struct SearchField {
-    family: Family,
+    family: ParametricField,
     eps: Option<Rational>,
     weights: Weights,
 }
@@ -77,12 +77,12 @@ impl SearchField {
     #[must_use]
     pub fn new(field: &Field, eps: Option<Rational>) -> Self {
         let weights = Weights::of(field, eps.is_some());
-        SearchField { family: Family::of(field), eps, weights }
+        SearchField { family: ParametricField::of(field), eps, weights }
     }
 
     /// Returns the field's coefficients.
     #[must_use]
-    pub fn family(&self) -> &Family {
+    pub fn family(&self) -> &ParametricField {
         &self.family
     }
 

@@ -12,11 +12,11 @@ const MOST_COEFFICIENTS: usize = 500;
 
 /// The monomials of numerator and denominator, as exponents of the unknowns.
 #[derive(Clone, Debug)]
-pub(crate) struct Shape {
+pub(crate) struct MonomialSupport {
     pub(crate) monomials: Vec<Vec<u32>>,
 }
 
-impl Shape {
+impl MonomialSupport {
     /// Returns all monomials within the degrees in each unknown and in total; `None` if there are
     /// too many.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
@@ -32,7 +32,7 @@ impl Shape {
             });
             monomials = extended.take(MOST_COEFFICIENTS + 1).collect();
         }
-        (2 * monomials.len() <= MOST_COEFFICIENTS).then_some(Shape { monomials })
+        (2 * monomials.len() <= MOST_COEFFICIENTS).then_some(MonomialSupport { monomials })
     }
 
     pub(crate) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {

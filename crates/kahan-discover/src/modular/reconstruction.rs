@@ -12,7 +12,7 @@ use kahan_algebra::rational_function::RationalFunction;
 
 use crate::deadline::Deadline;
 use crate::maps::parametric_field::evaluate;
-use crate::modular::ansatz::Shape;
+use crate::modular::ansatz::MonomialSupport;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::thiele::{SPARE, degree};
@@ -124,10 +124,10 @@ impl Reconstruction<'_> {
         }
     }
 
-    fn shapes(&mut self, modulus: Modulus) -> Option<Vec<Shape>> {
+    fn shapes(&mut self, modulus: Modulus) -> Option<Vec<MonomialSupport>> {
         if self.unknowns == 0 {
             let (_, values) = self.sample(modulus)?;
-            return Some(values.iter().map(|_| Shape { monomials: vec![Vec::new()] }).collect());
+            return Some(values.iter().map(|_| MonomialSupport { monomials: vec![Vec::new()] }).collect());
         }
         let mut by_unknown = Vec::with_capacity(self.unknowns);
         for unknown in 0..self.unknowns {
@@ -140,20 +140,20 @@ impl Reconstruction<'_> {
         (0..total.len())
             .map(|entry| {
                 let bounds: Vec<usize> = by_unknown.iter().map(|degrees| degrees[entry]).collect();
-                Shape::within(&bounds, total[entry])
+                MonomialSupport::within(&bounds, total[entry])
             })
             .collect()
     }
 
     /// Returns the coefficients of each entry, numerator first, scaled so that the last nonzero one
     /// is 1.
-    fn coefficients(&mut self, modulus: Modulus, shapes: &[Shape]) -> Option<Vec<Vec<u64>>> {
+    fn coefficients(&mut self, modulus: Modulus, shapes: &[MonomialSupport]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);
         for _ in 0..wanted {
             samples.push(self.sample(modulus)?);
         }
-        let solve = |(entry, shape): (usize, &Shape)| {
+        let solve = |(entry, shape): (usize, &MonomialSupport)| {
             let width = 2 * shape.monomials.len();
             let rows = samples[..width + SPARE].iter().map(|(point, values)| {
                 let own = shape.values(&modulus, point);

@@ -9,7 +9,7 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
 use crate::maps::map::ModularMap;
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
 use crate::modular::thiele::{SPARE, degree};
 use crate::orbits::growth::{Growth, GrowthVerdict};
 

@@ -3,8 +3,8 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::relations::Relations;
@@ -61,7 +61,7 @@ pub fn default_degree(variables: usize) -> u32 {
 
 /// Returns relations on a random orbit; `None` if 8 orbits end at poles or the deadline passes.
 pub fn random_relations(
-    map: &impl Stepping,
+    map: &impl ModularStep,
     monomials: &Monomials,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
@@ -163,7 +163,7 @@ impl Hilbert {
     /// `None` without relations, or if the deadline passes.
     pub fn defining_degree(
         &self,
-        map: &impl Stepping,
+        map: &impl ModularStep,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<u32> {

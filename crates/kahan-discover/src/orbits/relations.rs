@@ -7,7 +7,7 @@
 //! discretizations", 2011).
 
 use crate::deadline::Deadline;
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
@@ -35,7 +35,7 @@ impl Relations {
     /// deadline. Cost: with N monomials and rank r, N + 6 steps and N² r products.
     #[must_use]
     pub fn on_orbit(
-        map: &impl Stepping,
+        map: &impl ModularStep,
         start: Vec<u64>,
         monomials: &Monomials,
         deadline: &Deadline<'_>,

@@ -10,10 +10,10 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::upper_index;
 
 use crate::deadline::Deadline;
-use crate::densities::determinant::{along, determinant};
+use crate::densities::determinant::{bordered_determinant, determinant};
 use crate::maps::map::ModularMap;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
@@ -65,7 +65,7 @@ pub fn hamiltonians(
     let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
     let tensors = tensors(&sample.map, random);
     let mut has_potential = |choice: &usize| {
-        chosen(&sample.map, &tensors, *choice)
+        tensor_of_choice(&sample.map, &tensors, *choice)
             .is_some_and(|k| potential(&sample.map, &monomials, &k, random, deadline).is_some())
     };
     let mut choices: Vec<usize> = (1..=tensors.len()).filter(&mut has_potential).collect();
@@ -92,7 +92,7 @@ fn reconstructed(
         if found.len() != count {
             return None;
         }
-        let tensor = chosen(&map, &found, choice)?;
+        let tensor = tensor_of_choice(&map, &found, choice)?;
         let potential = potential(&map, monomials, &tensor, random, deadline)?;
         Some([tensor, potential].concat())
     };
@@ -150,7 +150,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
 }
 
 /// Returns the sum of the basis for choice 0, and element k − 1 for choice k.
-fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
+fn tensor_of_choice(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
     if choice > 0 {
         return tensors.get(choice - 1).cloned();
     }
@@ -282,7 +282,7 @@ impl Hamiltonian {
         let slopes: Vec<Polynomial> =
             (0..field.dimension()).map(|i| potential.derivative(symbols.state(i))).collect();
         let below = determinant(field, &mut budget).ok()?;
-        let along = along(field, &slopes, &mut budget).ok()?;
+        let along = bordered_determinant(field, &slopes, &mut budget).ok()?;
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
         let start = potential.mul_within(&below, &mut budget).ok()?.scale(&Rational::from(3));
         let above = start + along.mul_within(&two_eps, &mut budget).ok()?;

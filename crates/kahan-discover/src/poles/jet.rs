@@ -44,7 +44,7 @@ pub struct Image {
 
 /// The reason why the image is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lost {
+pub(crate) enum NoImage {
     /// All known coefficients of the series vanish; longer series may decide.
     TooShort,
     SpecialPoint,
@@ -115,20 +115,25 @@ impl Homogeneous {
         steps: usize,
         length: usize,
         random: &mut SplitMix64,
-    ) -> Result<Vec<Image>, Lost> {
+    ) -> Result<Vec<Image>, NoImage> {
         let mut jet = self.moved(place, length, random);
         let mut images = Vec::with_capacity(steps);
         for _ in 0..steps {
             let next = self.values(&jet);
-            let shared = next.iter().filter_map(Series::order).min().ok_or(Lost::TooShort)?;
+            let shared = next.iter().filter_map(Series::order).min().ok_or(NoImage::TooShort)?;
             let divided: Option<_> = next.into_iter().map(|series| series.divided(shared)).collect();
-            jet = divided.ok_or(Lost::SpecialPoint)?;
+            jet = divided.ok_or(NoImage::SpecialPoint)?;
             let columns: Vec<Vec<u64>> = jet.iter().map(Series::leading).collect();
             let is_infinite = columns.last().is_some_and(|last| last[0] == 0);
             let width = columns[0].len();
             let dimension = Echelon::of(&self.modulus, columns, width).rank() - 1;
             let contacts: Option<_> = curves.values(&jet).iter().map(Series::order).collect();
-            images.push(Image { dimension, is_infinite, shared, contacts: contacts.ok_or(Lost::TooShort)? });
+            images.push(Image {
+                dimension,
+                is_infinite,
+                shared,
+                contacts: contacts.ok_or(NoImage::TooShort)?,
+            });
         }
         Ok(images)
     }

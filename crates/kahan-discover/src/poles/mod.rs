@@ -28,7 +28,7 @@ use crate::stages::specialised;
 use crate::watch::{Progress, Watch};
 use curves::Curves;
 pub use jet::Image;
-use jet::{Homogeneous, Lost, Place, Values};
+use jet::{Homogeneous, NoImage, Place, Values};
 
 /// The singularity pattern of one curve.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -172,8 +172,8 @@ impl Follower<'_> {
             }
             match self.sampled(curve, Modulus::random(random), length, random) {
                 Some(Ok(images)) => return Some(images),
-                Some(Err(Lost::TooShort)) => length *= 2,
-                Some(Err(Lost::SpecialPoint)) | None => {}
+                Some(Err(NoImage::TooShort)) => length *= 2,
+                Some(Err(NoImage::SpecialPoint)) | None => {}
             }
         }
         None
@@ -185,7 +185,7 @@ impl Follower<'_> {
         modulus: Modulus,
         length: usize,
         random: &mut SplitMix64,
-    ) -> Option<Result<Vec<Image>, Lost>> {
+    ) -> Option<Result<Vec<Image>, NoImage>> {
         let sample = self.searched.sample(modulus, random)?;
         let symbols = self.searched.family().symbols();
         let values = Values { symbols, parameters: &sample.unknowns, eps: sample.map.eps() };

@@ -11,8 +11,8 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::{ClaimBody, ClaimKind};
 use kahan_algebra::system::{Condition, System};
 
-use super::shapes::{Grid, Shape, shapes};
-use super::{Scan, Sight};
+use super::vanishing_polynomials::{Grid, VanishingPolynomial, vanishing_polynomials};
+use super::{DegreesAndRanks, Scan};
 use crate::claims::proved::{Claims, Formula};
 use crate::deadline::{Deadline, Work};
 use crate::orbits::hilbert::default_degree;
@@ -27,7 +27,7 @@ pub struct Proposal {
     /// The number of grid points on the relation.
     pub points: usize,
     /// The most frequent observation among those with the fewest integrals.
-    pub sight: Sight,
+    pub sight: DegreesAndRanks,
     /// Proved claims, ready to paste, that hold only at the relation.
     pub claims: Vec<String>,
 }
@@ -46,20 +46,20 @@ pub(super) fn proposals(
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
     let seen = || scan.points.iter().filter(|point| point.sight.is_some() && !zero_step(&point.values));
-    let sights: Vec<&Sight> = seen().filter_map(|point| point.sight.as_ref()).collect();
-    let grid = |is_special: &dyn Fn(&Sight) -> bool| Grid {
+    let sights: Vec<&DegreesAndRanks> = seen().filter_map(|point| point.sight.as_ref()).collect();
+    let grid = |is_special: &dyn Fn(&DegreesAndRanks) -> bool| Grid {
         points: seen().map(|point| point.values.clone()).collect(),
         special: sights.iter().map(|sight| is_special(sight)).collect(),
     };
     let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| symbols.named(name)).collect();
     let (Some(axes), true) = (axes, scan.names.len() > 1) else { return Vec::new() };
     // Additional integrals are stronger evidence than lower degrees.
-    let mut found = shapes(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
-    let others = shapes(&grid(&|sight| *sight != scan.generic), &found);
+    let mut found = vanishing_polynomials(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
+    let others = vanishing_polynomials(&grid(&|sight| *sight != scan.generic), &found);
     found.extend(others);
     let mut prover = Prover::new(system, options, work);
     let mut proposals = Vec::new();
-    for (index, Shape { polynomial, points }) in found.iter().enumerate() {
+    for (index, VanishingPolynomial { polynomial, points }) in found.iter().enumerate() {
         let polynomial = polynomial.map_variables(|axis| axes[usize::from(axis.0)]);
         let Some(sight) = usual(points.iter().map(|&at| sights[at])) else { continue };
         let relation = relation_text(symbols, &polynomial);
@@ -71,13 +71,14 @@ pub(super) fn proposals(
 }
 
 /// Returns the most frequent observation with the fewest integrals.
-fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
-    let mut counts: HashMap<String, (usize, &Sight)> = HashMap::new();
+fn usual<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a DegreesAndRanks> {
+    let mut counts: HashMap<String, (usize, &DegreesAndRanks)> = HashMap::new();
     for sight in sights {
         counts.entry(format!("{sight:?}")).or_insert((0, sight)).0 += 1;
     }
-    let rank =
-        |(text, (count, sight)): &(String, (usize, &Sight))| (Reverse(sight.integrals), *count, text.clone());
+    let rank = |(text, (count, sight)): &(String, (usize, &DegreesAndRanks))| {
+        (Reverse(sight.integrals), *count, text.clone())
+    };
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 

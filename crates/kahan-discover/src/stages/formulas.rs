@@ -6,10 +6,10 @@ use super::search::{SHARE_FOR_FORMULAS, Search};
 use crate::claims::proved::Formula;
 use crate::deadline::Deadline;
 use crate::integrals::independence::quotient_gradient;
-use crate::integrals::reconstructed::{Aims, integrals};
-use crate::integrals::search::Reach;
+use crate::integrals::reconstructed::{SearchGoals, integrals};
+use crate::integrals::search::FormulaLimits;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SampledStep;
-use crate::maps::stepping::Stepping;
 use crate::modular::matrix::Echelon;
 use crate::modular::monomials::Monomials;
 use crate::orbits::basis::{Basis, candidates, completing, prove};
@@ -18,7 +18,7 @@ use crate::orbits::relations::Relations;
 use crate::poisson::modified::{Gradients, Modified, add_modified};
 use crate::report::{MOST_READABLE, ModifiedPlace};
 
-use super::Until;
+use super::Deadlines;
 
 /// The integrals found with relations of some degree.
 pub(super) struct Integrals {
@@ -38,7 +38,7 @@ impl Search<'_> {
         &self,
         hilbert: Option<&Hilbert>,
         random: &mut SplitMix64,
-        until: &Until<'_>,
+        until: &Deadlines<'_>,
     ) -> Integrals {
         let searched = self.searched;
         let symbols = &self.field.symbols;
@@ -58,7 +58,7 @@ impl Search<'_> {
         let are_enough = in_bases.max(in_compact_forms) >= shown;
         let for_formulas = until.integrals.after_share(SHARE_FOR_FORMULAS);
         let until_formulas = if in_compact_forms >= shown { &for_formulas } else { &until.integrals };
-        let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
+        let reach = if are_enough { FormulaLimits::SHORT } else { FormulaLimits::FULL };
         // If bases or compact forms give all integrals, omit long formulas.
         let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_READABLE;
         let tell = |formula: &Formula| (self.tell)(&formula.claim, &formula.text);
@@ -71,7 +71,7 @@ impl Search<'_> {
         let quotients =
             candidates.iter().filter_map(|basis| basis.quotient_of_terms(searched, &mut random.clone()));
         let further: Vec<_> = self.further.iter().cloned().chain(quotients).collect();
-        let aims = Aims {
+        let aims = SearchGoals {
             proved: self.proved,
             kept: self.kept,
             further: (&further, &until.end),

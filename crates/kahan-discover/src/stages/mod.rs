@@ -4,7 +4,7 @@ mod formulas;
 mod search;
 
 use self::formulas::Integrals;
-use self::search::{Found, Search};
+use self::search::{Search, SearchResult};
 use crate::claims::proved::Claims;
 use crate::claims::verdicts::sentences;
 use crate::deadline::{Deadline, Work};
@@ -12,9 +12,9 @@ use crate::drift::{self, drifts};
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
-use crate::orbits::ceiling::{Ceiling, FEW_TRIALS, MANY_TRIALS, ceiling};
 use crate::orbits::degrees::{DegreeLimits, degrees};
 use crate::orbits::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
+use crate::orbits::integral_bound::{FEW_TRIALS, IntegralBound, MANY_TRIALS, integral_bound};
 use crate::orbits::plane;
 use crate::poisson::modified::Modified;
 use crate::poisson::structure::{ByRules, FlowIntegrals, by_rules, divergence, flow_integrals, is_even};
@@ -113,7 +113,7 @@ pub(crate) fn discover_within(
         begins: &begins,
         tell,
     };
-    let until = Until { integrals: for_integrals, densities: for_densities, end: end.clone() };
+    let until = Deadlines { integrals: for_integrals, densities: for_densities, end: end.clone() };
     let mut found = search.found(hilbert.as_ref(), None, random, &until);
     begins("functions whose next value follows from their value");
     let until_drifts = Deadline::after(work, end.left().min(drift::SHARE * options.seconds));
@@ -135,7 +135,7 @@ pub(crate) fn discover_within(
     let linear =
         plane::linear(&searched, &place.sample.map, &growth, &drifts, &mut random.clone(), &for_structure);
     let by_drifts = drift::most_integrals(&drifts, n);
-    let complete = |hilbert: &Hilbert, known, ceiling: Option<&Ceiling>| {
+    let complete = |hilbert: &Hilbert, known, ceiling: Option<&IntegralBound>| {
         Bound::complete(hilbert, n, known, ceiling, &growth, linear, by_drifts)
     };
     let is_open = |hilbert: &Hilbert| complete(hilbert, found.of.independent, None).is_none();
@@ -143,7 +143,7 @@ pub(crate) fn discover_within(
     let ceiling = hilbert
         .as_ref()
         .filter(|hilbert| is_open(hilbert))
-        .and_then(|_| ceiling(&searched, found.of.independent, trials, &mut random.clone(), &end));
+        .and_then(|_| integral_bound(&searched, found.of.independent, trials, &mut random.clone(), &end));
     let bound = loop {
         let Some(known) = &hilbert else {
             break if is_stopped { Bound::Time } else { Bound::Poles };
@@ -165,12 +165,12 @@ pub(crate) fn discover_within(
         let are_more = further.integrals > known.integrals;
         hilbert = Some(further);
         if are_more {
-            let until = Until::shares_of(work, end.left());
+            let until = Deadlines::shares_of(work, end.left());
             let next = search.found(hilbert.as_ref(), Some(&found), random, &until);
             is_stopped |= until.has_stopped();
             // If time ran out, the earlier search may have found more formulas.
-            found = if next.said() < found.said() {
-                Found { of: Integrals { independent: next.of.independent, ..found.of }, ..found }
+            found = if next.integrals_found() < found.integrals_found() {
+                SearchResult { of: Integrals { independent: next.of.independent, ..found.of }, ..found }
             } else {
                 next
             };
@@ -225,17 +225,17 @@ pub(crate) fn discover_within(
     Ok(report)
 }
 
-struct Until<'a> {
+struct Deadlines<'a> {
     integrals: Deadline<'a>,
     densities: Deadline<'a>,
     end: Deadline<'a>,
 }
 
-impl<'a> Until<'a> {
+impl<'a> Deadlines<'a> {
     /// Divides the remaining time in the proportions of the first search.
     fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
         let after = |share: f64| Deadline::after(work, share * left);
-        Until { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
+        Deadlines { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
     }
 
     fn has_stopped(&self) -> bool {

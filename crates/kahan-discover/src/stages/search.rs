@@ -5,12 +5,12 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::system::Claim;
 
-use super::Until;
+use super::Deadlines;
 use super::formulas::Integrals;
 use crate::claims::proved::{Claims, Formula};
 use crate::deadline::Deadline;
 use crate::densities::density::{densities, pfaffian_density};
-use crate::integrals::composition::{Survivors, survivors};
+use crate::integrals::composition::{CompositionIntegrals, survivors};
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::orbits::hilbert::Hilbert;
 use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, polynomial_tensors};
@@ -40,17 +40,17 @@ pub(super) struct Search<'a> {
     pub(super) tell: &'a dyn Fn(&Claim, &str),
 }
 
-pub(super) struct Found {
+pub(super) struct SearchResult {
     pub(super) of: Integrals,
     pub(super) densities: Vec<Formula>,
     pub(super) density_search: DensitySearch,
     pub(super) tensors: Vec<PoissonTensor>,
     pub(super) brackets: Brackets,
-    pub(super) survivors: Option<Survivors>,
+    pub(super) survivors: Option<CompositionIntegrals>,
 }
 
-impl Found {
-    pub(super) fn said(&self) -> usize {
+impl SearchResult {
+    pub(super) fn integrals_found(&self) -> usize {
         let Integrals { integrals, bases, modified, .. } = &self.of;
         let in_bases: usize = bases.iter().map(|basis| basis.integrals.len()).sum();
         let alone = modified.iter().filter(|(_, place)| *place == ModifiedPlace::Alone);
@@ -63,10 +63,10 @@ impl Search<'_> {
     pub(super) fn found(
         &self,
         hilbert: Option<&Hilbert>,
-        before: Option<&Found>,
+        before: Option<&SearchResult>,
         random: &mut SplitMix64,
-        until: &Until<'_>,
-    ) -> Found {
+        until: &Deadlines<'_>,
+    ) -> SearchResult {
         (self.begins)("formulas of integrals");
         let of = self.integrals(hilbert, random, until);
         let Integrals { integrals, .. } = &of;
@@ -84,13 +84,13 @@ impl Search<'_> {
         let survivors = hilbert
             .filter(|hilbert| hilbert.integrals > 0)
             .and_then(|hilbert| survivors(self.searched, integrals, hilbert.degree(), random, &until.end));
-        Found { of, densities, density_search, tensors, brackets, survivors }
+        SearchResult { of, densities, density_search, tensors, brackets, survivors }
     }
 
     /// Searches polynomial brackets, unless they were found `before`.
     fn tensors(
         &self,
-        before: Option<&Found>,
+        before: Option<&SearchResult>,
         integrals: usize,
         random: &mut SplitMix64,
         until: &Deadline<'_>,
@@ -115,7 +115,7 @@ impl Search<'_> {
     /// Searches an invariant density, unless one was found `before` or a bracket implies it.
     fn densities(
         &self,
-        before: Option<&Found>,
+        before: Option<&SearchResult>,
         tensors: &[PoissonTensor],
         all_integrals: &[Formula],
         random: &mut SplitMix64,

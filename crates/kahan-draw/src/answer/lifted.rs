@@ -2,7 +2,7 @@
 
 use kahan_algebra::render::Notation;
 use kahan_latex::Latex;
-use kahan_study::{LiftFound, Watched};
+use kahan_study::{LiftFound, WatchedOrbit};
 use maud::{Markup, html};
 
 use crate::document::{LINE, Table, display};
@@ -27,7 +27,7 @@ pub fn lift(found: &LiftFound) -> Markup {
         @for note in &found.notes { p.missing { "Note: " (note) "." } }
         @if !found.relations.is_empty() {
             (relations(found))
-            @if let Some(Watched { start, eps, .. }) = &found.watched {
+            @if let Some(WatchedOrbit { start, eps, .. }) = &found.watched {
                 p {
                     "They were watched along the orbit from ("
                     @for (k, value) in start.iter().enumerate() { @if k > 0 { ", " } (value) }

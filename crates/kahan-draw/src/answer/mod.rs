@@ -8,7 +8,7 @@ mod poles;
 mod section;
 mod traded;
 
-use kahan_study::{Answer, Shown};
+use kahan_study::{Answer, ShownField};
 use maud::{Markup, html};
 
 use crate::document::{JACOBIAN, LINE, claim, display, formulas};
@@ -28,7 +28,7 @@ const MOST_VARIABLES: usize = 8;
 pub fn html(answer: &Answer) -> Option<Markup> {
     Some(match answer {
         Answer::Show(shown) => match &**shown {
-            Shown::Formulas(sheet) => html! {
+            ShownField::Formulas(sheet) => html! {
                 @if sheet.variables.len() <= MOST_VARIABLES {
                     (formulas(sheet))
                     h4 { "Jacobian" }
@@ -39,7 +39,7 @@ pub fn html(answer: &Answer) -> Option<Markup> {
                 @if !sheet.claims.is_empty() { h4 { "What is claimed, and proved" } }
                 @for shown in &sheet.claims { (claim(shown, sheet.variables.len(), &html! {})) }
             },
-            Shown::Block { .. } | Shown::Plan(_) => return None,
+            ShownField::Block { .. } | ShownField::Plan(_) => return None,
         },
         Answer::Observe(seen) => html! {
             @for table in observed(seen) { (table) }

@@ -1,7 +1,7 @@
 //! Tables and sentences for an observed orbit.
 
 use kahan_core::observe::Extremes;
-use kahan_study::{End, Observable, Observed, Seen};
+use kahan_study::{End, Observable, Observed, ObservedValue};
 
 use crate::document::Table;
 
@@ -20,30 +20,30 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
     };
     let mut found: Vec<_> =
         Observable::ALL.iter().filter_map(|one| Some((*one, observed.of(*one)?))).collect();
-    found.sort_by_key(|(_, seen)| matches!(seen, Seen::Turns(_)));
+    found.sort_by_key(|(_, seen)| matches!(seen, ObservedValue::Turns(_)));
     for (observable, seen) in found {
         match seen {
-            Seen::Point(point) => {
+            ObservedValue::Point(point) => {
                 let heading = if observable == Observable::Last { "last" } else { observable.name() };
                 of_variables(&[heading], point.iter().map(|value| vec![number(*value)]).collect());
             }
-            Seen::Drift(found) => {
+            ObservedValue::Drift(found) => {
                 let rows = observed.integrals.iter().zip(found);
                 drifts.extend(
                     rows.map(|(name, drift)| vec![name.clone(), short(drift.max), short(drift.last)]),
                 );
             }
-            Seen::Extrema(extrema) => {
+            ObservedValue::Extrema(extrema) => {
                 let ends = |of: &Option<Extremes<f64>>| match of {
                     Some(of) => vec![number(of.least), number(of.greatest)],
                     None => vec![String::new(); 2],
                 };
                 of_variables(&["least", "greatest"], extrema.iter().map(ends).collect());
             }
-            Seen::Exponent(one) => {
+            ObservedValue::Exponent(one) => {
                 exponents.push(vec!["largest".to_owned(), known(one.value, one.error), short(one.error)]);
             }
-            Seen::Spectrum(all) => {
+            ObservedValue::Spectrum(all) => {
                 for (k, one) in all.iter().enumerate() {
                     let value = known(one.value, one.error);
                     exponents.push(vec![(k + 1).to_string(), value, short(one.error)]);
@@ -51,18 +51,18 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
                 let sum: f64 = all.iter().map(|exponent| exponent.value).sum();
                 exponents.push(vec!["sum".to_owned(), number(sum), String::new()]);
             }
-            Seen::Number(value) if observable == Observable::LogDet => {
+            ObservedValue::Number(value) if observable == Observable::LogDet => {
                 exponents.push(vec!["mean log |det J|".to_owned(), number(*value), String::new()]);
             }
-            Seen::Number(value) => {
+            ObservedValue::Number(value) => {
                 indicators.push(vec![observable.name().to_uppercase(), number(*value)]);
             }
-            Seen::Turns(turns) => {
+            ObservedValue::Turns(turns) => {
                 let turns =
                     turns.iter().map(|turns| vec![known(turns.value, turns.error), short(turns.error)]);
                 of_variables(&["turns a step", "error"], turns.collect());
             }
-            Seen::Step(_) | Seen::Passed(_) => {}
+            ObservedValue::Step(_) | ObservedValue::Passed(_) => {}
         }
     }
     let tables = [
@@ -80,8 +80,8 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
 #[must_use]
 pub fn convergence(observed: &Observed) -> Option<String> {
     let largest = |observable| match observed.of(observable)? {
-        Seen::Exponent(one) => Some(one),
-        Seen::Spectrum(all) => all.first(),
+        ObservedValue::Exponent(one) => Some(one),
+        ObservedValue::Spectrum(all) => all.first(),
         _ => None,
     };
     let largest = largest(Observable::Lyapunov).or_else(|| largest(Observable::Spectrum))?;

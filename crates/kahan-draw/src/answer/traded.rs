@@ -5,12 +5,12 @@ use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};
 
 use crate::document::Table;
-use crate::picture::{self, Look};
+use crate::picture::{self, PictureOptions};
 
 pub(super) fn html(traded: &Traded) -> Markup {
     html! {
         figure #trade {
-            div.drawings { (picture::trade(traded, &Look::on(picture::trade_sheet())).drawing.inline()) }
+            div.drawings { (picture::trade(traded, &PictureOptions::on(picture::trade_canvas())).drawing.inline()) }
             figcaption { p { "Each dot is a setting: its price on this machine, and its error against a trajectory in 32 digits." } }
         }
         @match choice(traded) {

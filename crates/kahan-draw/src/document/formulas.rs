@@ -3,7 +3,7 @@
 use kahan_algebra::render::Notation;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_latex::{Latex, breaking};
-use kahan_study::{ClaimShown, Sheet};
+use kahan_study::{ClaimShown, FormulaSheet};
 use maud::{Markup, html};
 
 use super::math::{LINE, display, displays, inline};
@@ -15,7 +15,7 @@ pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\
     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
 
 /// Writes the field, A, b (unless x), det A and the reduced map from a sheet in LaTeX.
-pub fn formulas(sheet: &Sheet) -> Markup {
+pub fn formulas(sheet: &FormulaSheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
         states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()

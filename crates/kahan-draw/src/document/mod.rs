@@ -17,7 +17,7 @@ pub use tables::{Rows, Table, table_of_formulas};
 
 /// The time and duration of a page's making, for its footer.
 #[derive(Clone, Debug)]
-pub struct Making {
+pub struct PageCreation {
     /// The day, such as `2026-01-31`.
     pub date: String,
     /// The seconds spent so far.
@@ -56,7 +56,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
 }
 
 /// Writes the footer: version, time, and in `again` the command that makes the page again.
-pub fn colophon(making: &Making, again: &Markup) -> Markup {
+pub fn colophon(making: &PageCreation, again: &Markup) -> Markup {
     html! {
         footer {
             p {

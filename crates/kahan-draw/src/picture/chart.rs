@@ -1,10 +1,12 @@
 //! Charts of an observable: a curve over one range, or colours over two.
 
 use kahan_latex::symbol;
-use kahan_study::{Axis, Kept, Observable, Over, OverFound, Question, Shade, Through, Varied};
+use kahan_study::{
+    Axis, AxisOver, AxisValues, ColourColumn, Observable, Over, OverFound, Question, StoredColumn,
+};
 
-use super::{Look, Picture};
-use crate::plot::{Grid, Mark, Marks, NumberLine, Plot, Series};
+use super::{Picture, PictureOptions};
+use crate::plot::{Grid, Mark, NumberLine, Plot, Series, TickKind};
 
 /// Values of an observable over one range or two.
 #[derive(Clone, Debug)]
@@ -37,10 +39,10 @@ impl Chart {
     /// the range of doubles or escapes; for `escape`, if the orbit does neither. Panics for another
     /// question, or an axis that is not a range.
     #[must_use]
-    pub fn of(asked: &Over, found: &OverFound, shade: &Shade) -> Self {
+    pub fn of(asked: &Over, found: &OverFound, shade: &ColourColumn) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
-        let axis = |axis: &Varied| match &axis.through {
-            Through::Range(range) => Axis { name: axis.name.clone(), range: range.clone() },
+        let axis = |axis: &AxisOver| match &axis.through {
+            AxisValues::Range(range) => Axis { name: axis.name.clone(), range: range.clone() },
             other => panic!("a chart goes through ranges, and not {other:?}"),
         };
         let axes: Vec<Axis> = asked.over.iter().rev().map(axis).collect();
@@ -48,13 +50,13 @@ impl Chart {
         let column = if is_key { shade.observable.name() } else { &shade.column };
         let values = shade.values(&found.rows).into_iter().map(Self::scale(column)).collect();
         let ends = &found.rows.values[1 + axes.len()..];
-        let [Kept::Text(ended), Kept::Integer(steps), ..] = ends else {
+        let [StoredColumn::Text(ended), StoredColumn::Integer(steps), ..] = ends else {
             unreachable!("how an orbit ended is a word and a count")
         };
         let ended = ended.iter().cloned().zip(steps.iter().copied()).collect();
         let bounds = found.columns.iter().position(|name| name == "passed_poles_lower_bound");
         let is_lower_bound = match bounds.map(|place| &found.rows.values[place]) {
-            Some(Kept::F64(bounds)) => bounds.contains(&1.0),
+            Some(StoredColumn::F64(bounds)) => bounds.contains(&1.0),
             _ => false,
         };
         let chart = Chart::of_column(found.system.clone(), axes, column.to_owned(), values);
@@ -157,9 +159,9 @@ fn quantity(column: &str) -> String {
 
 /// Draws a chart.
 #[must_use]
-pub fn chart(shown: &Chart, look: &Look) -> Picture {
+pub fn chart(shown: &Chart, look: &PictureOptions) -> Picture {
     let (description, sheet) = (shown.description(), look.sheet);
-    let marks = if shown.is_logarithm { Marks::Powers } else { Marks::Round };
+    let marks = if shown.is_logarithm { TickKind::Powers } else { TickKind::Round };
     let quantity = shown.quantity();
     let picture = if let [axis] = &shown.axes[..] {
         let places = axis.range.values().map(|value| value.to_f64());

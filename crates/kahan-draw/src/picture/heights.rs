@@ -5,13 +5,13 @@ use kahan_latex::symbol;
 use kahan_runtime::heights::Growth;
 use kahan_study::HeightsFound;
 
-use super::{COLOURS, Look, Picture};
-use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
+use super::{COLOURS, Picture, PictureOptions};
+use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
 /// Draws ln h of each variable's heights h against n for exponential growth, else against ln n, so
 /// that powers of n become straight lines. `eps` appears in the description.
 #[must_use]
-pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
+pub fn heights(found: &HeightsFound, eps: &Rational, look: &PictureOptions) -> Picture {
     let survey = &found.survey;
     let is_exponential = survey.growth == Growth::Exponential;
     let mark = if survey.heights.len() < 30 { Mark::Both } else { Mark::Line };
@@ -28,7 +28,7 @@ pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
         "Natural logarithms of the heights of {} at eps = {eps}: growth is {}",
         found.system, survey.growth
     );
-    let (across, marks) = if is_exponential { ("n", Marks::Whole) } else { ("ln n", Marks::Round) };
+    let (across, marks) = if is_exponential { ("n", TickKind::Whole) } else { ("ln n", TickKind::Round) };
     let plot = Plot::around(&description, [across, "ln of the logarithmic height"], series);
     let x = NumberLine { marks, ..plot.x };
     Picture { outside: 0, ..Picture::of(&Plot { sheet: look.sheet, x, ..plot }) }

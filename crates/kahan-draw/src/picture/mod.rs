@@ -13,20 +13,20 @@ mod trade;
 pub use chart::{Chart, chart};
 pub use heights::heights;
 pub use over::{branch, diagram};
-pub use portrait::{Coordinate, Trace, Visits, portrait};
+pub use portrait::{Coordinate, OrbitExtent, Trace, portrait};
 pub use relations::relations;
-pub use trade::{trade, trade_sheet};
+pub use trade::{trade, trade_canvas};
 
-use crate::plot::{Drawing, NumberLine, Plot, Sheet};
+use crate::plot::{Canvas, Drawing, NumberLine, Plot};
 
 /// The number of colours that series cycle through; the sixth is grey, for references.
 const COLOURS: usize = 5;
 
 /// The looks of a picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Look {
+pub struct PictureOptions {
     /// The sheet to draw on.
-    pub sheet: Sheet,
+    pub sheet: Canvas,
     /// The ends of axes by name; other axes show nearly all values.
     pub windows: Vec<(String, [f64; 2])>,
     /// Whether lines join the points of an orbit.
@@ -43,14 +43,14 @@ pub struct Picture {
     /// The number of points outside the axes.
     pub outside: usize,
     /// The visible points of each orbit, for portraits and sections.
-    pub visits: Vec<Visits>,
+    pub visits: Vec<OrbitExtent>,
 }
 
-impl Look {
+impl PictureOptions {
     /// Returns the default looks on a sheet.
     #[must_use]
-    pub fn on(sheet: Sheet) -> Self {
-        Look { sheet, windows: Vec::new(), lines: false }
+    pub fn on(sheet: Canvas) -> Self {
+        PictureOptions { sheet, windows: Vec::new(), lines: false }
     }
 
     fn windowed(&self, name: &str, line: NumberLine) -> NumberLine {

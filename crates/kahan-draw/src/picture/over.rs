@@ -5,13 +5,13 @@ use kahan_dynamics::periodic::Stability;
 use kahan_latex::symbol;
 use kahan_study::{CycleFound, DiagramFound, Range};
 
-use super::{COLOURS, Look, Picture};
+use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series};
 
 /// Draws orbit diagrams of one field over one range, each from its own initial state, after
 /// `transient` steps. Panics if `diagrams` is empty.
 #[must_use]
-pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &Look) -> Picture {
+pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &PictureOptions) -> Picture {
     let DiagramFound { system, axis, variable, .. } = &diagrams[0];
     let points = |found: &DiagramFound| -> Vec<(f64, f64)> {
         let values = found.values.iter().map(Rational::to_f64).zip(&found.points);
@@ -34,7 +34,7 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
 /// Draws the branch of a cycle: its first variable against the parameter, with a separate style for
 /// stable cycles. A cycle of the flow shows the maximum and minimum only.
 #[must_use]
-pub fn branch(found: &CycleFound, look: &Look) -> Picture {
+pub fn branch(found: &CycleFound, look: &PictureOptions) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));
     let points = |is_wanted: &dyn Fn(Stability) -> bool| -> Vec<(f64, f64)> {
         let points = branch.into_iter().flat_map(|branch| &branch.points);

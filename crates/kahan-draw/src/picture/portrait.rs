@@ -7,8 +7,8 @@ use kahan_latex::symbol;
 use kahan_study::formula::Formula;
 use kahan_study::{Column, Rows, Values};
 
-use super::{COLOURS, Look, Picture};
-use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
+use super::{COLOURS, Picture, PictureOptions};
+use crate::plot::{Mark, NumberLine, Plot, Series, SpacePlot, SpaceSeries};
 
 /// A coordinate of an orbit's points, shown by one axis.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub struct Trace {
 
 /// The visible extent of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Visits {
+pub struct OrbitExtent {
     /// The number of points.
     pub points: usize,
     /// The number of distinguishable positions.
@@ -69,7 +69,12 @@ impl Coordinate {
         }
     }
 
-    fn axis(&self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
+    fn axis(
+        &self,
+        variables: &[String],
+        values: impl Iterator<Item = f64>,
+        look: &PictureOptions,
+    ) -> NumberLine {
         let name = self.name(variables);
         look.windowed(
             name,
@@ -97,7 +102,7 @@ impl Trace {
     }
 
     /// Counts the points, and the distinguishable positions of those inside the axes.
-    fn visits(&self, axes: &[NumberLine]) -> Visits {
+    fn visits(&self, axes: &[NumberLine]) -> OrbitExtent {
         const PARTS: f64 = 200.0;
 
         let is_shown = |row: &usize| axes.iter().zip(&self.columns).all(|(axis, of)| axis.shows(of[*row]));
@@ -107,7 +112,7 @@ impl Trace {
             std::array::from_fn(|_| places.next().unwrap_or_default())
         };
         let cells: HashSet<[i64; 3]> = (0..self.count()).filter(is_shown).map(cell).collect();
-        Visits { points: self.count(), places: cells.len() }
+        OrbitExtent { points: self.count(), places: cells.len() }
     }
 }
 
@@ -135,13 +140,18 @@ impl Rows for Trace {
 /// Draws orbits of a field with these variables. `description` is the text for screen readers.
 /// Panics if `orbits` is empty.
 #[must_use]
-pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, look: &Look) -> Picture {
+pub fn portrait(
+    description: String,
+    variables: &[String],
+    orbits: Vec<Trace>,
+    look: &PictureOptions,
+) -> Picture {
     let axis = |(i, coordinate): (usize, &Coordinate)| {
         let values = orbits.iter().flat_map(|orbit| &orbit.columns[i]).copied();
         coordinate.axis(variables, values, look)
     };
     let axes: Vec<NumberLine> = orbits[0].axes.iter().enumerate().map(axis).collect();
-    let visits: Vec<Visits> = orbits.iter().map(|orbit| orbit.visits(&axes)).collect();
+    let visits: Vec<OrbitExtent> = orbits.iter().map(|orbit| orbit.visits(&axes)).collect();
     let marks = marks(&visits, look);
     let marked = orbits.into_iter().zip(marks).enumerate();
     let marked = marked.map(|(index, (orbit, mark))| (index % COLOURS + 1, mark, orbit.columns));
@@ -150,9 +160,9 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
         Ok(axes) => {
             let clouds = marked.map(|(colour, mark, columns)| {
                 let points = (0..columns[0].len()).map(|i| std::array::from_fn(|axis| columns[axis][i]));
-                Cloud { colour, mark, points: points.collect() }
+                SpaceSeries { colour, mark, points: points.collect() }
             });
-            let space = Space { description, sheet, axes, clouds: clouds.collect() };
+            let space = SpacePlot { description, sheet, axes, clouds: clouds.collect() };
             let points = visits.iter().map(|visits| visits.points).sum();
             Picture { drawing: space.drawing(), points, outside: space.outside(), visits: Vec::new() }
         }
@@ -169,14 +179,14 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
 }
 
 /// Chooses marks by the number of points; orbits with few distinct positions get visible dots.
-fn marks(visits: &[Visits], look: &Look) -> Vec<Mark> {
+fn marks(visits: &[OrbitExtent], look: &PictureOptions) -> Vec<Mark> {
     const FEW: usize = 24;
     /// Beyond this number of points, lines of the usual width would merge into an area.
     const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);
     let points: usize = others.map(|visits| visits.points).sum();
-    let mark = |visits: &Visits| match if visits.places <= FEW { 0 } else { points } {
+    let mark = |visits: &OrbitExtent| match if visits.places <= FEW { 0 } else { points } {
         points if look.lines && points > LINES => Mark::Thin,
         _ if look.lines => Mark::Line,
         0..=400 => Mark::Dots,

@@ -1,15 +1,15 @@
 //! Errors of a lift's relations along an orbit.
 
-use kahan_study::{LiftFound, Watched};
+use kahan_study::{LiftFound, WatchedOrbit};
 
-use super::{COLOURS, Look, Picture};
-use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
+use super::{COLOURS, Picture, PictureOptions};
+use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
 /// Draws the largest error of each relation in each segment of the watched orbit, on a logarithmic
 /// axis. Returns `None` if no orbit was watched. Relations without any error get no line.
 #[must_use]
-pub fn relations(found: &LiftFound, look: &Look) -> Option<Picture> {
-    let Watched { eps, errors: seen, .. } = found.watched.as_ref()?;
+pub fn relations(found: &LiftFound, look: &PictureOptions) -> Option<Picture> {
+    let WatchedOrbit { eps, errors: seen, .. } = found.watched.as_ref()?;
     let end = 2.0 * eps * seen.steps as f64;
     let series = found.relations.iter().zip(&seen.errors).enumerate().map(|(index, (relation, errors))| {
         let time = |part: usize| (part as f64 + 0.5) / errors.len() as f64 * end;
@@ -23,6 +23,6 @@ pub fn relations(found: &LiftFound, look: &Look) -> Option<Picture> {
     let description =
         format!("Errors of the relations of {} along an orbit at eps = {eps}, against time", found.system);
     let plot = Plot::around(&description, ["t", "error of the relation"], series);
-    let y = NumberLine { marks: Marks::Powers, ..plot.y };
+    let y = NumberLine { marks: TickKind::Powers, ..plot.y };
     Some(Picture::of(&Plot { sheet: look.sheet, y, ..plot }))
 }

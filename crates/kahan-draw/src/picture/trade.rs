@@ -4,18 +4,18 @@
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
 
-use super::{Look, Picture};
-use crate::plot::{Mark, Marks, NumberLine, Plot, Series, Sheet};
+use super::{Picture, PictureOptions};
+use crate::plot::{Canvas, Mark, NumberLine, Plot, Series, TickKind};
 
 /// Returns the default sheet.
 #[must_use]
-pub fn trade_sheet() -> Sheet {
-    Sheet::page(720, 480)
+pub fn trade_canvas() -> Canvas {
+    Canvas::page(720, 480)
 }
 
 /// Draws all measured settings except those with useless errors.
 #[must_use]
-pub fn trade(traded: &Traded, look: &Look) -> Picture {
+pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
     const LARGEST: f64 = 10.0;
 
     let what = traded.error_name();
@@ -70,7 +70,7 @@ pub fn trade(traded: &Traded, look: &Look) -> Picture {
         0 => String::new(),
         count => format!("not shown: {count} with errors above {LARGEST}"),
     };
-    let [x, y] = [x, y].map(|line| NumberLine { marks: Marks::Powers, ..line });
+    let [x, y] = [x, y].map(|line| NumberLine { marks: TickKind::Powers, ..line });
     Picture::of(&Plot {
         description: format!("{}: {what} against nanoseconds per unit of simulated time", traded.title()),
         sheet: look.sheet,

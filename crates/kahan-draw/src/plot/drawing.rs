@@ -12,7 +12,7 @@ use super::palette::{Paint, Theme, style};
 pub struct Drawing {
     /// The description for screen readers.
     pub description: String,
-    pub(super) sheet: Sheet,
+    pub(super) sheet: Canvas,
     pub(super) body: Markup,
 }
 
@@ -29,7 +29,7 @@ pub enum Format {
 
 /// The size and colours of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sheet {
+pub struct Canvas {
     pixels: (u32, u32),
     pub(super) view_box: (f64, f64),
     /// The colours. PNG and PDF files of [`Theme::Viewer`] are light.
@@ -49,7 +49,7 @@ impl Drawing {
     /// Returns an SVG file with its own style.
     #[must_use]
     pub fn svg(&self) -> String {
-        let Sheet { view_box: (width, height), theme, .. } = self.sheet;
+        let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
         // Fonts of printers; both have letters of equal widths.
@@ -67,7 +67,7 @@ impl Drawing {
     }
 
     /// Renders a file. Fails if this build has no renderer for the format, or the renderer fails.
-    pub fn file(&self, format: Format) -> Result<Vec<u8>, NoFile> {
+    pub fn file(&self, format: Format) -> Result<Vec<u8>, DrawingFileError> {
         match format {
             Format::Svg => Ok(self.svg().into_bytes()),
             #[cfg(feature = "png")]
@@ -75,14 +75,14 @@ impl Drawing {
             #[cfg(feature = "pdf")]
             Format::Pdf => super::render::pdf(&self.svg()),
             #[cfg(not(all(feature = "png", feature = "pdf")))]
-            other => Err(NoFile::NotBuilt(other)),
+            other => Err(DrawingFileError::NotBuilt(other)),
         }
     }
 }
 
 /// The reason why a drawing has no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NoFile {
+pub enum DrawingFileError {
     /// The file name's extension belongs to no format.
     Ending,
     /// This build has no renderer for the format.
@@ -91,7 +91,7 @@ pub enum NoFile {
     Renderer(String),
 }
 
-impl fmt::Display for NoFile {
+impl fmt::Display for DrawingFileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Ending => {
@@ -107,7 +107,7 @@ impl fmt::Display for NoFile {
     }
 }
 
-impl std::error::Error for NoFile {}
+impl std::error::Error for DrawingFileError {}
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -122,13 +122,13 @@ impl fmt::Display for Format {
 impl Format {
     /// Returns the format for a file's extension. Fails if the extension belongs to no format, or
     /// to one that this build cannot write.
-    pub fn of(path: &Path) -> Result<Self, NoFile> {
+    pub fn of(path: &Path) -> Result<Self, DrawingFileError> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let format = [Format::Svg, Format::Png, Format::Pdf];
         let format = format.into_iter().find(|format| ending.as_deref() == Some(format.feature()));
-        match format.ok_or(NoFile::Ending)? {
-            Format::Png if !cfg!(feature = "png") => Err(NoFile::NotBuilt(Format::Png)),
-            Format::Pdf if !cfg!(feature = "pdf") => Err(NoFile::NotBuilt(Format::Pdf)),
+        match format.ok_or(DrawingFileError::Ending)? {
+            Format::Png if !cfg!(feature = "png") => Err(DrawingFileError::NotBuilt(Format::Png)),
+            Format::Pdf if !cfg!(feature = "pdf") => Err(DrawingFileError::NotBuilt(Format::Pdf)),
             format => Ok(format),
         }
     }
@@ -144,7 +144,7 @@ impl Format {
     }
 }
 
-impl Sheet {
+impl Canvas {
     const INCH: f64 = 300.0;
     /// The size of a picture in pixels that fills a column in print, 86 mm wide.
     pub const COLUMN: (u32, u32) = (1016, 762);
@@ -155,17 +155,17 @@ impl Sheet {
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
         let (scale, least) = match theme {
-            Theme::Paper => (100.0 / Sheet::INCH, (240.0, 180.0)),
+            Theme::Paper => (100.0 / Canvas::INCH, (240.0, 180.0)),
             _ => (480.0 / width, (480.0, 260.0)),
         };
         let scale = scale.max(least.0 / width).max(least.1 / height);
-        Sheet { pixels, view_box: (scale * width, scale * height), theme }
+        Canvas { pixels, view_box: (scale * width, scale * height), theme }
     }
 
     /// Makes the sheet of a drawing within a page, in units of the view box; as a file, in pixels.
     #[must_use]
     pub fn page(width: u32, height: u32) -> Self {
-        Sheet {
+        Canvas {
             pixels: (width, height),
             view_box: (f64::from(width), f64::from(height)),
             theme: Theme::Viewer,
@@ -176,7 +176,7 @@ impl Sheet {
     fn lengths(&self) -> [String; 2] {
         const MILLIMETRES: f64 = 25.4;
         [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {
-            Theme::Paper => format!("{:.2}mm", f64::from(pixels) / Sheet::INCH * MILLIMETRES),
+            Theme::Paper => format!("{:.2}mm", f64::from(pixels) / Canvas::INCH * MILLIMETRES),
             _ => pixels.to_string(),
         })
     }

@@ -9,7 +9,7 @@ use super::legend::Legend;
 use super::palette::Paint;
 use super::path::{line, tenths};
 use super::ramp::{Rgb, colour};
-use super::{Drawing, Frame, NumberLine, Sheet, name, placed};
+use super::{Canvas, Drawing, Frame, NumberLine, name, placed};
 
 /// Numbers over a rectangle, cell by cell.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub struct Grid {
     /// The description for screen readers.
     pub description: String,
     /// The sheet to draw on.
-    pub sheet: Sheet,
+    pub sheet: Canvas,
     /// The horizontal axis, from the first cell's left edge to the last cell's right edge.
     pub x: NumberLine,
     /// The vertical axis, from the lowest cell's lower edge to the highest cell's upper edge.
@@ -124,7 +124,7 @@ fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::Encodi
 
 #[cfg(test)]
 mod tests {
-    use super::{COLOURS, Grid, NumberLine, STANDARD, Sheet};
+    use super::{COLOURS, Canvas, Grid, NumberLine, STANDARD};
     use base64::Engine as _;
     use kahan_algebra::prime_field::SplitMix64;
 
@@ -132,7 +132,7 @@ mod tests {
         let line = |label: &str| NumberLine::new(label, 0.0, 1.0);
         Grid {
             description: "a < b".to_owned(),
-            sheet: Sheet::page(480, 400),
+            sheet: Canvas::page(480, 400),
             x: line("x"),
             y: line("y"),
             scale: line("largest exponent"),

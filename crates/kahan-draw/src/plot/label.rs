@@ -47,38 +47,38 @@ pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Set {
+enum FontStyle {
     Upright,
     Italic,
     Raised,
     Lowered,
 }
 
-impl Set {
+impl FontStyle {
     /// Returns the distance below the baseline, in font sizes.
     fn drop(self) -> f64 {
         match self {
-            Set::Raised => -0.35,
-            Set::Lowered => 0.2,
-            Set::Upright | Set::Italic => 0.0,
+            FontStyle::Raised => -0.35,
+            FontStyle::Lowered => 0.2,
+            FontStyle::Upright | FontStyle::Italic => 0.0,
         }
     }
 }
 
-fn script(c: char) -> Option<(Set, char)> {
+fn script(c: char) -> Option<(FontStyle, char)> {
     let digit = |index: usize, tenth: char| char::from_digit(index as u32, 10).unwrap_or(tenth);
-    let raised = RAISED.iter().position(|raised| *raised == c).map(|i| (Set::Raised, digit(i, '−')));
-    raised.or_else(|| LOWERED.iter().position(|low| *low == c).map(|i| (Set::Lowered, digit(i, 'n'))))
+    let raised = RAISED.iter().position(|raised| *raised == c).map(|i| (FontStyle::Raised, digit(i, '−')));
+    raised.or_else(|| LOWERED.iter().position(|low| *low == c).map(|i| (FontStyle::Lowered, digit(i, 'n'))))
 }
 
-fn parts(words: &str) -> Vec<(Set, String)> {
+fn parts(words: &str) -> Vec<(FontStyle, String)> {
     let letters: Vec<char> = words.chars().collect();
     let is_word =
         |i: usize| letters.get(i).is_some_and(|c| (c.is_alphanumeric() || *c == '_') && script(*c).is_none());
-    let mut parts: Vec<(Set, String)> = Vec::new();
+    let mut parts: Vec<(FontStyle, String)> = Vec::new();
     for (i, &letter) in letters.iter().enumerate() {
         let stands_alone = letter.is_alphabetic() && !(is_word(i + 1) || i > 0 && is_word(i - 1));
-        let plain = if stands_alone { Set::Italic } else { Set::Upright };
+        let plain = if stands_alone { FontStyle::Italic } else { FontStyle::Upright };
         let (set, letter) = script(letter).unwrap_or((plain, letter));
         match parts.last_mut() {
             Some((before, part)) if *before == set => part.push(letter),
@@ -93,7 +93,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
     let transform =
         (turn != 0).then(|| format!("translate({} {}) rotate({turn})", tenths(at.0), tenths(at.1)));
     let (x, y) = if turn == 0 { at } else { (0.0, 0.0) };
-    let italic = |set: Set| (set == Set::Italic).then_some("italic");
+    let italic = |set: FontStyle| (set == FontStyle::Italic).then_some("italic");
     let parts = parts(words);
     if let [(set, part)] = &parts[..] {
         return html! {

@@ -5,21 +5,21 @@ use maud::{Markup, html};
 use super::label::{SMALL, fitted, text, width};
 use super::palette::Paint;
 use super::path::Place;
-use super::{Series, Sheet};
+use super::{Canvas, Series};
 
 const SAMPLE: f64 = 20.0;
 const LINE: f64 = 14.5;
 const FREE: f64 = 8.0;
 
 pub(super) struct Legend<'a> {
-    sheet: Sheet,
+    sheet: Canvas,
     /// Position, text, font size and series of each entry; a note has no series.
     entries: Vec<(Place, (String, f64), Option<&'a Series>)>,
 }
 
 impl<'a> Legend<'a> {
     /// Makes the legend of all series with a label, followed by the note, if any.
-    pub(super) fn of(series: &'a [Series], note: &str, sheet: Sheet) -> Self {
+    pub(super) fn of(series: &'a [Series], note: &str, sheet: Canvas) -> Self {
         let series = series.iter().filter(|series| !series.label.is_empty());
         let named = series.map(|series| (series.label.as_str(), Some(series)));
         let notes = Some(note).filter(|note| !note.is_empty()).map(|note| (note, None));

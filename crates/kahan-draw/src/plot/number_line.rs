@@ -13,12 +13,12 @@ pub struct NumberLine {
     /// The greatest value shown.
     pub high: f64,
     /// The kind of ticks.
-    pub marks: Marks,
+    pub marks: TickKind,
 }
 
 /// A kind of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Marks {
+pub enum TickKind {
     /// Round numbers.
     Round,
     /// Whole numbers, for counts.
@@ -38,7 +38,7 @@ impl NumberLine {
     /// Makes an axis with round ticks.
     #[must_use]
     pub fn new(label: &str, low: f64, high: f64) -> Self {
-        NumberLine { label: label.to_owned(), low, high, marks: Marks::Round }
+        NumberLine { label: label.to_owned(), low, high, marks: TickKind::Round }
     }
 
     /// Makes an axis that shows all finite values, with small margins. Values that differ only by
@@ -77,7 +77,7 @@ impl NumberLine {
     /// Returns the label with the shift and scale of the tick labels: `(x − 2.5) / 10⁻⁸`.
     pub(super) fn name(&self) -> String {
         let label = match self.marks {
-            Marks::Powers if !self.has_powers() => format!("log₁₀ of {}", self.label),
+            TickKind::Powers if !self.has_powers() => format!("log₁₀ of {}", self.label),
             _ => self.label.clone(),
         };
         let offset = self.offset();
@@ -125,7 +125,7 @@ impl NumberLine {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
         let steps = finer(&[5.0, 2.0, 1.0]).chain(finer(&[2.5])).map(|factor| factor * unit);
-        let is_whole = self.marks == Marks::Whole || self.marks == Marks::Powers && self.has_powers();
+        let is_whole = self.marks == TickKind::Whole || self.marks == TickKind::Powers && self.has_powers();
         let steps =
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
@@ -151,7 +151,7 @@ impl NumberLine {
         let decimals = if is_whole(size) { size } else { size + 1 };
         let round = |value: f64| if value.abs() < step / 2.0 { 0.0 } else { value };
         let text = |value: f64| match self.marks {
-            Marks::Powers if self.has_powers() => format!("10{}", raised(value.round() as i32)),
+            TickKind::Powers if self.has_powers() => format!("10{}", raised(value.round() as i32)),
             _ => decimal(round(value - offset) * scale, decimals),
         };
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
@@ -190,7 +190,7 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Marks, NumberLine, decimal};
+    use super::{NumberLine, TickKind, decimal};
     use kahan_algebra::prime_field::SplitMix64;
 
     fn line(low: f64, high: f64) -> NumberLine {
@@ -274,10 +274,10 @@ mod tests {
                 line.ticks(|_| true).into_iter().map(|tick| tick.text).collect::<Vec<_>>().join(" "),
             )
         };
-        assert_eq!(texts(Marks::Whole, 0.6, 4.4), ("x".into(), "1 2 3 4".into()));
-        assert_eq!(texts(Marks::Powers, -8.5, -1.5), ("x".into(), "10⁻⁸ 10⁻⁶ 10⁻⁴ 10⁻²".into()));
+        assert_eq!(texts(TickKind::Whole, 0.6, 4.4), ("x".into(), "1 2 3 4".into()));
+        assert_eq!(texts(TickKind::Powers, -8.5, -1.5), ("x".into(), "10⁻⁸ 10⁻⁶ 10⁻⁴ 10⁻²".into()));
         assert_eq!(
-            texts(Marks::Powers, -8.5, -7.9),
+            texts(TickKind::Powers, -8.5, -7.9),
             ("log₁₀ of x".into(), "−8.5 −8.4 −8.3 −8.2 −8.1 −8.0 −7.9".into())
         );
     }

@@ -165,7 +165,7 @@ pub(crate) fn variables() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sight::{KINDS, contrast, distance, lab, rgb, seen};
+    use super::super::colour_vision::{KINDS, contrast, distance, lab, rgb, seen};
     use super::{CURVES, PAPER, Paint, Theme, style};
 
     #[test]

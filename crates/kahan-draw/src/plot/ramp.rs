@@ -30,7 +30,7 @@ pub(super) fn colour(part: f64) -> Rgb {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sight::{KINDS, Kind, lab, linear, seen};
+    use super::super::colour_vision::{ColourVision, KINDS, lab, linear, seen};
     use super::colour;
 
     #[test]
@@ -42,7 +42,7 @@ mod tests {
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
                 // Without short cones, violet and dark blue are nearly equal.
-                let least = if matches!(kind, Kind::NoShort) { 0.0 } else { mean / 3.0 };
+                let least = if matches!(kind, ColourVision::NoShort) { 0.0 } else { mean / 3.0 };
                 assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
             }
         }

@@ -5,26 +5,26 @@ use std::sync::Arc;
 use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
 
-use super::NoFile;
+use super::DrawingFileError;
 
 /// A subset of DejaVu Sans for names and numbers.
 const FONT: &[u8] = include_bytes!("DejaVuSans.ttf");
 
-fn read(svg: &str) -> Result<Tree, NoFile> {
+fn read(svg: &str) -> Result<Tree, DrawingFileError> {
     let mut fonts = Database::new();
     fonts.load_font_data(FONT.to_vec());
     fonts.set_sans_serif_family("DejaVu Sans");
     let options =
         Options { font_family: "DejaVu Sans".to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
-    Tree::from_str(svg, &options).map_err(|error| NoFile::Renderer(error.to_string()))
+    Tree::from_str(svg, &options).map_err(|error| DrawingFileError::Renderer(error.to_string()))
 }
 
 #[cfg(feature = "png")]
-pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, NoFile> {
+pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, DrawingFileError> {
     use resvg::tiny_skia::{Pixmap, Transform};
 
     let tree = read(svg)?;
-    let failed = |why: &dyn ToString| NoFile::Renderer(why.to_string());
+    let failed = |why: &dyn ToString| DrawingFileError::Renderer(why.to_string());
     let mut pixels =
         Pixmap::new(width, height).ok_or_else(|| failed(&format!("{width}x{height} is no size")))?;
     let scale = |pixels: u32, units: f32| pixels as f32 / units;
@@ -36,7 +36,7 @@ pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, NoF
 
 /// Renders a PDF with one page of the drawing's size and searchable text.
 #[cfg(feature = "pdf")]
-pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, NoFile> {
+pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, DrawingFileError> {
     use krilla::{Document, geom::Size, page::PageSettings};
     use krilla_svg::{SurfaceExt, SvgSettings};
 
@@ -46,24 +46,25 @@ pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, NoFile> {
     let tree = read(svg)?;
     let (width, height) = (POINTS * tree.size().width(), POINTS * tree.size().height());
     let size = Size::from_wh(width, height).zip(PageSettings::from_wh(width, height));
-    let (size, page) = size.ok_or_else(|| NoFile::Renderer(format!("{width}x{height} is no size")))?;
+    let (size, page) =
+        size.ok_or_else(|| DrawingFileError::Renderer(format!("{width}x{height} is no size")))?;
     let mut document = Document::new();
     let mut page = document.start_page_with(page);
     let mut surface = page.surface();
     surface.draw_svg(&tree, size, SvgSettings::default());
     surface.finish();
     page.finish();
-    document.finish().map_err(|error| NoFile::Renderer(format!("{error:?}")))
+    document.finish().map_err(|error| DrawingFileError::Renderer(format!("{error:?}")))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Drawing, Mark, Plot, Series, Sheet, Theme};
+    use super::super::{Canvas, Drawing, Mark, Plot, Series, Theme};
 
     fn drawing(pixels: (u32, u32), theme: Theme) -> Drawing {
         let line = Series::new("xₙ", 1, Mark::Line, vec![(0.0, 0.0), (1.0, 1.0)]);
         let plot = Plot::around("a line", ["ε", "x"], vec![line]);
-        Plot { sheet: Sheet::new(pixels, theme), ..plot }.drawing()
+        Plot { sheet: Canvas::new(pixels, theme), ..plot }.drawing()
     }
 
     #[cfg(feature = "png")]
@@ -92,7 +93,7 @@ mod tests {
     #[cfg(feature = "pdf")]
     #[test]
     fn a_page_for_print_has_the_size_of_a_column_and_a_font_within() {
-        let file = drawing(Sheet::COLUMN, Theme::Paper).file(super::super::Format::Pdf).expect("a page");
+        let file = drawing(Canvas::COLUMN, Theme::Paper).file(super::super::Format::Pdf).expect("a page");
         let text = String::from_utf8_lossy(&file);
         assert!(text.starts_with("%PDF-") && text.contains("MediaBox[0 0 243.8"));
         assert!(text.contains("DejaVuSans") && text.contains("/FontFile"));

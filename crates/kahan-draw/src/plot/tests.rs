@@ -3,7 +3,9 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::label::width;
-use super::{Cloud, Drawing, Frame, Grid, Mark, Marks, NumberLine, Plot, Series, Sheet, Space, Theme};
+use super::{
+    Canvas, Drawing, Frame, Grid, Mark, NumberLine, Plot, Series, SpacePlot, SpaceSeries, Theme, TickKind,
+};
 
 #[test]
 fn a_description_and_labels_are_escaped() {
@@ -11,7 +13,7 @@ fn a_description_and_labels_are_escaped() {
     let series = Series::new("\"one\" & two", 1, Mark::Both, vec![(0.0, 0.0), (1.0, 1.0)]);
     let plot = Plot {
         description: "x<y".into(),
-        sheet: Sheet::page(480, 320),
+        sheet: Canvas::page(480, 320),
         x: axis.clone(),
         y: axis,
         series: vec![series],
@@ -42,11 +44,11 @@ fn receding(mark: Mark) -> String {
     let axis = |label: &str| NumberLine::new(label, -1.0, 1.0);
     let points = (0..=200).map(|i| [0.0, f64::from(i) / 100.0 - 1.0, 0.0]).collect();
     let axes = ["x", "y", "z"].map(axis);
-    let space = Space {
+    let space = SpacePlot {
         description: "a < b".to_owned(),
-        sheet: Sheet::page(480, 320),
+        sheet: Canvas::page(480, 320),
         axes,
-        clouds: vec![Cloud { colour: 2, mark, points }],
+        clouds: vec![SpaceSeries { colour: 2, mark, points }],
     };
     space.drawing().inline().into_string()
 }
@@ -116,7 +118,7 @@ fn axes_have_four_to_seven_values_where_there_is_room() {
         {
             let axis = || NumberLine::new("x", low, high);
             let plot = Plot {
-                sheet: Sheet::page(width, height),
+                sheet: Canvas::page(width, height),
                 x: axis(),
                 y: axis(),
                 ..Plot::around("", ["x", "y"], Vec::new())
@@ -132,8 +134,8 @@ fn axes_have_four_to_seven_values_where_there_is_room() {
 #[test]
 fn a_file_has_its_own_style_and_what_is_read_out() {
     let plot = Plot::around("one point", ["x", "y"], vec![Series::new("", 1, Mark::Dots, vec![(1.0, 1.0)])]);
-    let on = |pixels, theme| Plot { sheet: Sheet::new(pixels, theme), ..plot.clone() }.drawing().svg();
-    assert_eq!(Sheet::new((900, 600), Theme::Viewer).view_box, (480.0, 320.0));
+    let on = |pixels, theme| Plot { sheet: Canvas::new(pixels, theme), ..plot.clone() }.drawing().svg();
+    assert_eq!(Canvas::new((900, 600), Theme::Viewer).view_box, (480.0, 320.0));
     let svg = on((900, 600), Theme::Viewer);
     for part in
         ["width=\"900\"", "aria-label=\"one point\"", "prefers-color-scheme:dark", "stroke=\"#435bc6\""]
@@ -144,13 +146,13 @@ fn a_file_has_its_own_style_and_what_is_read_out() {
     assert!(dark.contains("stroke=\"#2d8bb9\"") && dark.contains("fill=\"#14171b\""), "{dark}");
     assert!(["prefers-color-scheme", "var(", "#435bc6"].iter().all(|word| !dark.contains(word)), "{dark}");
     // A flat sheet is widened until both axes have room.
-    assert_eq!(Sheet::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
+    assert_eq!(Canvas::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
 }
 
 #[test]
 fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
     let plot = Plot::around("one", ["x", "y"], vec![Series::new("", 1, Mark::Line, vec![(1.0, 1.0); 2])]);
-    let plot = Plot { sheet: Sheet::new(Sheet::COLUMN, Theme::Paper), ..plot };
+    let plot = Plot { sheet: Canvas::new(Canvas::COLUMN, Theme::Paper), ..plot };
     let svg = plot.drawing().svg();
     assert!(svg.contains("width=\"86.02mm\"") && !svg.contains("<style"), "{svg}");
     // 12 units of 0.01 inch are 8.6 points.
@@ -236,13 +238,13 @@ fn no_words_lie_on_others_or_leave_the_sheet() {
     for _ in 0..500 {
         let mut below = |count: usize| random.below(count as u64) as usize;
         let theme = [Theme::Paper, Theme::Viewer][below(2)];
-        let sheet = Sheet::new(SHEETS[below(SHEETS.len())], theme);
+        let sheet = Canvas::new(SHEETS[below(SHEETS.len())], theme);
         let mut line = || {
             let length = 10_f64.powi(below(30) as i32 - 15) * (1.0 + below(90) as f64 / 10.0);
             let low =
                 [0.0, -0.3 * length, -2.0 * length, 1e3 * length, -1e7 * length, 1e11 * length][below(6)];
-            let marks = [Marks::Round, Marks::Round, Marks::Whole, Marks::Powers][below(4)];
-            let (low, length) = if marks == Marks::Round {
+            let marks = [TickKind::Round, TickKind::Round, TickKind::Whole, TickKind::Powers][below(4)];
+            let (low, length) = if marks == TickKind::Round {
                 (low, length)
             } else {
                 (below(20) as f64 - 18.2, 0.7 + below(30) as f64)
@@ -272,14 +274,16 @@ fn no_words_lie_on_others_or_leave_the_sheet() {
             };
             has_room(&grid.drawing());
         }
-        has_room(&Space { description: String::new(), sheet, axes: [x, y, z], clouds: Vec::new() }.drawing());
+        has_room(
+            &SpacePlot { description: String::new(), sheet, axes: [x, y, z], clouds: Vec::new() }.drawing(),
+        );
     }
 }
 
 #[test]
 fn points_are_placed_by_both_axes_within_the_room_that_words_leave() {
     let (x, y) = (NumberLine::new("x", 0.0, 10.0), NumberLine::new("y", -1.0, 1.0));
-    let frame = Frame::around(Sheet::page(480, 320), 0.0, 0.0, &x, &y);
+    let frame = Frame::around(Canvas::page(480, 320), 0.0, 0.0, &x, &y);
     assert_eq!(frame.place(&x, &y, (0.0, -1.0)), (frame.left, frame.bottom));
     assert_eq!(frame.place(&x, &y, (10.0, 1.0)), (frame.right, frame.top));
     let wide = NumberLine::new("y", -1000.0, 1000.0);

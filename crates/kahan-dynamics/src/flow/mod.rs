@@ -13,8 +13,8 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, FloatScalar, QuadraticField};
 
 use piece::Piece;
-pub(crate) use series::Digits;
 use series::Expansion;
+pub(crate) use series::SeriesScalar;
 
 /// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in
 /// T: `f64` or [`Dd`].
@@ -200,8 +200,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 
     /// Prepares [`Flow::distance`] for points in N variables at increasing times.
-    pub(crate) fn along<const N: usize>(&self) -> Along<'_, T, N> {
-        Along { flow: self, piece: 0, value: [T::zero(); N] }
+    pub(crate) fn distances<const N: usize>(&self) -> FlowDistance<'_, T, N> {
+        FlowDistance { flow: self, piece: 0, value: [T::zero(); N] }
     }
 
     fn piece_at(&self, t: Dd) -> &Piece<T> {
@@ -222,13 +222,13 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
 /// Distances from a flow at increasing times, without searching for the piece, and without
 /// allocation.
 #[derive(Debug)]
-pub(crate) struct Along<'a, T, const N: usize> {
+pub(crate) struct FlowDistance<'a, T, const N: usize> {
     flow: &'a Flow<T>,
     piece: usize,
     value: [T; N],
 }
 
-impl<T: Digits, const N: usize> Along<'_, T, N> {
+impl<T: SeriesScalar, const N: usize> FlowDistance<'_, T, N> {
     pub(crate) fn distance(&mut self, t: Dd, x: &[Dd; N]) -> f64 {
         let pieces = &self.flow.pieces;
         while pieces.get(self.piece + 1).is_some_and(|next| next.start <= t) {
@@ -239,14 +239,14 @@ impl<T: Digits, const N: usize> Along<'_, T, N> {
 }
 
 /// Returns ‖x‖∞; infinite if a coordinate is NaN.
-pub(crate) fn norm<T: Digits, const N: usize>(x: &SVector<T, N>) -> f64 {
+pub(crate) fn norm<T: SeriesScalar, const N: usize>(x: &SVector<T, N>) -> f64 {
     let sizes = x.iter().map(|entry| entry.approximate().abs());
     sizes.fold(0.0, |size, entry| if entry.is_nan() { f64::INFINITY } else { entry.max(size) })
 }
 
 pub(crate) fn slope<T, F, const N: usize>(field: &F, x: &SVector<T, N>) -> f64
 where
-    T: Digits,
+    T: SeriesScalar,
     F: QuadraticField<T, N>,
 {
     let slopes = field.field_jacobian(x);

@@ -1,6 +1,6 @@
 //! Polynomial pieces of a flow.
 
-use super::series::{Digits, Series};
+use super::series::{Series, SeriesScalar};
 use kahan_core::Dd;
 
 /// A polynomial that is valid from its start to the start of the next piece.
@@ -12,7 +12,7 @@ pub(super) struct Piece<T> {
     pub(super) coefficients: Vec<T>,
 }
 
-impl<T: Digits> Piece<T> {
+impl<T: SeriesScalar> Piece<T> {
     pub(super) fn of<const N: usize>(series: &Series<T, N>, start: Dd) -> Self {
         let coefficients = series.coefficients.iter().flat_map(|x| x.iter().copied()).collect();
         Self { start, rate: series.rate, coefficients }

@@ -15,7 +15,7 @@ use kahan_core::{Dd, FloatScalar, QuadraticField};
 use super::norm;
 
 /// A scalar for flows, `f64` or [`Dd`], with the length of its series.
-pub(crate) trait Digits: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
+pub(crate) trait SeriesScalar: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
     /// The number of terms after x₀. The number of steps falls with it and the cost of a step grows
     /// with its square; the least total lies near the number of digits.
     const TERMS: usize = if Self::SHORT_BITS > f64::SHORT_BITS { 30 } else { 18 };
@@ -25,7 +25,7 @@ pub(crate) trait Digits: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
     const PART_OF_RADIUS: f64 = if Self::SHORT_BITS > f64::SHORT_BITS { 0.09 } else { 0.14 };
 }
 
-impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Digits for T {}
+impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> SeriesScalar for T {}
 
 /// A field with its linear and constant parts.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ pub(super) struct Series<T, const N: usize> {
     pub(super) turning: f64,
 }
 
-impl<'a, T: Digits, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F, T, N> {
+impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F, T, N> {
     pub(super) fn of(field: &'a F) -> Self {
         let origin = SVector::repeat(T::zero());
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
@@ -109,7 +109,7 @@ impl<'a, T: Digits, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F, T,
     }
 }
 
-impl<T: Digits, const N: usize> Series<T, N> {
+impl<T: SeriesScalar, const N: usize> Series<T, N> {
     /// Returns the longest usable step.
     pub(super) fn reach(&self) -> f64 {
         T::PART_OF_RADIUS * self.radius
@@ -124,10 +124,10 @@ impl<T: Digits, const N: usize> Series<T, N> {
 /// Estimates ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, like Jorba and Zou, Exp. Math. 14 (2005)
 /// 99, but per component, because a small component may become important.
 ///
-/// A step h = pρ, p = [`PART_OF_RADIUS`](Digits::PART_OF_RADIUS), omits about |x_K|h^K, which may
+/// A step h = pρ, p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K, which may
 /// be p^K of the component's size. Each term |xₖ|hᵏ is a lower bound of that size, also if x₀ = 0,
 /// so the largest step that any term allows is accepted.
-fn radius<T: Digits, const N: usize>(series: &[SVector<T, N>]) -> f64 {
+fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {
         let (left_out, allowed) = (size(last, i), T::PART_OF_RADIUS.powi(last as i32));
@@ -149,6 +149,6 @@ fn power_of_two(rate: f64) -> f64 {
     if exponent.is_finite() { exponent.clamp(-400.0, 400.0).exp2() } else { 1.0 }
 }
 
-fn times<T: Digits, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SVector<T, N>) -> SVector<T, N> {
+fn times<T: SeriesScalar, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SVector<T, N>) -> SVector<T, N> {
     SVector::from_fn(|i, _| (0..N).fold(T::zero(), |sum, j| sum + matrix[(i, j)] * x[j]))
 }

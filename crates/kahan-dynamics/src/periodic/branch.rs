@@ -6,10 +6,10 @@ use kahan_core::Scalar;
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Parametric;
+use super::changes::{BranchChange, BranchSegment, ChangePoint};
 use super::cycle::PeriodicPoint;
 use super::newton::{NOTHING, defect, least_norm, slope};
-use super::turns::{Change, Stride, Turn};
-use super::unit::{self, InUnits, Unit};
+use super::unit::{self, LengthUnit, ScaledMap};
 
 /// A cycle on a branch.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,25 +22,25 @@ pub struct BranchPoint {
     /// The cycle at this parameter value.
     pub cycle: PeriodicPoint,
     /// The reason why the branch has this point.
-    pub mark: Mark,
+    pub mark: BranchPointKind,
 }
 
 impl BranchPoint {
     /// Returns the bifurcation at this point, if any.
     #[must_use]
-    pub fn change(&self) -> Option<Change> {
-        if let Mark::Change(change) = self.mark { Some(change) } else { None }
+    pub fn change(&self) -> Option<BranchChange> {
+        if let BranchPointKind::Change(change) = self.mark { Some(change) } else { None }
     }
 }
 
 /// The reason why a branch has a point at a value of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Mark {
+pub enum BranchPointKind {
     /// A requested value of the parameter, with its index.
     Asked(usize),
     /// A bifurcation.
-    Change(Change),
+    Change(BranchChange),
     /// An intermediate step of the continuation.
     Between,
 }
@@ -52,7 +52,7 @@ pub struct Branch {
     /// The points within the range, in the order of the branch.
     pub points: Vec<BranchPoint>,
     /// The bifurcations within the range, in the order of the branch.
-    pub turns: Vec<Turn>,
+    pub turns: Vec<ChangePoint>,
     /// Whether the branch ended inside the range: at a pole, without convergence, where cycles
     /// merge, after 20 times `steps` steps, or because `see` ended it.
     pub is_cut: bool,
@@ -60,7 +60,7 @@ pub struct Branch {
 
 /// A position on the branch: the points in units of the first cycle's size, then the parameter in
 /// units of the range, so that both are comparable.
-pub(super) type Place = DVector<f64>;
+pub(super) type BranchPosition = DVector<f64>;
 
 /// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
 /// range. The branch has a point at each of the `steps + 1` equidistant values, again after a fold,
@@ -77,7 +77,7 @@ pub(super) type Place = DVector<f64>;
 /// use std::ops::ControlFlow;
 ///
 /// use kahan_core::Dual;
-/// use kahan_dynamics::periodic::{Change, branch, periodic_point};
+/// use kahan_dynamics::periodic::{BranchChange, branch, periodic_point};
 /// use kahan_core::prelude::*;
 ///
 /// kahan! {
@@ -90,7 +90,7 @@ pub(super) type Place = DVector<f64>;
 /// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::from_value(0.1));
 /// let cycle = periodic_point(&map(1.0), &[0.9], 1).unwrap();
 /// let branch = branch(map, &cycle, [1.0, -1.0], 20, |_| ControlFlow::Continue(()));
-/// assert_eq!(branch.turns[0].change, Change::Fold);
+/// assert_eq!(branch.turns[0].change, BranchChange::Fold);
 /// assert!(branch.turns[0].parameter.abs() < 1e-9);
 /// ```
 pub fn branch<M: Parametric>(
@@ -101,7 +101,7 @@ pub fn branch<M: Parametric>(
     see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
     let length = to - from;
-    let arc = Arc { unit: Unit::of(first_size(&map(from), cycle, length)), map, from, length };
+    let arc = Arc { unit: LengthUnit::of(first_size(&map(from), cycle, length)), map, from, length };
     let points = cycle.points.iter().flatten().map(|x| x / arc.unit.length);
     let place = DVector::from_vec(points.chain([0.0]).collect());
     follow(&arc, place, steps, see)
@@ -109,7 +109,7 @@ pub fn branch<M: Parametric>(
 
 pub(super) fn follow(
     arc: &impl Curve,
-    mut place: Place,
+    mut place: BranchPosition,
     steps: usize,
     mut see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
@@ -118,17 +118,17 @@ pub(super) fn follow(
     let steps = steps.max(1);
     let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: true };
     let Some(mut tangent) = arc.tangent(&place, &ahead) else { return branch };
-    let mut add = |branch: &mut Branch, place: &Place, mark: Mark| {
+    let mut add = |branch: &mut Branch, place: &BranchPosition, mark: BranchPointKind| {
         let point = BranchPoint { mark, ..arc.judged(place) };
         let is_ended = see(&point).is_break();
         branch.points.push(point);
         is_ended
     };
-    if add(&mut branch, &place, Mark::Asked(0)) {
+    if add(&mut branch, &place, BranchPointKind::Asked(0)) {
         return branch;
     }
     // Far from the origin the points move faster than the parameter.
-    let longest = |place: &Place| place.norm().max(1.0) / steps as f64;
+    let longest = |place: &BranchPosition| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
     let mut before = arc.judged(&place).cycle;
     while (0.0..=1.0).contains(&place[place.len() - 1]) {
@@ -146,8 +146,8 @@ pub(super) fn follow(
             continue;
         };
         let there = arc.judged(&next).cycle;
-        let whole = Stride { arc, place: &place, tangent: &tangent, length: stride };
-        let turns = whole.turns(&before, (&next_tangent, &there));
+        let whole = BranchSegment { arc, place: &place, tangent: &tangent, length: stride };
+        let turns = whole.changes(&before, (&next_tangent, &there));
         let mut parts = vec![(0.0, place.clone(), None)];
         parts.extend(turns.into_iter().filter_map(|(at, turn)| Some((at, whole.at(at)?, Some(turn)))));
         parts.push((stride, next.clone(), None));
@@ -157,13 +157,13 @@ pub(super) fn follow(
             for k in passed(ends, steps) {
                 let value = k as f64 / steps as f64;
                 let Some(there) = whole.place_with(value, [(*low, first), (*high, last)]) else { continue };
-                if add(&mut branch, &there, Mark::Asked(k)) {
+                if add(&mut branch, &there, BranchPointKind::Asked(k)) {
                     return branch;
                 }
             }
             let is_within = (0.0..=1.0).contains(&last[last.len() - 1]);
             branch.turns.extend(turn.filter(|_| is_within));
-            let mark = turn.map_or(Mark::Between, |turn| Mark::Change(turn.change));
+            let mark = turn.map_or(BranchPointKind::Between, |turn| BranchPointKind::Change(turn.change));
             if is_within && add(&mut branch, last, mark) || turn.is_some_and(|turn| turn.change.is_end()) {
                 return branch;
             }
@@ -202,28 +202,28 @@ fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64
 }
 
 pub(super) trait Curve {
-    fn parameter(&self, place: &Place) -> f64;
+    fn parameter(&self, place: &BranchPosition) -> f64;
 
-    fn judged(&self, place: &Place) -> BranchPoint;
+    fn judged(&self, place: &BranchPosition) -> BranchPoint;
 
     /// Returns the unit tangent nearest to the direction `near`.
-    fn tangent(&self, place: &Place, near: &Place) -> Option<Place>;
+    fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition>;
 
     /// Projects `near` onto the curve by Newton's method, perpendicular to `across`.
-    fn corrected(&self, near: Place, across: &Place) -> Option<Place>;
+    fn corrected(&self, near: BranchPosition, across: &BranchPosition) -> Option<BranchPosition>;
 
     /// Takes a predictor step along the tangent, then corrects it.
-    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+    fn step(&self, place: &BranchPosition, tangent: &BranchPosition, stride: f64) -> Option<BranchPosition> {
         self.corrected(place + tangent * stride, tangent)
     }
 
     /// Returns the kind of bifurcation where the parameter reverses.
-    fn turning_back(&self, _: &Place) -> Change {
-        Change::Fold
+    fn turning_back(&self, _: &BranchPosition) -> BranchChange {
+        BranchChange::Fold
     }
 
     /// Returns whether a step ended on another branch: steady states, or cycles of half the period.
-    fn has_jumped(&self, _: &Place, _: &Place) -> bool {
+    fn has_jumped(&self, _: &BranchPosition, _: &BranchPosition) -> bool {
         false
     }
 }
@@ -231,22 +231,22 @@ pub(super) trait Curve {
 /// The solution curve of cycles of a map at fixed ε or fixed parameter.
 struct Arc<F> {
     map: F,
-    unit: Unit,
+    unit: LengthUnit,
     from: f64,
     length: f64,
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
-    fn map(&self, place: &Place) -> InUnits<M> {
-        InUnits { map: (self.map)(self.parameter(place)), unit: self.unit }
+    fn map(&self, place: &BranchPosition) -> ScaledMap<M> {
+        ScaledMap { map: (self.map)(self.parameter(place)), unit: self.unit }
     }
 
-    fn cycle(place: &Place) -> DVector<f64> {
+    fn cycle(place: &BranchPosition) -> DVector<f64> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
     /// Returns the derivative of the defect with respect to the points, then the parameter.
-    fn slope(&self, place: &Place) -> Option<DMatrix<f64>> {
+    fn slope(&self, place: &BranchPosition) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
         let columns = slope.ncols();
@@ -260,30 +260,30 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
-    fn parameter(&self, place: &Place) -> f64 {
+    fn parameter(&self, place: &BranchPosition) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
 
-    fn judged(&self, place: &Place) -> BranchPoint {
+    fn judged(&self, place: &BranchPosition) -> BranchPoint {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let residual = defect(&map, cycle.as_slice()).map_or(f64::NAN, |gaps| gaps.amax());
         let cycle = PeriodicPoint::judged(&map, cycle.as_slice(), residual);
         let eps = map.map.eps().approximate();
-        BranchPoint { parameter: self.parameter(place), eps, cycle, mark: Mark::Between }
+        BranchPoint { parameter: self.parameter(place), eps, cycle, mark: BranchPointKind::Between }
     }
 
-    fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
+    fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition> {
         let wide = self.slope(place)?;
         // Project `near` onto the null space of the derivative.
         let out = least_norm(wide.clone(), &(&wide * near))?;
         (near - out).try_normalize(1e-8)
     }
 
-    fn corrected(&self, mut next: Place, across: &Place) -> Option<Place> {
+    fn corrected(&self, mut next: BranchPosition, across: &BranchPosition) -> Option<BranchPosition> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 
-        let gaps_at = |there: &Place| defect(&self.map(there), Self::cycle(there).as_slice());
+        let gaps_at = |there: &BranchPosition| defect(&self.map(there), Self::cycle(there).as_slice());
         for _ in 0..ROUNDS {
             let gaps = gaps_at(&next)?;
             // The last row keeps the step perpendicular to `across`.

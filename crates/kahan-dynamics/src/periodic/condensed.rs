@@ -11,7 +11,7 @@
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
-use super::unit::InUnits;
+use super::unit::ScaledMap;
 
 pub(super) struct Condensed {
     /// For each i the matrix that maps (dx₀, de, 1) to dxᵢ.
@@ -31,7 +31,7 @@ impl Condensed {
     /// Condenses the equations at `points`. `rates(x, k)` is the derivative of the map by further
     /// unknown k; `gaps` holds all gᵢ, `None` for zeros.
     pub(super) fn of<M: Differentiable>(
-        map: &InUnits<M>,
+        map: &ScaledMap<M>,
         points: &[f64],
         gaps: Option<&DVector<f64>>,
         others: usize,
@@ -95,7 +95,7 @@ impl Condensed {
 }
 
 /// Returns the unit vector along the cycle (central differences), padded by `others` zeros.
-pub(super) fn along(points: &[f64], n: usize, others: usize) -> DVector<f64> {
+pub(super) fn phase_direction(points: &[f64], n: usize, others: usize) -> DVector<f64> {
     let len = points.len();
     let entry = |k: usize| if k < len { points[(k + n) % len] - points[(k + len - n) % len] } else { 0.0 };
     DVector::from_fn(len + others, |k, _| entry(k)).normalize()

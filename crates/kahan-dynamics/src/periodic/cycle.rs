@@ -6,7 +6,7 @@ use kahan_core::nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use super::Differentiable;
 use super::newton::closed;
-use super::unit::{self, InUnits, Unit};
+use super::unit::{self, LengthUnit, ScaledMap};
 
 /// A cycle x, φ(x), … of a map φ, with its multipliers.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,7 +160,7 @@ impl PeriodicPoint {
     }
 
     /// Makes a `PeriodicPoint` with the smallest period from points in the units of `map`.
-    pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &[f64], residual: f64) -> Self {
+    pub(super) fn judged<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64], residual: f64) -> Self {
         let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
         Self::of_period(map, cycle, period, residual)
@@ -168,7 +168,7 @@ impl PeriodicPoint {
 
     /// Makes a `PeriodicPoint` of the first `period` points.
     pub(super) fn of_period<M: Differentiable>(
-        map: &InUnits<M>,
+        map: &ScaledMap<M>,
         cycle: &[f64],
         period: usize,
         residual: f64,
@@ -323,7 +323,7 @@ pub fn periodic_point<M: Differentiable>(
     // A start at 0 may still move.
     let last = map.image(&cycle[(period - 1) * start.len()..]);
     let mut sizes = cycle.chunks(start.len()).chain([&last[..]]).map(unit::size);
-    let map = InUnits { map, unit: Unit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };
+    let map = ScaledMap { map, unit: LengthUnit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };
     let cycle = DVector::from_iterator(cycle.len(), cycle.iter().map(|x| x / map.unit.length));
     let (cycle, residual) = closed(&map, cycle).ok_or(NoPeriodicPoint::NotFinite)?;
     if residual > CLOSED * cycle.amax().max(map.unit.size) {

@@ -7,11 +7,11 @@
 use kahan_core::nalgebra::{Complex, DVector};
 
 use super::Parametric;
-use super::condensed::{Condensed, Solution, along};
+use super::condensed::{Condensed, Solution, phase_direction};
 use super::cycle::{CLOSED, NoPeriodicPoint, PeriodicPoint};
 use super::newton::defect;
 use super::returns::across;
-use super::unit::{self, InUnits, Unit};
+use super::unit::{self, LengthUnit, ScaledMap};
 
 /// A cycle of a flow, represented by N steps of the map.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,7 +137,7 @@ pub fn flow_cycle<M: Parametric>(
 /// The state of Newton's method: the points in units of their size, then ε relative to the first ε.
 struct Search<'a, F> {
     map: &'a F,
-    unit: Unit,
+    unit: LengthUnit,
     eps: f64,
     place: DVector<f64>,
 }
@@ -160,7 +160,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         if !points.iter().all(|x| x.is_finite()) {
             return Err(NoPeriodicPoint::NotFinite);
         }
-        let unit = Unit::of(unit::size(&points));
+        let unit = LengthUnit::of(unit::size(&points));
         let place = points.iter().map(|x| x / unit.length).chain([1.0]).collect();
         Ok(Search { map, unit, eps, place: DVector::from_vec(place) })
     }
@@ -169,8 +169,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         &place.as_slice()[..place.len() - 1]
     }
 
-    fn map_at(&self, place: &DVector<f64>) -> InUnits<M> {
-        InUnits { map: (self.map)(self.eps * place[place.len() - 1]), unit: self.unit }
+    fn map_at(&self, place: &DVector<f64>) -> ScaledMap<M> {
+        ScaledMap { map: (self.map)(self.eps * place[place.len() - 1]), unit: self.unit }
     }
 
     fn gaps(&self, place: &DVector<f64>) -> Option<DVector<f64>> {
@@ -212,7 +212,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         let (map, points) = (self.map_at(&self.place), Self::points(&self.place));
         let rates = |x: &[f64], _| map.by_parameter(x).into_iter().map(|rate| rate * self.eps).collect();
         let equations = Condensed::of(&map, points, Some(gaps), 1, rates);
-        equations.solve(&[(&along(points, map.dimension(), 1), 0.0)])
+        equations.solve(&[(&phase_direction(points, map.dimension(), 1), 0.0)])
     }
 
     fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {

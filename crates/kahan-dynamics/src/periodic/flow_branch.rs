@@ -8,13 +8,13 @@ use std::ops::ControlFlow;
 use kahan_core::nalgebra::DVector;
 
 use super::Parametric;
-use super::branch::{Branch, BranchPoint, Curve, Mark, Place, follow};
-use super::condensed::{Condensed, along};
+use super::branch::{Branch, BranchPoint, BranchPointKind, BranchPosition, Curve, follow};
+use super::changes::BranchChange;
+use super::condensed::{Condensed, phase_direction};
 use super::cycle::PeriodicPoint;
 use super::flow::{FlowCycle, runs};
 use super::newton::defect;
-use super::turns::Change;
-use super::unit::{self, InUnits, Unit};
+use super::unit::{self, LengthUnit, ScaledMap};
 
 /// Follows a cycle of a flow from the parameter value `from` towards `to`, like
 /// [`branch`](super::branch()); each point of the branch has its own ε.
@@ -59,7 +59,7 @@ pub fn flow_branch<M: Parametric>(
 ) -> Branch {
     let size = cycle.cycle.size();
     let many = cycle.cycle.points.len() as f64;
-    let [unit, scaled] = [size, size * many.sqrt()].map(Unit::of);
+    let [unit, scaled] = [size, size * many.sqrt()].map(LengthUnit::of);
     let arc = FlowArc { map, unit, scaled, eps: cycle.eps, from, length: to - from };
     let points = cycle.cycle.points.iter().flatten().map(|x| x / scaled.length);
     let place = DVector::from_vec(points.chain([1.0, 0.0]).collect());
@@ -70,91 +70,96 @@ pub fn flow_branch<M: Parametric>(
 /// 1, then ε relative to the first ε, then the parameter in units of the range.
 struct FlowArc<F> {
     map: F,
-    unit: Unit,
-    scaled: Unit,
+    unit: LengthUnit,
+    scaled: LengthUnit,
     eps: f64,
     from: f64,
     length: f64,
 }
 
 impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
-    fn points(place: &Place) -> &[f64] {
+    fn points(place: &BranchPosition) -> &[f64] {
         &place.as_slice()[..place.len() - 2]
     }
 
-    fn dimension(&self, place: &Place) -> usize {
+    fn dimension(&self, place: &BranchPosition) -> usize {
         self.maps(place)[0].dimension()
     }
 
     /// Returns whether the cycle winds twice around a cycle of half the period.
-    fn runs_twice(&self, place: &Place) -> bool {
+    fn runs_twice(&self, place: &BranchPosition) -> bool {
         runs(Self::points(place), self.dimension(place), 2)
     }
 
     /// Returns the root of the summed squared distances of the points from the first point.
-    fn extent(&self, place: &Place) -> f64 {
+    fn extent(&self, place: &BranchPosition) -> f64 {
         let (points, n) = (Self::points(place), self.dimension(place));
         (0..points.len()).map(|k| (points[k] - points[k % n]).powi(2)).sum::<f64>().sqrt()
     }
 
-    fn eps(&self, place: &Place) -> f64 {
+    fn eps(&self, place: &BranchPosition) -> f64 {
         self.eps * place[place.len() - 2]
     }
 
-    fn maps(&self, place: &Place) -> [InUnits<M>; 2] {
-        (self.map)(self.parameter(place), self.eps(place)).map(|map| InUnits { map, unit: self.scaled })
+    fn maps(&self, place: &BranchPosition) -> [ScaledMap<M>; 2] {
+        (self.map)(self.parameter(place), self.eps(place)).map(|map| ScaledMap { map, unit: self.scaled })
     }
 
-    fn gaps(&self, place: &Place) -> Option<DVector<f64>> {
+    fn gaps(&self, place: &BranchPosition) -> Option<DVector<f64>> {
         let [by_eps, _] = self.maps(place);
         (place[place.len() - 2] > 0.0).then(|| defect(&by_eps, Self::points(place)))?
     }
 
     /// Linearizes the equations at a position; also returns the direction along the cycle.
-    fn equations(&self, place: &Place, gaps: Option<&DVector<f64>>) -> (Condensed, Place) {
+    fn equations(&self, place: &BranchPosition, gaps: Option<&DVector<f64>>) -> (Condensed, BranchPosition) {
         let (maps, points) = (self.maps(place), Self::points(place));
         let units = [self.eps, self.length];
         let rates = |x: &[f64], other: usize| {
             maps[other].by_parameter(x).into_iter().map(|rate| rate * units[other]).collect()
         };
-        (Condensed::of(&maps[0], points, gaps, 2, rates), along(points, maps[0].dimension(), 2))
+        (Condensed::of(&maps[0], points, gaps, 2, rates), phase_direction(points, maps[0].dimension(), 2))
     }
 }
 
 impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
-    fn parameter(&self, place: &Place) -> f64 {
+    fn parameter(&self, place: &BranchPosition) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
 
-    fn judged(&self, place: &Place) -> BranchPoint {
+    fn judged(&self, place: &BranchPosition) -> BranchPoint {
         let [map, _] = self.maps(place);
         let ratio = self.scaled.length / self.unit.length;
         let points: Vec<f64> = Self::points(place).iter().map(|x| x * ratio).collect();
-        let map = InUnits { map: map.map, unit: self.unit };
+        let map = ScaledMap { map: map.map, unit: self.unit };
         let residual = defect(&map, &points).map_or(f64::NAN, |gaps| unit::size(gaps.as_slice()));
         let cycle =
             PeriodicPoint::of_period(&map, &points, points.len() / map.dimension(), residual).of_flow();
-        BranchPoint { parameter: self.parameter(place), eps: self.eps(place), cycle, mark: Mark::Between }
+        BranchPoint {
+            parameter: self.parameter(place),
+            eps: self.eps(place),
+            cycle,
+            mark: BranchPointKind::Between,
+        }
     }
 
-    fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
+    fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition> {
         let (equations, along) = self.equations(place, None);
         equations.solve(&[(&along, 0.0), (near, 1.0)])?.step.try_normalize(1e-8)
     }
 
-    fn turning_back(&self, place: &Place) -> Change {
+    fn turning_back(&self, place: &BranchPosition) -> BranchChange {
         /// The extent below which the cycle counts as a steady state; the equations are almost
         /// singular.
         const SMALL: f64 = 0.02;
 
         match (self.extent(place) < SMALL, self.runs_twice(place)) {
-            (true, _) => Change::Hopf,
-            (false, true) => Change::Halved,
-            (false, false) => Change::Fold,
+            (true, _) => BranchChange::Hopf,
+            (false, true) => BranchChange::Halved,
+            (false, false) => BranchChange::Fold,
         }
     }
 
-    fn has_jumped(&self, place: &Place, tangent: &Place) -> bool {
+    fn has_jumped(&self, place: &BranchPosition, tangent: &BranchPosition) -> bool {
         /// The extent below which Newton's method has converged to a steady state.
         const SAME: f64 = 1e-6;
 
@@ -168,7 +173,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
         apart < 0.5 * unit::size(moves) && self.runs_twice(place)
     }
 
-    fn corrected(&self, mut next: Place, across: &Place) -> Option<Place> {
+    fn corrected(&self, mut next: BranchPosition, across: &BranchPosition) -> Option<BranchPosition> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 

@@ -21,30 +21,30 @@
 //! ```
 
 mod branch;
+mod changes;
 mod compiled;
 mod condensed;
 mod cycle;
 mod flow;
 mod flow_branch;
-mod leaf;
+mod level_set;
 mod newton;
 mod returns;
 #[cfg(test)]
 mod tests;
-mod turns;
 mod unit;
 
 use kahan_core::nalgebra::DMatrix;
 
 use kahan_core::{Scalar, Step, Workspace};
 
-pub use branch::{Branch, BranchPoint, Mark, branch};
+pub use branch::{Branch, BranchPoint, BranchPointKind, branch};
+pub use changes::{BranchChange, ChangePoint};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
 pub use flow::{Extrapolated, FlowCycle, flow_cycle};
 pub use flow_branch::flow_branch;
-pub use leaf::{Leaf, OnLeaf};
+pub use level_set::{LevelSet, OnLevelSet};
 pub use returns::{CloseReturn, close_returns};
-pub use turns::{Change, Turn};
 
 /// A map with its Jacobian.
 pub trait Differentiable: Step<Scalar: From<f64>> {

@@ -3,14 +3,14 @@
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
-use super::unit::InUnits;
+use super::unit::ScaledMap;
 
 /// The square of the unit roundoff. Newton's method stops at this residual, in units of the cycle's
 /// size: near a cycle at 0 it would otherwise run into subnormal numbers.
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 /// Returns all φ(xᵢ) − xᵢ₊₁, the last point followed by the first; `None` if not finite.
-pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &[f64]) -> Option<DVector<f64>> {
+pub(super) fn defect<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64]) -> Option<DVector<f64>> {
     let n = map.dimension();
     let points = cycle.chunks(n);
     let next = points.clone().cycle().skip(1);
@@ -22,7 +22,7 @@ pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &[f64]) -> Opti
     gaps.iter().all(|gap| gap.is_finite()).then_some(gaps)
 }
 
-pub(super) fn slope<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -> DMatrix<f64> {
+pub(super) fn slope<M: Differentiable>(map: &ScaledMap<M>, cycle: &DVector<f64>) -> DMatrix<f64> {
     let n = map.dimension();
     let period = cycle.len() / n;
     let mut slope = DMatrix::zeros(cycle.len(), cycle.len());
@@ -54,7 +54,7 @@ pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<D
 ///
 /// `None` if the defect at the guess is not finite.
 pub(super) fn closed<M: Differentiable>(
-    map: &InUnits<M>,
+    map: &ScaledMap<M>,
     cycle: DVector<f64>,
 ) -> Option<(DVector<f64>, f64)> {
     /// Convergence is quadratic, so a convergent search ends long before.

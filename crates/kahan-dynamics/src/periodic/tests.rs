@@ -8,7 +8,9 @@ use std::ops::ControlFlow;
 use kahan_core::prelude::*;
 use kahan_core::{Dual, Step, Stopped, Workspace};
 
-use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
+use super::{
+    Branch, BranchChange, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point,
+};
 
 trait ByHand {
     const DIMENSION: usize;
@@ -331,7 +333,7 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
         let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
         let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ControlFlow::Continue(()));
         // At a fold, the tangent has an error of about √u, and the parameter the square of it.
-        assert!(has_turns(&branch, &[(Change::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
+        assert!(has_turns(&branch, &[(BranchChange::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
         // After the fold the branch returns to its first parameter value, at the other fixed point.
         let last = branch.points.last().unwrap();
         assert!(last.parameter >= 0.5 && last.cycle.points[0][0] < -0.7 && !branch.is_cut, "{steps}");
@@ -347,7 +349,7 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     let start = periodic_point(&Logistic(2.5), &[0.6], 1).unwrap();
     let branch = branch(Logistic, &start, [2.5, 3.4], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
-    assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
+    assert_eq!(branch.turns[0].change, BranchChange::ThroughMinusOne);
     // The multiplier is 2 − r.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-12, "{:?}", branch.turns);
 }
@@ -359,7 +361,7 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
     assert_eq!(start.stability(), Stability::Neutral);
     let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
-    assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
+    assert_eq!(branch.turns[0].change, BranchChange::ThroughMinusOne);
     // |μ| reaches 1 + 10⁻⁶ at a distance of about 10⁻¹².
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-10, "{:?}", branch.turns);
 }
@@ -420,7 +422,7 @@ impl Parametric for Several {
 }
 
 /// Returns whether a branch has these bifurcations, with parameters within a bound.
-fn has_turns(branch: &Branch, expected: &[(Change, f64)], bound: f64) -> bool {
+fn has_turns(branch: &Branch, expected: &[(BranchChange, f64)], bound: f64) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     branch.turns.len() == expected.len()
         && pairs
@@ -430,7 +432,7 @@ fn has_turns(branch: &Branch, expected: &[(Change, f64)], bound: f64) -> bool {
 
 #[test]
 fn all_changes_of_one_stride_are_told_in_order() {
-    use Change::{ThroughCircle, ThroughMinusOne, ThroughOne};
+    use BranchChange::{ThroughCircle, ThroughMinusOne, ThroughOne};
 
     for steps in [1, 2, 7] {
         let start = periodic_point(&Several(0.5), &[0.0; 4], 1).unwrap();
@@ -479,7 +481,7 @@ fn multipliers_that_meet_outside_the_circle_go_through_nothing() {
 
 #[test]
 fn a_fold_hides_no_other_change() {
-    let both = [(Change::ThroughMinusOne, 1.0 / 16.0), (Change::Fold, 0.0)];
+    let both = [(BranchChange::ThroughMinusOne, 1.0 / 16.0), (BranchChange::Fold, 0.0)];
     for (from, to, steps) in
         [(1.0, -1.0, 2), (1.0, -1.0, 5), (1.0, -1.0, 40), (0.25, -3.75, 1), (16.0, -16.0, 1)]
     {
@@ -490,7 +492,7 @@ fn a_fold_hides_no_other_change() {
             ControlFlow::Continue(())
         });
         // From far away, 1 − 2x passes through −1 first.
-        let first = [(Change::ThroughMinusOne, 1.0)];
+        let first = [(BranchChange::ThroughMinusOne, 1.0)];
         let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
         // The position of a fold is accurate to about half of the digits.
         assert!(has_turns(&branch, &expected, 1e-9 * from.max(1.0)), "{steps}: {:?}", branch.turns);
@@ -540,5 +542,5 @@ fn a_planar_map_doubles_its_period_where_the_formula_says() {
     // The fixed point has μ² + 2axμ − b = 0, so μ = −1 where 2ax = 1 − b, and a = 3(1 − b)²/4.
     let start = periodic_point(&Henon(0.2, 0.3), &[0.9, 0.3], 1).unwrap();
     let branch = branch(|a| Henon(a, 0.3), &start, [0.2, 0.5], 3, |_| ControlFlow::Continue(()));
-    assert!(has_turns(&branch, &[(Change::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);
+    assert!(has_turns(&branch, &[(BranchChange::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);
 }

@@ -9,32 +9,32 @@ use kahan_core::nalgebra::DMatrix;
 use super::{Differentiable, Parametric};
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Unit {
+pub(super) struct LengthUnit {
     /// A power of two.
     pub(super) length: f64,
     /// The scale for comparing lengths, in this unit: 1, or 0 if the size was 0 or not finite.
     pub(super) size: f64,
 }
 
-impl Unit {
+impl LengthUnit {
     /// Returns the largest power of two up to `size` as the unit.
     pub(super) fn of(size: f64) -> Self {
         if size > 0.0 && size.is_finite() {
-            Unit { length: libm::ldexp(1.0, libm::ilogb(size)), size: 1.0 }
+            LengthUnit { length: libm::ldexp(1.0, libm::ilogb(size)), size: 1.0 }
         } else {
-            Unit { length: 1.0, size: 0.0 }
+            LengthUnit { length: 1.0, size: 0.0 }
         }
     }
 }
 
 /// A map of points measured in units of `unit.length`.
 #[derive(Clone, Debug)]
-pub(super) struct InUnits<M> {
+pub(super) struct ScaledMap<M> {
     pub(super) map: M,
-    pub(super) unit: Unit,
+    pub(super) unit: LengthUnit,
 }
 
-impl<M> InUnits<M> {
+impl<M> ScaledMap<M> {
     /// Converts a point into the units of the inner map.
     pub(super) fn outside(&self, x: &[f64]) -> Vec<f64> {
         x.iter().map(|x| x * self.unit.length).collect()
@@ -45,7 +45,7 @@ impl<M> InUnits<M> {
     }
 }
 
-impl<M: Differentiable> InUnits<M> {
+impl<M: Differentiable> ScaledMap<M> {
     pub(super) fn dimension(&self) -> usize {
         self.map.dimension()
     }
@@ -59,7 +59,7 @@ impl<M: Differentiable> InUnits<M> {
     }
 }
 
-impl<M: Parametric> InUnits<M> {
+impl<M: Parametric> ScaledMap<M> {
     pub(super) fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.by_parameter(&self.outside(x)))
     }

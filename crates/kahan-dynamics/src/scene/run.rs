@@ -13,11 +13,11 @@ trait Task<const N: usize> {
     fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
 }
 
-struct Last(usize);
+struct LastPoint(usize);
 
-struct While<F>(u64, F);
+struct VisitWhile<F>(u64, F);
 
-impl<const N: usize> Task<N> for Last {
+impl<const N: usize> Task<N> for LastPoint {
     type Output = Option<SVector<f64, N>>;
 
     fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
@@ -26,7 +26,7 @@ impl<const N: usize> Task<N> for Last {
     }
 }
 
-impl<F: FnMut(u64, &[Dd; N]) -> bool, const N: usize> Task<N> for While<F> {
+impl<F: FnMut(u64, &[Dd; N]) -> bool, const N: usize> Task<N> for VisitWhile<F> {
     type Output = ();
 
     fn run<X>(mut self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) {
@@ -53,7 +53,7 @@ impl Setting {
         M: ExtendScalars<f64, N>,
     {
         let steps = usize::try_from(self.steps).unwrap_or(usize::MAX);
-        match self.with_orbit(map, x0, Last(steps)) {
+        match self.with_orbit(map, x0, LastPoint(steps)) {
             Some(last) => last,
             // Orbits over floats are infinite, so this case does not occur.
             None => SVector::from_element(f64::NAN),
@@ -85,7 +85,7 @@ impl Setting {
     ) where
         M: ExtendScalars<f64, N>,
     {
-        self.with_orbit(map, x0, While(self.steps, go_on));
+        self.with_orbit(map, x0, VisitWhile(self.steps, go_on));
     }
 
     fn with_orbit<M, K, const N: usize>(&self, map: &M, x0: SVector<f64, N>, task: K) -> K::Output

@@ -6,7 +6,7 @@
 
 use kahan_core::nalgebra::SVector;
 
-use crate::flow::{Digits, Flow, NoFlow};
+use crate::flow::{Flow, NoFlow, SeriesScalar};
 use kahan_core::{Dd, ExtendScalars, PreparedStep, QuadraticField};
 
 use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
@@ -39,7 +39,7 @@ where
     {
         let choice = Choice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
         match choice.choose(&mut budget) {
-            Err(Refusal { is_rough: true, .. }) => {}
+            Err(TrajectoryFailure { is_rough: true, .. }) => {}
             answer => return answer.map_err(|refusal| refusal.why),
         }
     }
@@ -61,7 +61,7 @@ impl Budget {
         start: SVector<T, N>,
     ) -> Result<Flow<T>, NoSetting>
     where
-        T: Digits,
+        T: SeriesScalar,
         F: QuadraticField<T, N>,
     {
         // A bilinear form costs about a third of a step.
@@ -110,7 +110,7 @@ struct Choice<'a, T, M, const N: usize> {
     others: &'static [Scheme],
 }
 
-struct Refusal {
+struct TrajectoryFailure {
     why: NoSetting,
     /// Whether rounding errors were the cause, so that a wider precision may succeed.
     is_rough: bool,
@@ -118,17 +118,17 @@ struct Refusal {
 
 impl<T, M, const N: usize> Choice<'_, T, M, N>
 where
-    T: Digits,
+    T: SeriesScalar,
     M: ExtendScalars<f64, N>,
 {
-    fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
+    fn choose(&self, budget: &mut Budget) -> Result<Setting, TrajectoryFailure> {
         // The coarsest ε has a mean product of ε and rate of 4, suitable for compositions with
         // their shorter stages.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
-        let runs = Runs { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
+        let runs = TrialOrbits { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
         let verdict = search.run(coarsest, self.others);
-        let Runs { agreed_until, is_short_of_work, .. } = *search.trials();
+        let TrialOrbits { agreed_until, is_short_of_work, .. } = *search.trials();
         match verdict {
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
@@ -140,14 +140,14 @@ where
                 } else {
                     NoSetting::Lost { time: agreed_until }
                 };
-                Err(Refusal { why, is_rough: is_rough || !is_short_of_work })
+                Err(TrajectoryFailure { why, is_rough: is_rough || !is_short_of_work })
             }
         }
     }
 }
 
 /// Orbits of one scene, compared with the flow within a budget.
-struct Runs<'a, T, M, const N: usize> {
+struct TrialOrbits<'a, T, M, const N: usize> {
     choice: &'a Choice<'a, T, M, N>,
     budget: &'a mut Budget,
     /// The time until which some orbit stayed near the flow.
@@ -155,9 +155,9 @@ struct Runs<'a, T, M, const N: usize> {
     is_short_of_work: bool,
 }
 
-impl<T, M, const N: usize> Trials for Runs<'_, T, M, N>
+impl<T, M, const N: usize> Trials for TrialOrbits<'_, T, M, N>
 where
-    T: Digits,
+    T: SeriesScalar,
     M: ExtendScalars<f64, N>,
 {
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
@@ -174,7 +174,7 @@ where
         let Choice { scene, map, x0, flow, .. } = *self.choice;
         let lost = LOST.max(4.0 * scene.tolerance);
         let dt = Dd::from(2.0 * setting.eps);
-        let mut along = flow.along::<N>();
+        let mut along = flow.distances::<N>();
         let (mut worst, mut last) = (0.0_f64, 0);
         setting.follow(map, *x0, |n, x| {
             last = n;

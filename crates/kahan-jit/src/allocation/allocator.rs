@@ -2,24 +2,24 @@
 
 use kahan_program::Node;
 
-use crate::assembler::{Binary, Fused, Order, Vector};
-use crate::lowering::Ends;
-use crate::program::{Called, Input, Instruction, Program};
+use crate::assembler::{Binary, Fused, FusedOrder, Vector};
+use crate::lowering::ResultDestination;
+use crate::program::{CalledFunction, Input, Instruction, Program};
 
-use super::carried::carry;
+use super::moves::move_results;
 use super::uses::Uses;
-use super::{Allocation, MachineInstruction, Place};
+use super::{Allocation, MachineInstruction, ValueLocation};
 
 pub(super) struct Allocator<'a> {
     pub(super) program: &'a Program,
-    pub(super) ends: Ends,
+    pub(super) ends: ResultDestination,
     pub(super) time: usize,
     pub(super) uses: Uses,
     /// The value in each register, except the registers reserved for constants.
     pub(super) registers: Vec<Option<usize>>,
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
-    pub(super) home: Vec<Option<Place>>,
+    pub(super) home: Vec<Option<ValueLocation>>,
     pub(super) is_kept: Vec<bool>,
     pub(super) free_slots: Vec<usize>,
     /// For each value, the indices of the results that it is.
@@ -31,7 +31,7 @@ pub(super) struct Allocator<'a> {
 
 impl<'a> Allocator<'a> {
     /// Prepares a pass; the constants in `kept` occupy the last registers.
-    pub(super) fn new(program: &'a Program, registers: u8, ends: Ends, kept: &[usize]) -> Self {
+    pub(super) fn new(program: &'a Program, registers: u8, ends: ResultDestination, kept: &[usize]) -> Self {
         let count = program.operations.len();
         let own = usize::from(registers) - kept.len();
         let mut allocator = Allocator {
@@ -42,7 +42,11 @@ impl<'a> Allocator<'a> {
             registers: vec![None; own],
             locked: vec![false; own],
             register_of: vec![None; count],
-            home: program.operations.iter().map(|instruction| Place::given(*instruction)).collect(),
+            home: program
+                .operations
+                .iter()
+                .map(|instruction| ValueLocation::initial_location(*instruction))
+                .collect(),
             is_kept: vec![false; count],
             free_slots: Vec::new(),
             results_of: vec![Vec::new(); count],
@@ -73,14 +77,14 @@ impl<'a> Allocator<'a> {
         for (i, (&result, state)) in results.iter().zip(states).enumerate() {
             let is_read_later = |state: usize| state != result && self.uses.last(state) > Some(result);
             let waits = match self.ends {
-                Ends::Carried => true,
-                Ends::InPlace => state.is_some_and(is_read_later),
-                Ends::Elsewhere => false,
+                ResultDestination::Carried => true,
+                ResultDestination::InPlace => state.is_some_and(is_read_later),
+                ResultDestination::Elsewhere => false,
             };
             self.waits.push(waits);
             self.results_of[result].push(i);
-            if self.ends == Ends::Carried {
-                let (place, register) = (Place::State(i), Vector(i as u8));
+            if self.ends == ResultDestination::Carried {
+                let (place, register) = (ValueLocation::State(i), Vector(i as u8));
                 self.code.before.push(MachineInstruction::Load(register, place));
                 self.code.after.push(MachineInstruction::Store(place, register));
                 self.code.most_taken = results.len() as u8;
@@ -103,12 +107,12 @@ impl<'a> Allocator<'a> {
         }
         self.time = self.program.operations.len();
         match self.ends {
-            Ends::Carried => {
+            ResultDestination::Carried => {
                 let sources = self.program.outputs.iter().map(|output| self.source(output.0)).collect();
-                carry(sources, self.registers.len(), &mut self.code);
+                move_results(sources, self.registers.len(), &mut self.code);
             }
-            Ends::InPlace => self.store_last(),
-            Ends::Elsewhere => {}
+            ResultDestination::InPlace => self.store_last(),
+            ResultDestination::Elsewhere => {}
         }
         self.code
     }
@@ -120,17 +124,17 @@ impl<'a> Allocator<'a> {
             Instruction::Subtract(a, b) => self.binary(Binary::Subtract, a, b),
             Instruction::Multiply(a, b) => self.binary(Binary::Multiply, a, b),
             Instruction::Divide(a, b) => self.binary(Binary::Divide, a, b),
-            Instruction::Call(Called::Maximum, a, b) => self.binary(Binary::Maximum, a, b),
-            Instruction::Call(Called::Minimum, a, b) => self.binary(Binary::Minimum, a, b),
+            Instruction::Call(CalledFunction::Maximum, a, b) => self.binary(Binary::Maximum, a, b),
+            Instruction::Call(CalledFunction::Minimum, a, b) => self.binary(Binary::Minimum, a, b),
             Instruction::Negate(a) => self.binary(Binary::ExclusiveOr, a, Node(self.uses.sign())),
             Instruction::MultiplyAdd(a, b, c) => self.fused(Fused::MultiplyAdd, [a, b, c]),
             Instruction::MultiplySubtract(a, b, c) => self.fused(Fused::MultiplySubtract, [a, b, c]),
             Instruction::SubtractProduct(a, b, c) => self.fused(Fused::SubtractProduct, [b, c, a]),
-            Instruction::Call(Called::Copy, Node(a), _) => {
+            Instruction::Call(CalledFunction::Copy, Node(a), _) => {
                 let source = self.source(a);
                 self.finish(&[a], |to| MachineInstruction::bring(to, source));
             }
-            Instruction::Call(Called::RoundToSingle, Node(a), _) => {
+            Instruction::Call(CalledFunction::RoundToSingle, Node(a), _) => {
                 let from = self.in_register(a);
                 self.finish(&[a], |to| MachineInstruction::RoundToSingle(to, from));
             }
@@ -143,7 +147,11 @@ impl<'a> Allocator<'a> {
         let Some(register) = self.register_of[value].filter(|_| !self.is_kept[value]) else { return };
         for &i in &self.results_of[value] {
             if !self.waits[i] {
-                let place = if self.ends == Ends::InPlace { Place::State(i) } else { Place::Result(i) };
+                let place = if self.ends == ResultDestination::InPlace {
+                    ValueLocation::State(i)
+                } else {
+                    ValueLocation::Result(i)
+                };
                 self.code.round.push(MachineInstruction::Store(place, register));
             }
         }
@@ -156,7 +164,7 @@ impl<'a> Allocator<'a> {
             if self.waits[i] {
                 let register = self.in_register(output.0);
                 self.locked.fill(false);
-                self.code.round.push(MachineInstruction::Store(Place::State(i), register));
+                self.code.round.push(MachineInstruction::Store(ValueLocation::State(i), register));
             }
         }
     }
@@ -170,7 +178,7 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add; its `Order` says which operand is overwritten.
+    /// Writes a fused multiply-add; its `FusedOrder` says which operand is overwritten.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
@@ -214,11 +222,11 @@ impl<'a> Allocator<'a> {
             if self.register_of[a].is_none() {
                 (a, b) = (b, a);
             }
-            (Order::D231, self.source_register(a), self.source(b))
+            (FusedOrder::D231, self.source_register(a), self.source(b))
         } else if self.register_of[b].is_none() {
-            (Order::D132, self.source_register(c), self.source(b))
+            (FusedOrder::D132, self.source_register(c), self.source(b))
         } else {
-            (Order::D213, self.source_register(b), self.source(c))
+            (FusedOrder::D213, self.source_register(b), self.source(c))
         };
         self.code.round.push(MachineInstruction::Fused(operator, order, to, second, third));
         self.release(&operands);

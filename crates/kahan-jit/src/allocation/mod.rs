@@ -7,20 +7,20 @@
 //! but a loop keeps its most used ones in spare registers.
 
 mod allocator;
-mod carried;
+mod moves;
 mod registers;
 mod uses;
 
 use kahan_program::Float;
 
-use crate::assembler::{Binary, Fused, Order, Source, Vector};
-use crate::lowering::Ends;
+use crate::assembler::{Binary, Fused, FusedOrder, Source, Vector};
+use crate::lowering::ResultDestination;
 use crate::program::{Input, Instruction, Program};
 use allocator::Allocator;
 use uses::Uses;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Place {
+pub(crate) enum ValueLocation {
     State(usize),
     Constant(usize),
     Literal(Float),
@@ -30,13 +30,13 @@ pub(crate) enum Place {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MachineInstruction {
-    Load(Vector, Place),
-    Store(Place, Vector),
+    Load(Vector, ValueLocation),
+    Store(ValueLocation, Vector),
     Copy(Vector, Vector),
     /// to, a, b: to = a ∘ b
-    Binary(Binary, Vector, Vector, Source<Place>),
+    Binary(Binary, Vector, Vector, Source<ValueLocation>),
     /// to, b, c, as the instruction orders them
-    Fused(Fused, Order, Vector, Vector, Source<Place>),
+    Fused(Fused, FusedOrder, Vector, Vector, Source<ValueLocation>),
     RoundToSingle(Vector, Vector),
 }
 
@@ -53,7 +53,7 @@ pub(crate) struct Allocation {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
     /// The destination of the results.
-    pub(crate) ends: Ends,
+    pub(crate) ends: ResultDestination,
     /// Whether many rounds use equal constants.
     pub(crate) keeps_constants: bool,
 }
@@ -61,9 +61,9 @@ pub(crate) struct RoundPlan {
 /// The fewest registers: three operands, and one to move them into position.
 pub(crate) const FEWEST_REGISTERS: u8 = 4;
 
-impl Place {
+impl ValueLocation {
     /// Returns the location of an input or constant before the first round.
-    fn given(instruction: Instruction) -> Option<Self> {
+    fn initial_location(instruction: Instruction) -> Option<Self> {
         match instruction {
             Instruction::Input(Input::State(i)) => Some(Self::State(i)),
             Instruction::Input(Input::Constant(k)) => Some(Self::Constant(k)),
@@ -74,7 +74,7 @@ impl Place {
 }
 
 impl MachineInstruction {
-    fn bring(to: Vector, source: Source<Place>) -> Self {
+    fn bring(to: Vector, source: Source<ValueLocation>) -> Self {
         match source {
             Source::Register(from) => Self::Copy(to, from),
             Source::Memory(place) => Self::Load(to, place),
@@ -123,7 +123,7 @@ fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
         // A program with results elsewhere runs a single round.
-        Instruction::Constant(_) => plan.ends != Ends::Elsewhere,
+        Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };
     let mut kept: Vec<usize> = (0..program.operations.len()).filter(is_kept).collect();

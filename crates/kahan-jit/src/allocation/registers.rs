@@ -1,13 +1,13 @@
 //! Register contents, and moves between registers and memory.
 
 use crate::assembler::{Source, Vector};
-use crate::lowering::Ends;
+use crate::lowering::ResultDestination;
 
 use super::allocator::Allocator;
-use super::{MachineInstruction, Place};
+use super::{MachineInstruction, ValueLocation};
 
 impl Allocator<'_> {
-    pub(super) fn source(&self, value: usize) -> Source<Place> {
+    pub(super) fn source(&self, value: usize) -> Source<ValueLocation> {
         match (self.register_of[value], self.home[value]) {
             (Some(register), _) => Source::Register(register),
             (None, Some(place)) => Source::Memory(place),
@@ -32,7 +32,7 @@ impl Allocator<'_> {
     }
 
     /// Returns an operand, which stays in memory if a load does not pay.
-    pub(super) fn operand(&mut self, value: usize) -> Source<Place> {
+    pub(super) fn operand(&mut self, value: usize) -> Source<ValueLocation> {
         if self.is_worth_loading(value) {
             return Source::Register(self.in_register(value));
         }
@@ -42,7 +42,8 @@ impl Allocator<'_> {
 
     /// Returns whether a value in memory is a variable, is read again, and a register is free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
-        let is_variable = !matches!(self.home[value], Some(Place::Constant(_) | Place::Literal(_)) | None);
+        let is_variable =
+            !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);
         self.register_of[value].is_none()
             && is_variable
             && self.uses.next_after(value, self.time).is_some()
@@ -57,7 +58,7 @@ impl Allocator<'_> {
 
     /// Returns a register for the current value, preferably that of the state it becomes.
     pub(super) fn target(&mut self) -> Vector {
-        let carried = self.results_of[self.time].first().filter(|_| self.ends == Ends::Carried);
+        let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {
             Some(&i) if self.registers[i].is_none() => Vector(i as u8),
             _ => self.fresh(),
@@ -91,8 +92,10 @@ impl Allocator<'_> {
                     self.code.slots += 1;
                     self.code.slots - 1
                 });
-                self.home[value] = Some(Place::Slot(slot));
-                self.code.round.push(MachineInstruction::Store(Place::Slot(slot), Vector(register as u8)));
+                self.home[value] = Some(ValueLocation::Slot(slot));
+                self.code
+                    .round
+                    .push(MachineInstruction::Store(ValueLocation::Slot(slot), Vector(register as u8)));
             }
             self.register_of[value] = None;
         }
@@ -120,7 +123,7 @@ impl Allocator<'_> {
     pub(super) fn free_slots_of(&mut self, values: &[usize]) {
         for &value in values {
             if self.uses.next(value).is_none()
-                && let Some(Place::Slot(slot)) = self.home[value]
+                && let Some(ValueLocation::Slot(slot)) = self.home[value]
             {
                 self.home[value] = None;
                 self.free_slots.push(slot);

@@ -12,10 +12,10 @@ mod pool;
 mod x86_64;
 
 #[cfg(target_arch = "aarch64")]
-pub(crate) use a64::{Assembler, General, Memory};
-pub(crate) use operands::{Element, Form, Source, Vector, Width};
+pub(crate) use a64::{Assembler, GeneralRegister, Memory};
+pub(crate) use operands::{Element, OperandForm, Source, Vector, Width};
 #[cfg(not(target_arch = "aarch64"))]
-pub(crate) use x86_64::{Assembler, General, Memory};
+pub(crate) use x86_64::{Assembler, GeneralRegister, Memory};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Binary {
@@ -43,7 +43,7 @@ pub(crate) enum Fused {
 
 /// Which of the operands d, b, c of a fused operation are multiplied; the result overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
+pub(crate) enum FusedOrder {
     /// d·c and b
     D132,
     /// b·d and c
@@ -54,10 +54,10 @@ pub(crate) enum Order {
 
 /// The registers and stack that a function uses, apart from its arguments.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Needs {
+pub(crate) struct FrameNeeds {
     /// The bytes of its stack slots, which start at the stack pointer.
     pub(crate) stack: usize,
-    /// Whether it uses [`General::POINTERS`], some of which must be saved for the caller.
+    /// Whether it uses [`GeneralRegister::POINTERS`], some of which must be saved for the caller.
     pub(crate) uses_pointers: bool,
     /// The number of vector registers in use, from the first on.
     pub(crate) vectors: u8,

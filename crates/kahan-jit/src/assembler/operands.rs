@@ -20,12 +20,12 @@ pub(crate) enum Width {
 
 /// The element type and width of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Form {
+pub(crate) struct OperandForm {
     pub(crate) element: Element,
     pub(crate) width: Width,
 }
 
-impl Form {
+impl OperandForm {
     /// Returns the size of an operand in bytes.
     pub(crate) fn bytes(self) -> usize {
         match (self.width, self.element) {

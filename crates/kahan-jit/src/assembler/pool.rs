@@ -1,6 +1,6 @@
 //! The constant pool behind the code.
 
-use super::operands::{Element, Form};
+use super::operands::{Element, OperandForm};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Entry(usize);
@@ -8,7 +8,7 @@ pub(crate) struct Entry(usize);
 /// The constants of a function and the instructions that refer to them.
 #[derive(Debug)]
 pub(super) struct Pool {
-    form: Form,
+    form: OperandForm,
     /// The bits of one lane of each constant.
     entries: Vec<u64>,
     /// The position of each reference in the code, and its constant.
@@ -20,7 +20,7 @@ const LINE: usize = 64;
 const SHORTEST: usize = 16;
 
 impl Pool {
-    pub(super) fn new(form: Form) -> Self {
+    pub(super) fn new(form: OperandForm) -> Self {
         Pool { form, entries: Vec::new(), uses: Vec::new() }
     }
 

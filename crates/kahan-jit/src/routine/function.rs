@@ -1,12 +1,12 @@
 //! A program that runs once.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
-use crate::allocation::{Place, RoundPlan};
-use crate::assembler::General;
+use crate::allocation::{RoundPlan, ValueLocation};
+use crate::assembler::GeneralRegister;
 use crate::call::Code;
 use crate::instructions::{Float, Shape};
-use crate::lowering::Ends;
-use crate::{Program, Refusal};
+use crate::lowering::ResultDestination;
+use crate::{CompileError, Program};
 
 use super::Frame;
 
@@ -20,16 +20,16 @@ impl<T: Float> Function<T> {
     /// Compiles a program in some microseconds per hundred operations.
     ///
     /// # Errors
-    /// [`Refusal`], with the reason.
-    pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
+    /// [`CompileError`], with the reason.
+    pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
+        let plan = RoundPlan { ends: ResultDestination::Elsewhere, keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        let [states, constants, results, ..] = General::ARGUMENTS;
+        let [states, constants, results, ..] = GeneralRegister::ARGUMENTS;
         frame.round(&|assembler, place| match place {
-            Place::State(i) => assembler.form().entry(states, i),
-            Place::Constant(k) => assembler.form().entry(constants, k),
-            Place::Result(i) => assembler.form().entry(results, i),
-            Place::Literal(_) | Place::Slot(_) => unreachable!("they have addresses already"),
+            ValueLocation::State(i) => assembler.form().entry(states, i),
+            ValueLocation::Constant(k) => assembler.form().entry(constants, k),
+            ValueLocation::Result(i) => assembler.form().entry(results, i),
+            ValueLocation::Literal(_) | ValueLocation::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
         // SAFETY: the code reads one register per state and constant of the program and writes one

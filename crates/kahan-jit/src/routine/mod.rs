@@ -8,13 +8,13 @@ pub use function::Function;
 pub use orbit::{ComposedOrbit, Orbit};
 pub use sweep::{Constants, Sweep};
 
-use crate::allocation::{Allocation, MachineInstruction, Place, RoundPlan};
-use crate::assembler::{Assembler, Element, General, Memory, Needs};
-use crate::call::Extent;
+use crate::allocation::{Allocation, MachineInstruction, RoundPlan, ValueLocation};
+use crate::assembler::{Assembler, Element, FrameNeeds, GeneralRegister, Memory};
+use crate::call::MemoryExtent;
 use crate::instructions::Float;
-use crate::lowering::{Ends, lowered};
+use crate::lowering::{ResultDestination, lowered};
 use crate::program::{Program, entries};
-use crate::{Refusal, Shape};
+use crate::{CompileError, Shape};
 
 /// The maximum number of instructions, so that all jumps and offsets fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
@@ -22,13 +22,13 @@ const MOST_INSTRUCTIONS: usize = 50_000;
 const MOST_STACK: usize = 1 << 20;
 
 /// Returns the memory operand of a location, after loading its address if necessary.
-type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
+type Addresses<'a> = &'a dyn Fn(&mut Assembler, ValueLocation) -> Memory;
 
 struct Frame {
     assembler: Assembler,
     code: Allocation,
-    extent: Extent,
-    needs: Needs,
+    extent: MemoryExtent,
+    needs: FrameNeeds,
 }
 
 impl Frame {
@@ -41,42 +41,42 @@ impl Frame {
         shape: Shape,
         plan: RoundPlan,
         uses_pointers: bool,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, CompileError> {
         let Shape { instructions: set, fuses, .. } = shape;
         set.may_run()?;
         if !set.is_available() || fuses && !set.has_fused() {
-            return Err(Refusal::Unavailable(shape));
+            return Err(CompileError::Unavailable(shape));
         }
         let results = program.outputs.len();
         let instructions = program.operations.len().max(results);
         if instructions > MOST_INSTRUCTIONS {
-            return Err(Refusal::TooLong { instructions });
+            return Err(CompileError::TooLong { instructions });
         }
         if !program.is_well_formed() {
-            return Err(Refusal::Malformed);
+            return Err(CompileError::Malformed);
         }
         let form = shape.form::<T>();
         let [read, constants] = entries(program);
         let entries = read.max(constants);
         if entries > i32::MAX as usize / form.bytes() {
-            return Err(Refusal::OutOfReach { entries });
+            return Err(CompileError::OutOfReach { entries });
         }
-        let states = if plan.ends == Ends::Elsewhere { read } else { results };
+        let states = if plan.ends == ResultDestination::Elsewhere { read } else { results };
         assert!(read <= states, "a state that is read has a result");
-        let extent = Extent { width: shape.width::<T>(), states, constants, results };
+        let extent = MemoryExtent { width: shape.width::<T>(), states, constants, results };
         let code = Allocation::of(&lowered(program, fuses, plan.ends), set.registers(), plan);
         let stack = code.slots * form.bytes();
         if stack > MOST_STACK {
-            return Err(Refusal::TooLong { instructions });
+            return Err(CompileError::TooLong { instructions });
         }
         let (vectors, instructions) = (code.vectors(), code.instructions());
-        let needs = Needs { stack, uses_pointers, vectors, instructions };
+        let needs = FrameNeeds { stack, uses_pointers, vectors, instructions };
         let mut assembler = Assembler::new(form);
         assembler.open(&needs);
         Ok(Frame { assembler, code, extent, needs })
     }
 
-    fn close(mut self) -> (Vec<u8>, Extent) {
+    fn close(mut self) -> (Vec<u8>, MemoryExtent) {
         self.assembler.close(&self.needs);
         (self.assembler.finish(), self.extent)
     }
@@ -95,15 +95,15 @@ impl Frame {
 }
 
 fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresses: Addresses<'_>) {
-    let address = |assembler: &mut Assembler, place: Place| match place {
-        Place::Literal(number) => {
+    let address = |assembler: &mut Assembler, place: ValueLocation| match place {
+        ValueLocation::Literal(number) => {
             let bits = match assembler.form().element {
                 Element::Double => number.value().to_bits(),
                 Element::Single => u64::from((number.value() as f32).to_bits()),
             };
             Memory::Pool(assembler.constant(bits))
         }
-        Place::Slot(slot) => assembler.form().entry(General::STACK, slot),
+        ValueLocation::Slot(slot) => assembler.form().entry(GeneralRegister::STACK, slot),
         _ => addresses(assembler, place),
     };
     for instruction in instructions {

@@ -1,12 +1,12 @@
 //! A program iterated on one state, which stays in registers.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
-use crate::allocation::{FEWEST_REGISTERS, Place, RoundPlan};
-use crate::assembler::{Assembler, General, Memory};
+use crate::allocation::{FEWEST_REGISTERS, RoundPlan, ValueLocation};
+use crate::assembler::{Assembler, GeneralRegister, Memory};
 use crate::call::Code;
 use crate::instructions::{Float, Shape};
-use crate::lowering::Ends;
-use crate::{Program, Refusal};
+use crate::lowering::ResultDestination;
+use crate::{CompileError, Program};
 
 use super::Frame;
 
@@ -14,7 +14,7 @@ use super::Frame;
 #[derive(Debug)]
 pub struct Orbit<T> {
     code: Code<T>,
-    ends: Ends,
+    ends: ResultDestination,
 }
 
 /// Code that iterates a program; each round runs it once per set of constants, in order.
@@ -27,19 +27,19 @@ impl<T: Float> Orbit<T> {
     /// Compiles a program with one result per state.
     ///
     /// # Errors
-    /// [`Refusal`], with the reason.
+    /// [`CompileError`], with the reason.
     ///
     /// # Panics
     /// If a state that is read has no result.
-    pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
+    pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let ends = ends(program, shape);
         let plan = RoundPlan { ends, keeps_constants: true };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        let [states, constants, steps, last_state, _] = General::ARGUMENTS;
+        let [states, constants, steps, last_state, _] = GeneralRegister::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
         // Carried states are read from one array and written to another or the same.
         let last = |assembler: &mut Assembler, place| match place {
-            Place::State(i) => assembler.form().entry(last_state, i),
+            ValueLocation::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),
         };
         let end = frame.assembler.skip_if_zero(steps);
@@ -71,7 +71,7 @@ impl<T: Float> Orbit<T> {
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.
     pub fn step(&self, state: &[T], constants: &[T], next: &mut [T]) {
-        if self.ends == Ends::Carried {
+        if self.ends == ResultDestination::Carried {
             self.code.orbit_step(state, constants, next);
         } else {
             next.copy_from_slice(state);
@@ -84,16 +84,16 @@ impl<T: Float> ComposedOrbit<T> {
     /// Compiles a program with one result per state.
     ///
     /// # Errors
-    /// [`Refusal`], with the reason.
+    /// [`CompileError`], with the reason.
     ///
     /// # Panics
     /// If a state that is read has no result.
-    pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
+    pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         // The fifth argument is unused; its register holds the address of the next table entry.
-        let [states, table, stages, steps, entry] = General::ARGUMENTS;
-        let [constants, left, _] = General::SPARE;
+        let [states, table, stages, steps, entry] = GeneralRegister::ARGUMENTS;
+        let [constants, left, _] = GeneralRegister::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
         let end = frame.assembler.skip_if_zero(steps);
         frame.before(&addresses);
@@ -124,15 +124,20 @@ impl<T: Float> ComposedOrbit<T> {
 }
 
 /// Returns where states live between rounds: in registers if enough are available.
-fn ends(program: &Program, shape: Shape) -> Ends {
+fn ends(program: &Program, shape: Shape) -> ResultDestination {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
-    if program.outputs.len() <= room { Ends::Carried } else { Ends::InPlace }
+    if program.outputs.len() <= room { ResultDestination::Carried } else { ResultDestination::InPlace }
 }
 
-fn address(assembler: &Assembler, place: Place, states: General, constants: General) -> Memory {
+fn address(
+    assembler: &Assembler,
+    place: ValueLocation,
+    states: GeneralRegister,
+    constants: GeneralRegister,
+) -> Memory {
     match place {
-        Place::State(i) => assembler.form().entry(states, i),
-        Place::Constant(k) => assembler.form().entry(constants, k),
+        ValueLocation::State(i) => assembler.form().entry(states, i),
+        ValueLocation::Constant(k) => assembler.form().entry(constants, k),
         _ => unreachable!("an orbit has states and constants"),
     }
 }

@@ -1,12 +1,12 @@
 //! A program iterated over columns of trajectories, one register of trajectories after another.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
-use crate::allocation::{Place, RoundPlan};
-use crate::assembler::{Assembler, General, Memory};
+use crate::allocation::{RoundPlan, ValueLocation};
+use crate::assembler::{Assembler, GeneralRegister, Memory};
 use crate::call::Code;
 use crate::instructions::{Float, Shape};
-use crate::lowering::Ends;
-use crate::{Program, Refusal};
+use crate::lowering::ResultDestination;
+use crate::{CompileError, Program};
 
 use super::Frame;
 
@@ -30,27 +30,28 @@ impl<T: Float> Sweep<T> {
     /// Compiles a program with one result per state.
     ///
     /// # Errors
-    /// [`Refusal`], with the reason.
+    /// [`CompileError`], with the reason.
     ///
     /// # Panics
     /// If a state that is read has no result.
-    pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
-        let plan = RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared };
+    pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, CompileError> {
+        let plan = RoundPlan { ends: ResultDestination::InPlace, keeps_constants: of == Constants::Shared };
         let mut frame = Frame::open::<T>(program, shape, plan, true)?;
-        let [table, length, constants, stride, steps] = General::ARGUMENTS;
-        let [column_address, index, own] = General::SPARE;
-        for (column, pointer) in General::POINTERS.into_iter().enumerate().take(program.outputs.len()) {
+        let [table, length, constants, stride, steps] = GeneralRegister::ARGUMENTS;
+        let [column_address, index, own] = GeneralRegister::SPARE;
+        for (column, pointer) in GeneralRegister::POINTERS.into_iter().enumerate().take(program.outputs.len())
+        {
             frame.assembler.load_general(pointer, table, place_of(column));
         }
         let addresses = |assembler: &mut Assembler, place| match place {
-            Place::State(i) => {
-                let base = General::POINTERS.get(i).copied().unwrap_or_else(|| {
+            ValueLocation::State(i) => {
+                let base = GeneralRegister::POINTERS.get(i).copied().unwrap_or_else(|| {
                     assembler.load_general(column_address, table, place_of(i));
                     column_address
                 });
                 Memory::Indexed { base, index }
             }
-            Place::Constant(k) => assembler.form().entry(own, k),
+            ValueLocation::Constant(k) => assembler.form().entry(own, k),
             _ => unreachable!("a sweep has states and constants"),
         };
         frame.assembler.move_general(own, constants);

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::allocation::{Allocation, FEWEST_REGISTERS, MachineInstruction, Place, RoundPlan};
-use crate::assembler::{Binary, Fused, Order, Source, Vector};
-use crate::lowering::{Ends, lowered};
+use crate::allocation::{Allocation, FEWEST_REGISTERS, MachineInstruction, RoundPlan, ValueLocation};
+use crate::assembler::{Binary, Fused, FusedOrder, Source, Vector};
+use crate::lowering::{ResultDestination, lowered};
 use crate::program::{Instruction, Program};
 
 use super::draw::{push, state};
@@ -12,13 +12,13 @@ use super::{Draw, random_program, run, same, subtract_product};
 
 struct Machine {
     registers: Vec<Option<f64>>,
-    memory: HashMap<Place, f64>,
+    memory: HashMap<ValueLocation, f64>,
 }
 
 impl Machine {
-    fn at(&self, place: Place) -> f64 {
+    fn at(&self, place: ValueLocation) -> f64 {
         match place {
-            Place::Literal(number) => number.value(),
+            ValueLocation::Literal(number) => number.value(),
             _ => *self.memory.get(&place).expect("what is read was written"),
         }
     }
@@ -27,7 +27,7 @@ impl Machine {
         self.registers[usize::from(register.0)].expect("a register is read after it is written")
     }
 
-    fn operand(&self, operand: Source<Place>) -> f64 {
+    fn operand(&self, operand: Source<ValueLocation>) -> f64 {
         match operand {
             Source::Register(register) => self.register(register),
             Source::Memory(place) => self.at(place),
@@ -71,9 +71,9 @@ impl Machine {
                 MachineInstruction::Fused(operator, order, to, b, c) => {
                     let (d, b, c) = (self.register(to), self.register(b), self.operand(c));
                     let (x, y, z) = match order {
-                        Order::D132 => (d, c, b),
-                        Order::D213 => (b, d, c),
-                        Order::D231 => (b, c, d),
+                        FusedOrder::D132 => (d, c, b),
+                        FusedOrder::D213 => (b, d, c),
+                        FusedOrder::D231 => (b, c, d),
                     };
                     let value = match operator {
                         Fused::MultiplyAdd => x.mul_add(y, z),
@@ -100,17 +100,17 @@ fn allocated(
     let code = Allocation::of(&lowered(program, fuses, plan.ends), registers, plan);
     let mut machine = Machine { registers: vec![None; registers.into()], memory: HashMap::new() };
     for (i, state) in states.iter().enumerate() {
-        machine.memory.insert(Place::State(i), *state);
+        machine.memory.insert(ValueLocation::State(i), *state);
     }
     for (k, constant) in constants.iter().enumerate() {
-        machine.memory.insert(Place::Constant(k), *constant);
+        machine.memory.insert(ValueLocation::Constant(k), *constant);
     }
     machine.run(&code.before);
     (0..rounds).for_each(|_| machine.run(&code.round));
     machine.run(&code.after);
     let place = |i| match plan.ends {
-        Ends::Elsewhere => Place::Result(i),
-        Ends::Carried | Ends::InPlace => Place::State(i),
+        ResultDestination::Elsewhere => ValueLocation::Result(i),
+        ResultDestination::Carried | ResultDestination::InPlace => ValueLocation::State(i),
     };
     (0..program.outputs.len()).map(|i| machine.at(place(i))).collect()
 }
@@ -124,11 +124,11 @@ fn any_number_of_registers_computes_what_the_program_says() {
         let numbers = |draw: &mut Draw, count| (0..count).map(|_| draw.number(300)).collect::<Vec<f64>>();
         let (x, c) = (numbers(&mut draw, states), numbers(&mut draw, constants));
         let registers = FEWEST_REGISTERS + draw.below(14) as u8;
-        for ends in [Ends::Elsewhere, Ends::InPlace, Ends::Carried] {
-            if ends == Ends::Carried && usize::from(registers - FEWEST_REGISTERS) < states {
+        for ends in [ResultDestination::Elsewhere, ResultDestination::InPlace, ResultDestination::Carried] {
+            if ends == ResultDestination::Carried && usize::from(registers - FEWEST_REGISTERS) < states {
                 continue;
             }
-            let rounds = if ends == Ends::Elsewhere { 1 } else { 3 };
+            let rounds = if ends == ResultDestination::Elsewhere { 1 } else { 3 };
             for (fuses, keeps) in [(false, false), (false, true), (true, false), (true, true)] {
                 let plan = RoundPlan { ends, keeps_constants: keeps };
                 let found = allocated(&program, (registers, plan), fuses, (&x, &c), rounds);
@@ -150,7 +150,7 @@ fn a_last_use_takes_no_instruction_of_its_own() {
     let [a, b, c] = [0, 1, 2].map(|i| push(&mut program, state(i)));
     let sum = push(&mut program, Instruction::MultiplyAdd(a, b, c));
     program.outputs = vec![sum];
-    let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false };
+    let plan = RoundPlan { ends: ResultDestination::Elsewhere, keeps_constants: false };
     let round = Allocation::of(&lowered(&program, true, plan.ends), 16, plan).round;
     let [
         MachineInstruction::Load(..),

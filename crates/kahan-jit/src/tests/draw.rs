@@ -2,7 +2,7 @@
 
 use kahan_program::{Float, Node};
 
-use crate::{Called, Input, Instruction, Program};
+use crate::{CalledFunction, Input, Instruction, Program};
 
 /// A random generator (SplitMix64).
 pub(crate) struct Draw(pub(crate) u64);
@@ -77,9 +77,9 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
             7 | 8 => Instruction::MultiplyAdd(a, b, c),
             9 => Instruction::MultiplySubtract(a, b, c),
             10 => Instruction::SubtractProduct(a, b, c),
-            11 => Instruction::Call(Called::Maximum, a, b),
-            12 => Instruction::Call(Called::Minimum, a, b),
-            _ => Instruction::Call(Called::RoundToSingle, a, a),
+            11 => Instruction::Call(CalledFunction::Maximum, a, b),
+            12 => Instruction::Call(CalledFunction::Minimum, a, b),
+            _ => Instruction::Call(CalledFunction::RoundToSingle, a, a),
         };
         push(&mut program, instruction);
     }

@@ -3,8 +3,8 @@
 use kahan_program::Node;
 
 use crate::{
-    Called, ComposedOrbit, Constants, Function, Instruction, InstructionSet, LaneCount, Orbit, Program,
-    Refusal, Shape, Sweep,
+    CalledFunction, CompileError, ComposedOrbit, Constants, Function, Instruction, InstructionSet, LaneCount,
+    Orbit, Program, Shape, Sweep,
 };
 
 use super::draw::{constant, literal, push, state};
@@ -38,16 +38,16 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
             let program = program(&[instruction, literal(1.0)], vec![Node(0)]);
             let refusal = Function::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
             assert!(
-                matches!(refusal, Refusal::OutOfReach { entries } if entries == entry.saturating_add(1)),
+                matches!(refusal, CompileError::OutOfReach { entries } if entries == entry.saturating_add(1)),
                 "{refusal:?}"
             );
         }
         let program = program(&[constant(entry)], vec![Node(0)]);
         let orbit = Orbit::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
-        assert!(matches!(orbit, Refusal::OutOfReach { .. }), "{orbit:?}");
+        assert!(matches!(orbit, CompileError::OutOfReach { .. }), "{orbit:?}");
         for of in [Constants::Shared, Constants::Own] {
             let sweep = Sweep::<f64>::compile(&program, SHAPE, of).expect_err("no code reaches it");
-            assert!(matches!(sweep, Refusal::OutOfReach { .. }), "{sweep:?}");
+            assert!(matches!(sweep, CompileError::OutOfReach { .. }), "{sweep:?}");
         }
     }
     let last = program(&[state((1 << 28) - 2)], vec![Node(0)]);
@@ -58,7 +58,10 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
 fn more_results_than_a_straight_line_has_are_refused() {
     let many = program(&[literal(1.0)], vec![Node(0); 50_001]);
     let refusal = Function::<f64>::compile(&many, SHAPE).expect_err("it is too long");
-    assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 50_001 }), "{refusal:?}");
+    assert!(
+        is_unavailable() || matches!(refusal, CompileError::TooLong { instructions: 50_001 }),
+        "{refusal:?}"
+    );
 }
 
 /// Operations may read only earlier ones, because later ones have no register yet.
@@ -69,11 +72,11 @@ fn programs_that_read_what_was_not_computed_are_refused() {
         (Instruction::Negate(Node(1)), x),
         (Instruction::Add(x, Node(2)), x),
         (Instruction::MultiplyAdd(x, x, Node(usize::MAX)), x),
-        (Instruction::Call(Called::Maximum, x, Node(1)), x),
-        (Instruction::Call(Called::RoundToSingle, Node(1), Node(1)), x),
+        (Instruction::Call(CalledFunction::Maximum, x, Node(1)), x),
+        (Instruction::Call(CalledFunction::RoundToSingle, Node(1), Node(1)), x),
         // A function of one argument takes its operand twice.
-        (Instruction::Call(Called::Copy, x, Node(1)), Node(1)),
-        (Instruction::Call(Called::RoundToSingle, x, Node(usize::MAX)), Node(1)),
+        (Instruction::Call(CalledFunction::Copy, x, Node(1)), Node(1)),
+        (Instruction::Call(CalledFunction::RoundToSingle, x, Node(usize::MAX)), Node(1)),
         (Instruction::Negate(x), Node(2)),
     ];
     for (operation, result) in reads {
@@ -84,7 +87,7 @@ fn programs_that_read_what_was_not_computed_are_refused() {
             ComposedOrbit::<f64>::compile(&program, SHAPE).expect_err("it reads what is not there"),
             Sweep::<f64>::compile(&program, SHAPE, Constants::Own).expect_err("it reads what is not there"),
         ];
-        let are_refused = refusals.iter().all(|refusal| matches!(refusal, Refusal::Malformed));
+        let are_refused = refusals.iter().all(|refusal| matches!(refusal, CompileError::Malformed));
         assert!(is_unavailable() || are_refused, "{operation:?}: {refusals:?}");
     }
 }

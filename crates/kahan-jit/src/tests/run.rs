@@ -7,7 +7,7 @@ use num_traits::Float;
 use kahan_program::Node;
 use kahan_program::Operation::*;
 
-use crate::{Called, Program};
+use crate::{CalledFunction, Program};
 
 pub(crate) fn run<T: Float>(program: &Program, states: &[T], constants: &[T], fuses: bool) -> Vec<T> {
     run_by(program, |i| states[i], |k| constants[k], fuses)
@@ -34,16 +34,18 @@ pub(crate) fn run_by<T: Float>(
             Subtract(a, b) => at(a) - at(b),
             Multiply(a, b) => at(a) * at(b),
             Divide(a, b) => at(a) / at(b),
-            Call(Called::Maximum, a, b) if at(a) > at(b) => at(a),
-            Call(Called::Minimum, a, b) if at(a) < at(b) => at(a),
-            Call(Called::Maximum | Called::Minimum, _, b) => at(b),
+            Call(CalledFunction::Maximum, a, b) if at(a) > at(b) => at(a),
+            Call(CalledFunction::Minimum, a, b) if at(a) < at(b) => at(a),
+            Call(CalledFunction::Maximum | CalledFunction::Minimum, _, b) => at(b),
             Negate(a) => -at(a),
             MultiplyAdd(a, b, c) => multiply_add(at(a), at(b), at(c)),
             MultiplySubtract(a, b, c) => multiply_add(at(a), at(b), -at(c)),
             SubtractProduct(a, b, c) if fuses => subtract_product(at(a), at(b), at(c)),
             SubtractProduct(a, b, c) => at(a) - at(b) * at(c),
-            Call(Called::Copy, a, _) => at(a),
-            Call(Called::RoundToSingle, a, _) => number(f64::from(at(a).to_f32().expect("floats round"))),
+            Call(CalledFunction::Copy, a, _) => at(a),
+            Call(CalledFunction::RoundToSingle, a, _) => {
+                number(f64::from(at(a).to_f32().expect("floats round")))
+            }
         });
     }
     program.outputs.iter().map(|result| values[result.0]).collect()

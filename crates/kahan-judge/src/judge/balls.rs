@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::fraction::{Fraction, PROMISE, greatest};
-use super::{Exact, Judge, Verdict, Zeros};
+use super::{ExactMap, ExactStep, PolePolynomial, Verdict};
 use crate::ball::Ball;
 use crate::dyadic::Dyadic;
 use crate::elimination::{self, Eliminated, largest, precisions};
@@ -24,7 +24,7 @@ struct Balls {
 
 impl Balls {
     /// Solves for x̃; `None` at a pole (det A = 0).
-    fn of(equation: AtPoint) -> Option<Box<dyn Exact>> {
+    fn of(equation: AtPoint) -> Option<Box<dyn ExactStep>> {
         for bits in precisions() {
             match elimination::next(&equation, bits) {
                 Eliminated::Solved(next) => return Some(Box::new(Self { equation, bits, next })),
@@ -55,7 +55,7 @@ impl Balls {
     }
 }
 
-impl Exact for Balls {
+impl ExactStep for Balls {
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict {
         let of_balls = |next: &[Ball], bits: u64| {
             let error = |(y, x): (&Dyadic, &Ball)| Ball::exactly(y.clone()).minus(x, bits);
@@ -89,16 +89,21 @@ impl Exact for Balls {
     }
 }
 
-impl Judge for Equation {
+impl ExactMap for Equation {
     fn equation(&self) -> &Equation {
         self
     }
 
-    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>> {
         Balls::of(self.at(point))
     }
 
-    fn zeros(&self, _is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+    fn zeros(
+        &self,
+        _is_removable: bool,
+        point: &[Dyadic],
+        random: &mut SplitMix64,
+    ) -> Option<PolePolynomial> {
         Some(zeros(self, point, random))
     }
 }
@@ -135,7 +140,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 
 /// Expands det A as a polynomial in a random state or in ε, row by row, with a minor for each set
 /// of columns. An entry of A is linear in each variable.
-fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zeros {
+fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
     /// Enough bits for a root with the precision of the longest scalar, unless cancellation is
     /// severe.
     const BITS: u64 = 320;
@@ -171,7 +176,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zero
         }
         minors = next;
     }
-    Zeros { variable, coefficients: minors.swap_remove((1 << n) - 1).unwrap_or_default() }
+    PolePolynomial { variable, coefficients: minors.swap_remove((1 << n) - 1).unwrap_or_default() }
 }
 
 fn add_product(sum: &mut Vec<Dyadic>, minor: &[Dyadic], entry: &[Dyadic; 2], is_subtracted: bool, bits: u64) {

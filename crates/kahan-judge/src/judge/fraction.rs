@@ -8,7 +8,7 @@ use kahan_algebra::arithmetic::{self, solve};
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 
-use super::{Exact, Verdict};
+use super::{ExactStep, Verdict};
 use crate::dyadic::Dyadic;
 use crate::elimination::largest;
 use crate::equation::AtPoint;
@@ -40,7 +40,7 @@ impl Fraction {
         };
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
-        let solved = solve(&arithmetic::Exact, &matrix, &right)?;
+        let solved = solve(&arithmetic::ExactStep, &matrix, &right)?;
         // Minors are sums of products of dyadic entries, so these numerators are dyadic.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))
@@ -50,7 +50,7 @@ impl Fraction {
     }
 }
 
-impl Exact for Fraction {
+impl ExactStep for Fraction {
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict {
         let errors = result.iter().zip(&self.numerators).map(|(y, n)| (&(y * &self.denominator) - n).abs());
         let error = largest(errors);

@@ -20,13 +20,13 @@ use super::float::Format;
 use reduced::Reduced;
 
 /// The exact map of a system.
-pub(crate) trait Judge: Debug + Send + Sync {
+pub(crate) trait ExactMap: Debug + Send + Sync {
     fn equation(&self) -> &Equation;
 
     /// Makes the exact step; `None` at a pole. The map is reduced before parameters get values. It
     /// may therefore have a value where the field divides by zero: the limit in the parameters,
     /// which solves the equations multiplied by their divisors.
-    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>>;
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>>;
 
     fn condition(&self, point: &[Dyadic]) -> f64 {
         balls::condition(self.equation(), point)
@@ -43,10 +43,10 @@ pub(crate) trait Judge: Debug + Send + Sync {
 
     /// Returns the denominator, or the factor divided out of it, as a polynomial in a random
     /// variable.
-    fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros>;
+    fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 
-pub(crate) trait Exact {
+pub(crate) trait ExactStep {
     /// Compares a finite result with the exact step.
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict;
 
@@ -65,14 +65,14 @@ pub(crate) struct Verdict {
     pub(crate) is_rough: bool,
 }
 
-pub(crate) struct Zeros {
+pub(crate) struct PolePolynomial {
     pub(crate) variable: usize,
     /// Coefficients from the constant term upwards; rounded if they come from elimination.
     pub(crate) coefficients: Vec<Dyadic>,
 }
 
 /// Returns the judge of a field of up to eight variables.
-pub(crate) fn of(system: &System) -> Box<dyn Judge> {
+pub(crate) fn of(system: &System) -> Box<dyn ExactMap> {
     match Reduced::of(system) {
         Some(reduced) => Box::new(reduced),
         None => Box::new(Equation::of(system)),

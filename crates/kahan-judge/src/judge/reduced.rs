@@ -9,7 +9,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::system::System;
 
 use super::fraction::Fraction;
-use super::{Exact, Judge, Zeros};
+use super::{ExactMap, ExactStep, PolePolynomial};
 use crate::dyadic::Dyadic;
 use crate::elimination::largest;
 use crate::equation::Equation;
@@ -76,12 +76,12 @@ impl Reduced {
     }
 }
 
-impl Judge for Reduced {
+impl ExactMap for Reduced {
     fn equation(&self) -> &Equation {
         &self.equation
     }
 
-    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>> {
         Some(Box::new(self.fraction(point)?))
     }
 
@@ -111,11 +111,11 @@ impl Judge for Reduced {
         !self.poles.is_empty()
     }
 
-    fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+    fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial> {
         let choices = if is_removable { &self.removable_poles } else { &self.poles };
         let count = choices.len() as u64;
         let one = &choices[(count > 0).then(|| random.below(count))? as usize];
         let coefficients = one.at(&Powers::of(point, self.degree));
-        Some(Zeros { variable: one.variable, coefficients })
+        Some(PolePolynomial { variable: one.variable, coefficients })
     }
 }

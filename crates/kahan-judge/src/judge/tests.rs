@@ -9,7 +9,7 @@ use kahan_core::num_rational::BigRational;
 use super::fraction::Fraction;
 use super::*;
 use crate::float::Float;
-use crate::points::{Inputs, Points};
+use crate::points::{InputSampler, Inputs};
 use crate::regime::Regime;
 use crate::tests::compiled::judge_of;
 use crate::tests::residual::determinant;
@@ -25,9 +25,9 @@ fn reduced(entry: &Entry) -> Reduced {
     Reduced::of(&system(entry.text())).expect("a closed form within the budget")
 }
 
-fn drawn(judge: &dyn Judge, seed: u64, regime: Regime) -> Inputs<f64> {
+fn drawn(judge: &dyn ExactMap, seed: u64, regime: Regime) -> Inputs<f64> {
     let fixed = vec![None::<f64>; judge.equation().epsilon() - judge.equation().dimension()];
-    Points { judge, fixed: &fixed, is_odd: false, random: SplitMix64::new(seed) }.draw(regime)
+    InputSampler { judge, fixed: &fixed, is_odd: false, random: SplitMix64::new(seed) }.draw(regime)
 }
 
 fn rational(x: f64) -> BigRational {
@@ -112,13 +112,13 @@ fn a_result_outside_the_format_is_told_exactly() {
     assert!(!fits(&of(f64::MAX) + &of(1.0)) && !fits(of(f64::MIN_POSITIVE.next_down())));
 }
 
-fn nearest(judge: &dyn Judge, point: &[Dyadic]) -> Option<Vec<f64>> {
+fn nearest(judge: &dyn ExactMap, point: &[Dyadic]) -> Option<Vec<f64>> {
     let Fraction { numerators, denominator, .. } = Fraction::of_equation(&judge.equation().at(point))?;
     let next: Vec<f64> = numerators.iter().map(|n| n.quotient(&denominator, 64).0.near_f64()).collect();
     next.iter().all(|y| y.is_finite()).then_some(next)
 }
 
-fn verdict(exact: &dyn Exact, next: &[f64]) -> Verdict {
+fn verdict(exact: &dyn ExactStep, next: &[f64]) -> Verdict {
     let next: Vec<Dyadic> = next.iter().map(|y| Dyadic::of(*y).unwrap()).collect();
     exact.judge(&f64::FORMAT, &next)
 }
@@ -141,7 +141,7 @@ const REGIMES: [Regime; 4] =
     [Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole, Regime::LargeSteps];
 
 /// Checks that two judges agree on results within and beyond the error bound.
-fn agree(one: &dyn Exact, other: &dyn Exact, next: &[f64]) {
+fn agree(one: &dyn ExactStep, other: &dyn ExactStep, next: &[f64]) {
     for off in [0.0, 3e-15, 2e-14, 1e-2] {
         let moved: Vec<f64> = next.iter().map(|y| y + y * off).collect();
         let (one, other) = (verdict(one, &moved), verdict(other, &moved));
@@ -198,7 +198,7 @@ fn a_field_beyond_the_budget_is_judged_equally_by_balls_and_by_exact_elimination
     assert!(compared > 25, "{compared}");
 }
 
-fn of_many() -> Box<dyn Judge> {
+fn of_many() -> Box<dyn ExactMap> {
     let equation = |i: usize| {
         let (j, k) = ((i + 3) % 11, (i + 7) % 11);
         format!("x{i}dot = 3/7*x{i}*x{j} - x{k}^2/2 + x{j} - 5*x{i}/3 + 1/9;")
@@ -209,7 +209,7 @@ fn of_many() -> Box<dyn Judge> {
 #[test]
 fn every_judge_sees_a_wrong_step() {
     let reduced = reduced(&kahan_systems::e9::ENTRY);
-    for judge in [&reduced as &dyn Judge, &beyond_the_budget(), &*of_many()] {
+    for judge in [&reduced as &dyn ExactMap, &beyond_the_budget(), &*of_many()] {
         let mut tried = 0;
         for (seed, regime) in (0..24).zip([Regime::Ordinary, Regime::NearPole].iter().cycle()) {
             let point = drawn(judge, seed, *regime).exact().unwrap();
@@ -228,7 +228,7 @@ fn every_judge_sees_a_wrong_step() {
 /// The polynomials whose zeros are poles must equal det A along a coordinate.
 #[test]
 fn det_a_along_a_coordinate_is_told() {
-    for judge in [&beyond_the_budget() as &dyn Judge, &*of_many()] {
+    for judge in [&beyond_the_budget() as &dyn ExactMap, &*of_many()] {
         let mut told = 0;
         for seed in 0..12 {
             let mut point = drawn(judge, seed, Regime::Ordinary).exact().unwrap();

@@ -31,10 +31,10 @@ pub struct RandomField {
 }
 
 /// A generator of fields with a number of variables, at most [`DIMENSIONS`].
-pub type Maker = fn(usize, &mut Draw) -> RandomField;
+pub type FieldGenerator = fn(usize, &mut Draw) -> RandomField;
 
 /// The kinds of [`numbered`]. `coupled` occurs twice, with other random choices.
-const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
+const ALL_KINDS: [FieldGenerator; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
 
 /// Draws the field with this number, of 2 to 6 variables, cycling through dimensions and kinds.
 ///

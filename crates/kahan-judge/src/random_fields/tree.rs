@@ -39,7 +39,7 @@ pub(super) fn power(base: Tree, exponent: u32) -> Tree {
 
 /// The precedence of a form: sums bind least, then products, powers, atoms.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Level {
+enum Precedence {
     Sum,
     Product,
     Power,
@@ -47,19 +47,19 @@ enum Level {
 }
 
 impl Tree {
-    fn level(&self) -> Level {
+    fn level(&self) -> Precedence {
         match self {
-            Tree::Literal(_) | Tree::Name(_) => Level::Atom,
-            Tree::Negated(_) | Tree::Sum(_) => Level::Sum,
-            Tree::Product(_) | Tree::Quotient(..) => Level::Product,
-            Tree::Power(..) => Level::Power,
+            Tree::Literal(_) | Tree::Name(_) => Precedence::Atom,
+            Tree::Negated(_) | Tree::Sum(_) => Precedence::Sum,
+            Tree::Product(_) | Tree::Quotient(..) => Precedence::Product,
+            Tree::Power(..) => Precedence::Power,
         }
     }
 }
 
 impl fmt::Display for Tree {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let grouped = |f: &mut fmt::Formatter<'_>, tree: &Tree, least: Level| {
+        let grouped = |f: &mut fmt::Formatter<'_>, tree: &Tree, least: Precedence| {
             if tree.level() < least { write!(f, "({tree})") } else { write!(f, "{tree}") }
         };
         match self {
@@ -67,15 +67,15 @@ impl fmt::Display for Tree {
             Tree::Name(name) => f.write_str(name),
             Tree::Negated(a) => {
                 f.write_str("-")?;
-                grouped(f, a, Level::Product)
+                grouped(f, a, Precedence::Product)
             }
             Tree::Sum(terms) => {
                 for (index, term) in terms.iter().enumerate() {
                     let (sign, term, least) = match (index, term) {
-                        (0, Tree::Negated(_) | Tree::Sum(_)) => ("", term, Level::Sum),
-                        (0, _) => ("", term, Level::Product),
-                        (_, Tree::Negated(a)) => (" - ", &**a, Level::Product),
-                        _ => (" + ", term, Level::Product),
+                        (0, Tree::Negated(_) | Tree::Sum(_)) => ("", term, Precedence::Sum),
+                        (0, _) => ("", term, Precedence::Product),
+                        (_, Tree::Negated(a)) => (" - ", &**a, Precedence::Product),
+                        _ => (" + ", term, Precedence::Product),
                     };
                     f.write_str(sign)?;
                     grouped(f, term, least)?;
@@ -88,18 +88,18 @@ impl fmt::Display for Tree {
                         f.write_str("*")?;
                     }
                     // Only at the front a quotient needs no parentheses: a/b*c is (a/b)·c.
-                    let least = if index == 0 { Level::Product } else { Level::Power };
+                    let least = if index == 0 { Precedence::Product } else { Precedence::Power };
                     grouped(f, factor, least)?;
                 }
                 Ok(())
             }
             Tree::Quotient(a, b) => {
-                grouped(f, a, Level::Product)?;
+                grouped(f, a, Precedence::Product)?;
                 f.write_str("/")?;
-                grouped(f, b, Level::Power)
+                grouped(f, b, Precedence::Power)
             }
             Tree::Power(base, exponent) => {
-                grouped(f, base, Level::Atom)?;
+                grouped(f, base, Precedence::Atom)?;
                 write!(f, "^{exponent}")
             }
         }

@@ -22,7 +22,7 @@ use kahan_runtime::threads::for_each;
 use super::compiled::Compiled;
 use super::drawn::{Drawn, odd, odd_chain, odd_of_many};
 use crate::random_fields::odd::OddField;
-use crate::tally::{Broken, Cell, Tally};
+use crate::tally::{BrokenPromises, Cell, Tally};
 
 const SEED: u64 = 1;
 const IN_ONE_CRATE: usize = 50;
@@ -234,7 +234,7 @@ fn try_all(fields: &[Tried]) -> Tally {
     for_each(fields.len(), None, &|k| {
         let (field, tally) = (&fields[k].field.field, fields[k].tally(&program));
         println!("{} is judged", field.name);
-        for Broken { silently_wrong, unjustified, first, .. } in tally.broken.values() {
+        for BrokenPromises { silently_wrong, unjustified, first, .. } in tally.broken.values() {
             println!(
                 "  {silently_wrong} silently wrong, {unjustified} flagged without right: {}",
                 field.block()

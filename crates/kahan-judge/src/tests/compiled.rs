@@ -11,7 +11,7 @@ use kahan_runtime::interpreted::LARGEST_DIMENSION;
 use super::residual::{ByResidual, Rows};
 use crate::equation::Equation;
 use crate::float::Float;
-use crate::judge::{self, Judge};
+use crate::judge::{self, ExactMap};
 use crate::points::Inputs;
 use crate::survey::Target;
 use crate::tally::Tally;
@@ -65,7 +65,7 @@ impl Words for Dd {
 pub(super) struct Compiled(Target);
 
 /// Returns the judge of a field of any number of variables.
-pub(crate) fn judge_of(system: &System) -> Box<dyn Judge> {
+pub(crate) fn judge_of(system: &System) -> Box<dyn ExactMap> {
     if system.field.dimension() <= LARGEST_DIMENSION {
         return judge::of(system);
     }
@@ -84,7 +84,7 @@ impl Compiled {
         Self::of(name, &system, Box::new(ByResidual(Equation::of(&system), Rows::Own)))
     }
 
-    fn of(name: &str, system: &System, judge: Box<dyn Judge>) -> Self {
+    fn of(name: &str, system: &System, judge: Box<dyn ExactMap>) -> Self {
         let parameters = vec![None; system.field.symbols.parameters.len()];
         Self(Target { name: name.to_owned(), parameters, is_odd: true, judge })
     }

@@ -17,7 +17,7 @@ use serde_json::json;
 
 use super::compiled::Compiled;
 use super::drawn::{Drawn, odd, odd_chain, odd_of_many};
-use crate::{Cell, Extremes, Place, Regime, Tally, usual_subjects};
+use crate::{Cell, CellKey, Extremes, Regime, Tally, usual_subjects};
 
 const TRIALS: u64 = 2000;
 
@@ -43,14 +43,14 @@ fn system(drawn: &Drawn) -> System {
     read_unproved(&lex(&block).tokens).system().unwrap_or_else(|_| panic!("{block}"))
 }
 
-fn sum(tally: &Tally, belongs: impl Fn(&Place) -> bool, of: impl Fn(&Cell) -> u64) -> u64 {
+fn sum(tally: &Tally, belongs: impl Fn(&CellKey) -> bool, of: impl Fn(&Cell) -> u64) -> u64 {
     tally.cells.iter().filter(|(place, _)| belongs(place)).map(|(_, cell)| of(cell)).sum()
 }
 
 #[test]
 fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     let tally = judged(TRIALS, 20);
-    let is_stable = |place: &Place| place.1 == "stable";
+    let is_stable = |place: &CellKey| place.1 == "stable";
     assert!(sum(&tally, is_stable, |cell| cell.trials) >= 3 * TRIALS);
     let wrong = sum(&tally, is_stable, |cell| cell.silently_wrong);
     let flags = sum(&tally, is_stable, |cell| cell.unjustified);

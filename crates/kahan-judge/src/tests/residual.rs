@@ -14,7 +14,7 @@ use crate::elimination::{self, Eliminated, Matrix, precisions};
 use crate::equation::{AtPoint, Curvature, Equation};
 use crate::float::Format;
 use crate::judge::balls::fit;
-use crate::judge::{Exact, Judge, Verdict, Zeros};
+use crate::judge::{ExactMap, ExactStep, PolePolynomial, Verdict};
 
 /// The definition of k: a number of entries.
 #[derive(Clone, Copy, Debug)]
@@ -28,18 +28,23 @@ pub(super) enum Rows {
 #[derive(Debug)]
 pub(super) struct ByResidual(pub(super) Equation, pub(super) Rows);
 
-impl Judge for ByResidual {
+impl ExactMap for ByResidual {
     fn equation(&self) -> &Equation {
         &self.0
     }
 
     /// Makes no step where the field divides by zero.
-    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>> {
         let equation = self.0.at(point);
         if equation.is_defined() { Some(Box::new(Residual { equation, counted: self.1 })) } else { None }
     }
 
-    fn zeros(&self, _is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+    fn zeros(
+        &self,
+        _is_removable: bool,
+        point: &[Dyadic],
+        random: &mut SplitMix64,
+    ) -> Option<PolePolynomial> {
         zeros(&self.0, point, random)
     }
 }
@@ -49,7 +54,7 @@ struct Residual {
     counted: Rows,
 }
 
-impl Exact for Residual {
+impl ExactStep for Residual {
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict {
         let Self { equation, counted } = self;
         let rows: Vec<Vec<(usize, Dyadic)>> = (0..equation.x.len()).map(|i| equation.row(i)).collect();
@@ -96,7 +101,7 @@ impl Exact for Residual {
 }
 
 /// Expands det A in a state that few rows depend on, and each linearly.
-fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial> {
     const MOST_ROWS: usize = 3;
     const MOST_VARIABLES: usize = 64;
     const BITS: u64 = 256;
@@ -130,7 +135,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Opti
         let place = &mut coefficients[replaced.len()];
         *place = &*place + &determinant(&zero, &replaced, BITS);
     }
-    Some(Zeros { variable, coefficients })
+    Some(PolePolynomial { variable, coefficients })
 }
 
 /// Approximates det A after some rows are replaced.

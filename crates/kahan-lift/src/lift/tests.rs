@@ -4,7 +4,7 @@ use kahan_algebra::prime_field::Shake256;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
-use super::{Along, Lift, Options, Which, lift};
+use super::{Lift, LiftCriterion, Options, RelationBehaviour, lift};
 use crate::embedding::Builder;
 use crate::laurent::{Laurent, Monomial};
 
@@ -14,7 +14,7 @@ fn lifted(text: &str, options: &Options) -> Result<Lift, String> {
 }
 
 fn smallest(text: &str) -> Lift {
-    lifted(text, &Options { which: Which::Smallest, ..Options::default() }).expect(text)
+    lifted(text, &Options { which: LiftCriterion::Smallest, ..Options::default() }).expect(text)
 }
 
 /// Substitutes the expressions of the new variables into the right-hand side of a variable.
@@ -175,7 +175,7 @@ fn maps_of_mechanical_systems_keep_an_energy() {
     {
         let lift = lifted(text, &Options::default()).expect(text);
         assert_eq!(lift.energy, None, "{text}");
-        let energy = Options { which: Which::Energy, ..Options::default() };
+        let energy = Options { which: LiftCriterion::Energy, ..Options::default() };
         assert!(lifted(text, &energy).expect_err(text).contains("mechanical"), "{text}");
     }
 }
@@ -192,7 +192,7 @@ const CENTRAL: [(&str, usize); 6] = [
 
 #[test]
 fn energies_of_central_forces_are_kept() {
-    let options = Options { which: Which::Energy, ..Options::default() };
+    let options = Options { which: LiftCriterion::Energy, ..Options::default() };
     for (ratio, most) in CENTRAL {
         let text = format!("x' = p; y' = q; p' = -x*({ratio}); q' = -y*({ratio})");
         let lift = lifted(&text, &options).expect(&text);
@@ -274,7 +274,7 @@ fn roots_of_sums_with_poles_are_read() {
         "x' = sqrt(1 + 1/x^2)",
         "x' = 1/sqrt(1 + 1/x)",
     ] {
-        if let Ok(lift) = lifted(text, &Options { which: Which::Smallest, ..Options::default() }) {
+        if let Ok(lift) = lifted(text, &Options { which: LiftCriterion::Smallest, ..Options::default() }) {
             check_restriction(&lift, text);
         }
     }
@@ -303,8 +303,9 @@ fn what_cannot_be_lifted_is_refused_with_its_reason() {
 fn a_lift_whose_errors_grow_warns() {
     let orbit = Some((vec![1.0, 0.0], Vec::new()));
     let text = "x' = -x + 2*tanh(x) - y; y' = x - y/2";
-    let lift = lifted(text, &Options { orbit, which: Which::Smallest, ..Options::default() }).expect(text);
-    let grows = lift.relations.iter().any(|relation| relation.along == Some(Along::Grows));
+    let lift =
+        lifted(text, &Options { orbit, which: LiftCriterion::Smallest, ..Options::default() }).expect(text);
+    let grows = lift.relations.iter().any(|relation| relation.along == Some(RelationBehaviour::Grows));
     assert_eq!(lift.warning().is_some(), grows);
     assert!(grows, "{:?}", lift.relations);
 }
@@ -347,7 +348,7 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
     let text = "v' = v - v^3/3 - w + 1/2; w' = 2/25*(v + 7/10 - 4/5*w)";
     let nagumo = lifted(text, &at(&[0.0, 0.0], &[])).expect("a lift");
     assert!(nagumo.text().contains("v2dot = v + 2*v^2"), "{}", nagumo.text());
-    assert_eq!(nagumo.relations[0].along, Some(Along::Decays));
+    assert_eq!(nagumo.relations[0].along, Some(RelationBehaviour::Decays));
     for (text, start, parameters) in [
         ("x' = a + x^2*y - b*x - x; y' = b*x - x^2*y", &[1.0, 1.0][..], &[1.0, 3.0][..]),
         ("x' = a - x + x^2*y; y' = b - x^2*y", &[1.0, 1.0], &[0.1, 0.9]),
@@ -359,7 +360,12 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
         ),
     ] {
         let lift = lifted(text, &at(start, parameters)).expect(text);
-        let usable = |along| matches!(along, Some(Along::Kept | Along::Bounded | Along::Decays));
+        let usable = |along| {
+            matches!(
+                along,
+                Some(RelationBehaviour::Kept | RelationBehaviour::Bounded | RelationBehaviour::Decays)
+            )
+        };
         assert!(lift.relations.iter().all(|one| usable(one.along)), "{text}: {:?}", lift.relations);
         check_restriction(&lift, text);
     }

@@ -3,7 +3,7 @@
 mod call;
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Level, Notation};
+use kahan_algebra::render::{Notation, Precedence};
 use kahan_latex::Latex;
 
 use super::{Formula, Item, Relation, Statement, parse};
@@ -88,19 +88,19 @@ fn enclosed(text: &str) -> String {
     if is_high { format!("\\left({text}\\right)") } else { format!("({text})") }
 }
 
-fn at_least(formula: &Formula, level: Level) -> String {
+fn at_least(formula: &Formula, level: Precedence) -> String {
     let (text, own) = write(formula);
     if own >= level { text } else { enclosed(&text) }
 }
 
-fn write(formula: &Formula) -> (String, Level) {
+fn write(formula: &Formula) -> (String, Precedence) {
     match formula {
         Formula::Number(value) => {
-            let level = if value.is_integer() { Level::Atom } else { Level::Product };
+            let level = if value.is_integer() { Precedence::Atom } else { Precedence::Product };
             (Latex.number(value), level)
         }
-        Formula::Name(text) => (name(text), Level::Atom),
-        Formula::Negation(inner) => (format!("-{}", at_least(inner, Level::Product)), Level::Sum),
+        Formula::Name(text) => (name(text), Precedence::Atom),
+        Formula::Negation(inner) => (format!("-{}", at_least(inner, Precedence::Product)), Precedence::Sum),
         Formula::Sum(terms) => {
             let mut text = String::new();
             for (index, (negative, term)) in terms.iter().enumerate() {
@@ -111,10 +111,10 @@ fn write(formula: &Formula) -> (String, Level) {
                 });
                 text.push_str(&at_least(
                     term,
-                    if index == 0 && !negative { Level::Sum } else { Level::Product },
+                    if index == 0 && !negative { Precedence::Sum } else { Precedence::Product },
                 ));
             }
-            (text, Level::Sum)
+            (text, Precedence::Sum)
         }
         Formula::Product(factors) if factors.iter().any(|(divides, _)| *divides) => {
             let negative = matches!(factors.first(), Some((false, Formula::Negation(_))));
@@ -127,7 +127,7 @@ fn write(formula: &Formula) -> (String, Level) {
                 if chosen.len() > 1 {
                     chosen.retain(|factor| !factor.is_number(1));
                 }
-                let level = if chosen.len() > 1 { Level::Product } else { Level::Sum };
+                let level = if chosen.len() > 1 { Precedence::Product } else { Precedence::Sum };
                 let written = chosen.iter().enumerate().map(|(index, factor)| match factor {
                     Formula::Negation(inner) if index == 0 && !wanted => at_least(inner, level),
                     _ => at_least(factor, level),
@@ -135,31 +135,34 @@ fn write(formula: &Formula) -> (String, Level) {
                 if chosen.is_empty() { "1".to_owned() } else { joined(written.collect()) }
             };
             let fraction = format!("\\frac{{{}}}{{{}}}", side(false), side(true));
-            if negative { (format!("-{fraction}"), Level::Sum) } else { (fraction, Level::Product) }
+            if negative { (format!("-{fraction}"), Precedence::Sum) } else { (fraction, Precedence::Product) }
         }
         Formula::Product(factors) => {
             let written = factors.iter().enumerate().map(|(index, (_, factor))| match factor {
                 Formula::Negation(_) if index == 0 => write(factor).0,
-                _ => at_least(factor, Level::Product),
+                _ => at_least(factor, Precedence::Product),
             });
             let level = match factors.first() {
-                Some((_, Formula::Negation(_))) => Level::Sum,
-                _ => Level::Product,
+                Some((_, Formula::Negation(_))) => Precedence::Sum,
+                _ => Precedence::Product,
             };
             (joined(written.collect()), level)
         }
         Formula::Power(base, exponent) => match &**base {
             // Writes sin²θ instead of (sin θ)².
             Formula::Call(function, arguments) if FUNCTIONS.contains(&function.as_str()) => {
-                (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Level::Power)
+                (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Precedence::Power)
             }
             // N(n)² and x̃² need no parentheses.
-            Formula::Call(function, arguments) if !OPEN_ENDED.contains(&function.as_str()) => {
-                (format!("{{{}}}^{{{}}}", call(function, arguments, ""), write(exponent).0), Level::Power)
+            Formula::Call(function, arguments) if !OPEN_ENDED.contains(&function.as_str()) => (
+                format!("{{{}}}^{{{}}}", call(function, arguments, ""), write(exponent).0),
+                Precedence::Power,
+            ),
+            _ => {
+                (format!("{}^{{{}}}", at_least(base, Precedence::Atom), write(exponent).0), Precedence::Power)
             }
-            _ => (format!("{}^{{{}}}", at_least(base, Level::Atom), write(exponent).0), Level::Power),
         },
-        Formula::Call(function, arguments) => (call(function, arguments, ""), Level::Power),
+        Formula::Call(function, arguments) => (call(function, arguments, ""), Precedence::Power),
     }
 }
 

@@ -6,15 +6,15 @@ mod rational;
 
 use std::collections::BTreeMap;
 
-use kahan_algebra::arithmetic::{Exact, Functions, Modular, Sizes};
+use kahan_algebra::arithmetic::{Exact, Functions, Modular, SizeArithmetic};
 use kahan_algebra::rational::Rational;
 
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 
-use super::evaluate::{Calculus, Evaluator, Frame, Models, Trouble};
+use super::evaluate::{Calculus, Environment, EvaluationError, Evaluator, Models};
 use super::formula::{Formula, Relation, has_functions, rationalise};
 use super::model::Model;
-use super::numeric::Decimals;
+use super::numeric::Arithmetic256;
 use numerical::{agreement, decimal};
 
 /// The number of draws of a point before a formula counts as undefined.
@@ -39,7 +39,7 @@ pub(super) enum Evidence {
 impl Calculus for Functions {}
 impl Calculus for Modular {}
 impl Calculus for Exact {}
-impl Calculus for Sizes {}
+impl Calculus for SizeArithmetic {}
 
 /// A relation between two formulas without definitions, about one system.
 pub(super) struct Identity<'a> {
@@ -91,9 +91,10 @@ impl Identity<'_> {
             let holds = (left == right) != (self.relation == Relation::Different);
             return Ok((left.to_string(), right.to_string(), holds));
         }
-        let frame: BTreeMap<String, Precise> =
+        let frame: BTreeMap<String, Float256> =
             point.iter().map(|(name, value)| (name.clone(), decimal(value))).collect();
-        let [left, right] = self.sides(&Decimals, self.left, self.right, frame).map_err(|t| words(&t))?;
+        let [left, right] =
+            self.sides(&Arithmetic256, self.left, self.right, frame).map_err(|t| words(&t))?;
         let holds = match (self.relation, self.digit) {
             (Relation::Approximate, Some(unit)) => (left - right).abs() < decimal(unit),
             (Relation::Different, _) => agreement(&left, &right) < DECIMALS,
@@ -108,16 +109,18 @@ impl Identity<'_> {
         left: &Formula,
         right: &Formula,
         values: BTreeMap<String, A::Value>,
-    ) -> Result<[A::Value; 2], Trouble> {
+    ) -> Result<[A::Value; 2], EvaluationError> {
         let evaluator = Evaluator { arithmetic, models: self.models, model: self.model };
-        let frame = Frame::new(values);
+        let frame = Environment::new(values);
         Ok([evaluator.value(left, &frame)?, evaluator.value(right, &frame)?])
     }
 }
 
-fn words(trouble: &Trouble) -> String {
+fn words(trouble: &EvaluationError) -> String {
     match trouble {
-        Trouble::Undefined => "it divides by zero identically, or leaves a function's domain".to_owned(),
-        Trouble::Unknown(name) => format!("`{name}` has no meaning here"),
+        EvaluationError::Undefined => {
+            "it divides by zero identically, or leaves a function's domain".to_owned()
+        }
+        EvaluationError::Unknown(name) => format!("`{name}` has no meaning here"),
     }
 }

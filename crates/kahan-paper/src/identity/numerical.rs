@@ -3,11 +3,11 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::{Float256, Real};
 
-use super::super::evaluate::Trouble;
+use super::super::evaluate::EvaluationError;
 use super::super::formula::Relation;
-use super::super::numeric::Decimals;
+use super::super::numeric::Arithmetic256;
 use super::{DECIMALS, Evidence, Identity, MOST_DRAWS, words};
 
 const NUMERICAL_POINTS: usize = 3;
@@ -47,9 +47,9 @@ impl Identity<'_> {
         }
     }
 
-    fn numerical_point(&self, names: &[String], random: &mut SplitMix64) -> Result<[Precise; 2], String> {
+    fn numerical_point(&self, names: &[String], random: &mut SplitMix64) -> Result<[Float256; 2], String> {
         const GRID: u64 = 10_007;
-        let mut trouble = Trouble::Undefined;
+        let mut trouble = EvaluationError::Undefined;
         for _ in 0..MOST_DRAWS {
             let mut draw = |name: &String| {
                 let listed = self.domain.iter().find(|(listed, ..)| listed == name);
@@ -61,7 +61,7 @@ impl Identity<'_> {
                 decimal(&(&low + &(&share * &(&high - &low))))
             };
             let values = names.iter().map(|name| (name.clone(), draw(name))).collect();
-            match self.sides(&Decimals, self.left, self.right, values) {
+            match self.sides(&Arithmetic256, self.left, self.right, values) {
                 Ok(sides) => return Ok(sides),
                 Err(why) => trouble = why,
             }
@@ -70,17 +70,17 @@ impl Identity<'_> {
     }
 }
 
-pub(super) fn decimal(value: &Rational) -> Precise {
+pub(super) fn decimal(value: &Rational) -> Float256 {
     Real::from_rational(&value.to_big())
 }
 
 /// Returns the number of equal decimals, relative to the larger number and 1; at most 70.
-pub(super) fn agreement(left: &Precise, right: &Precise) -> u32 {
-    let one = Precise::from(1);
+pub(super) fn agreement(left: &Float256, right: &Float256) -> u32 {
+    let one = Float256::from(1);
     let scale = [left.abs(), right.abs()].into_iter().fold(one, |a, b| if b > a { b } else { a });
     let error = (*left - *right).abs() / scale;
-    let mut unit = Precise::from(1);
-    let tenth = Precise::from_ratio(1, 10);
+    let mut unit = Float256::from(1);
+    let tenth = Float256::from_ratio(1, 10);
     let mut decimals = 0;
     while decimals < 70 && error < unit {
         unit *= tenth;

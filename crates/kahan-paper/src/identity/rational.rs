@@ -3,13 +3,13 @@
 
 use std::collections::BTreeMap;
 
-use kahan_algebra::arithmetic::{Arithmetic, Exact, Functions, Modular, Size, Sizes};
+use kahan_algebra::arithmetic::{Arithmetic, Exact, FractionSize, Functions, Modular, SizeArithmetic};
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, Random, Shake256};
 use kahan_algebra::prove::points_needed;
 use kahan_algebra::rational::Rational;
 
-use super::super::evaluate::Trouble;
+use super::super::evaluate::EvaluationError;
 use super::super::formula::{Formula, Relation, rationalise};
 use super::names::uses_map;
 use super::{Evidence, Identity, MOST_DRAWS, words};
@@ -28,10 +28,11 @@ impl Identity<'_> {
         let names = self.names([left, right]);
         // Seeding by the formulas prevents fitting a formula to the points.
         let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
-        let sizes = names.iter().map(|name| (name.clone(), Size::variable())).collect();
-        let points = match self.sides(&Sizes, left, right, sizes).map_err(|trouble| words(&trouble)) {
+        let sizes = names.iter().map(|name| (name.clone(), FractionSize::variable())).collect();
+        let points = match self.sides(&SizeArithmetic, left, right, sizes).map_err(|trouble| words(&trouble))
+        {
             Ok([left, right]) => {
-                let difference = Sizes.subtract(&left, &right);
+                let difference = SizeArithmetic.subtract(&left, &right);
                 points_needed(difference.above.degree, difference.above.bits)
             }
             Err(trouble) => return Err(trouble),
@@ -65,7 +66,7 @@ impl Identity<'_> {
         names: &[String],
         random: &mut dyn Random,
     ) -> Result<(u64, u64), String> {
-        let mut trouble = Trouble::Undefined;
+        let mut trouble = EvaluationError::Undefined;
         for _ in 0..MOST_DRAWS {
             let field = PrimeField::random(random);
             let values = names.iter().map(|name| (name.clone(), field.sample(random))).collect();

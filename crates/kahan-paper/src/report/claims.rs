@@ -4,7 +4,7 @@ use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
 use kahan_systems::registry::find;
 
 use crate::claim::Outcome;
-use crate::verdict::{Open, Verdict, Verdicts};
+use crate::verdict::{OpenQuestion, Verdict, Verdicts};
 
 /// The shortest statement that is excerpted, in characters.
 const LEAST_SEEN: usize = 12;
@@ -81,7 +81,7 @@ impl Verdicts {
         if !self.open.is_empty() {
             text.push("Left open by the paper".to_owned());
             let open = self.open.iter();
-            text.extend(open.map(|Open { statement, detail }| format!("  {statement}: {detail}")));
+            text.extend(open.map(|OpenQuestion { statement, detail }| format!("  {statement}: {detail}")));
             text.push(String::new());
         }
         text.push(format!("{}; {:.2} s", self.totals(), self.seconds.unwrap_or_default()));

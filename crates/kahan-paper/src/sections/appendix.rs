@@ -123,13 +123,13 @@ pub(super) fn claims() -> Vec<Claim> {
             Claim::new(Section::Diophantine, ["section7", "e3", id], "e3", place, statement)
                 .spelling(LINEARISED)
         }),
-        read(CURVE, |id, place, statement| claim(id, place, statement).given(&integrals)),
+        read(CURVE, |id, place, statement| claim(id, place, statement).given_definitions(&integrals)),
         read(BRANCH_POINTS, |id, place, statement| claim(id, place, statement).spelling(SQUARES)),
         read(SMOOTHNESS, |id, place, statement| claim(id, place, statement).spelling(RATIOS)),
         read(BILINEAR, |id, place, statement| claim(id, place, statement).spelling(HOMOGENEOUS)),
         read(ELLIPTIC, claim),
         read(INTEGRALS, |id, place, statement| {
-            claim(id, place, statement).given(&level).spelling(PARAMETERS)
+            claim(id, place, statement).given_definitions(&level).spelling(PARAMETERS)
         }),
         read(THETA, |id, place, statement| {
             let claim = claim(id, place, statement).spelling(SOLUTION).spelling(CONSTANTS);

@@ -69,7 +69,8 @@ fn row(row: &Row) -> Vec<Claim> {
         STATES.iter().zip(solution).map(|(state, value)| format!("{state} := {value}; ")).collect();
     let claim = |cell: &str, statement: String| {
         let source = format!("Table 5, i = {}, {cell}", &system[1..]);
-        Claim::new(Section::FlowSolutions, ["table5", system, cell], system, source, statement).given(&orbit)
+        Claim::new(Section::FlowSolutions, ["table5", system, cell], system, source, statement)
+            .given_definitions(&orbit)
     };
     let table1 = |name| structure(system).and_then(|row| row.value(name)).expect("the tables have it");
     let components = (0..3).map(|i| {

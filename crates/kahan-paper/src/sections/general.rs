@@ -96,7 +96,7 @@ pub(super) fn claims() -> Vec<Claim> {
         move |id: &str, place: &str, statement: &str| {
             let place = format!("Section {number}, {place}");
             let id = [&format!("section{number}"), id];
-            Claim::new(section, id, system, place, each(statement)).given(&given)
+            Claim::new(section, id, system, place, each(statement)).given_definitions(&given)
         }
     };
     let [phi, integral, other] = ["p", "i", "l"].map(generic_function);

@@ -195,5 +195,6 @@ fn claim(id: &str, place: &str, statement: &str) -> Claim {
         Some("Section 6") => Section::Transcendental,
         _ => Section::Maps,
     };
-    Claim::new(section, [id], system, place, statement).given("X := next(x); Y := next(y); Z := next(z)")
+    Claim::new(section, [id], system, place, statement)
+        .given_definitions("X := next(x); Y := next(y); Z := next(z)")
 }

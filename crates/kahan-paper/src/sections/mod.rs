@@ -12,11 +12,11 @@ mod structures;
 mod tables;
 mod text;
 
-use super::claim::{Basis, Claim};
+use super::claim::{Claim, ProofMethod};
 use super::evaluate::Models;
 use super::id::Id;
 use super::section::Section;
-use super::verdict::Open;
+use super::verdict::OpenQuestion;
 
 use kahan_algebra::render::claim_text;
 use kahan_algebra::syntax::ClaimKind;
@@ -24,7 +24,7 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
 
-pub use structures::{Structure, structure};
+pub use structures::{StructureRow, structure};
 
 /// Definitions available to every statement about a system with states x, y, z.
 pub(super) const DEFINITIONS: &str = "
@@ -50,22 +50,22 @@ pub(super) const HOMOGENEOUS_FIELD: &str = "
 ";
 
 /// Questions that the paper leaves open.
-pub const OPEN: &[Open] = &[
-    Open {
+pub const OPEN: &[OpenQuestion] = &[
+    OpenQuestion {
         statement: "Lax pairs",
         detail: "none is known for the maps dE1 to dE6, though they are integrable",
     },
-    Open {
+    OpenQuestion {
         statement: "The three other flows",
         detail: "Kahan's map of the three remaining pairs of compatible Lie-Poisson brackets of the classification, whose flows \
                  have transcendental solutions, is not treated",
     },
-    Open {
+    OpenQuestion {
         statement: "Mickens' scheme",
         detail: "his discretisation of the Lotka-Volterra flow keeps the same symplectic form and closed level sets; why it and \
                  Kahan's do so for every step is not explained by an integral",
     },
-    Open {
+    OpenQuestion {
         statement: "The growth constant C2 of dE7",
         detail: "13.4395 by p-adic bookkeeping that matches the orbit; not proved",
     },
@@ -120,7 +120,7 @@ fn block_claims(
             place: entry.source(&claim.name.text).unwrap_or_default().to_owned(),
             erratum: None,
             statement: claim_text(system, claim),
-            basis: Basis::Block { index },
+            basis: ProofMethod::Block { index },
         }));
     }
     claims

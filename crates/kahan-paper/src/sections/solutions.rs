@@ -113,7 +113,7 @@ impl Solution {
                 source,
                 statement,
             )
-            .given(&self.definitions())
+            .given_definitions(&self.definitions())
         };
         let steps = (0..3).map(|i| {
             let (state, name, value, sign) = (STATES[i], FUNCTIONS[i], self.components[i], signs[i]);
@@ -188,5 +188,5 @@ fn claim(id: &str, place: &str, statement: &str) -> Claim {
 fn solved(id: &str, place: &str, statement: &str) -> Claim {
     let claim = claim(id, place, statement);
     let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);
-    claim.given(&solution.map_or_else(String::new, Solution::definitions))
+    claim.given_definitions(&solution.map_or_else(String::new, Solution::definitions))
 }

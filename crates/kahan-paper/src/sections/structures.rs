@@ -2,7 +2,7 @@
 
 /// A row of Tables 1 to 4.
 #[derive(Clone, Copy, Debug)]
-pub struct Structure {
+pub struct StructureRow {
     /// The command name of the system, such as `e1`.
     pub system: &'static str,
     /// The Lie algebras of P and Q.
@@ -33,8 +33,8 @@ const A32: Algebra = Algebra { name: "A(3,2)", basis: ("x", "y", "z"), brackets:
 const A3XI: Algebra =
     Algebra { name: "A(3,5) with parameter xi", basis: ("x", "y", "z"), brackets: ["0", "xi*y", "-x"] };
 
-pub(super) const STRUCTURES: [Structure; 9] = [
-    Structure {
+pub(super) const STRUCTURES: [StructureRow; 9] = [
+    StructureRow {
         system: "e1",
         algebras: [A33, SL2],
         definitions: "
@@ -44,7 +44,7 @@ pub(super) const STRUCTURES: [Structure; 9] = [
             P12_eps := 0; P23_eps := y*(1 - eps^2*x^2); P31_eps := -x*(1 - eps^2*x^2);
             Q12_eps := x; Q23_eps := (z + eps^2*x*(x*z + 2*y^2))/(1 - eps^2*x^2); Q31_eps := 2*y",
     },
-    Structure {
+    StructureRow {
         system: "e2",
         algebras: [E11, SL2],
         definitions: "
@@ -55,7 +55,7 @@ pub(super) const STRUCTURES: [Structure; 9] = [
             Q12_eps := x*(1 - eps^2*x^2); Q23_eps := z + eps^2*x*(x*z + 2*y^2);
             Q31_eps := 2*y*(1 - eps^2*x^2)",
     },
-    Structure {
+    StructureRow {
         system: "e3",
         algebras: [A33, SO3],
         definitions: "
@@ -66,7 +66,7 @@ pub(super) const STRUCTURES: [Structure; 9] = [
             Q12_eps := z; Q23_eps := x*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
             Q31_eps := y*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2))",
     },
-    Structure {
+    StructureRow {
         system: "e4",
         algebras: [E11, SO3],
         definitions: "
@@ -77,7 +77,7 @@ pub(super) const STRUCTURES: [Structure; 9] = [
             Q12_eps := z*(1 + eps^2*(x^2 + y^2)); Q23_eps := x*(1 - eps^2*z^2);
             Q31_eps := y*(1 - eps^2*z^2)",
     },
-    Structure {
+    StructureRow {
         system: "e5",
         algebras: [E2, SL2],
         definitions: "
@@ -88,7 +88,7 @@ pub(super) const STRUCTURES: [Structure; 9] = [
             Q12_eps := x*(1 + eps^2*x^2); Q23_eps := z - eps^2*x*(x*z + 2*y^2);
             Q31_eps := 2*y*(1 + eps^2*x^2)",
     },
-    Structure {
+    StructureRow {
         system: "e6",
         algebras: [SL2, SO3],
         definitions: "
@@ -100,21 +100,21 @@ pub(super) const STRUCTURES: [Structure; 9] = [
             Q12_eps := z + 3/2*eps^2*x*(x^2 + y^2 - z^2); Q23_eps := x + 3/2*eps^2*z*(z^2 + y^2 - x^2);
             Q31_eps := y*(1 - 3*eps^2*x*z)",
     },
-    Structure {
+    StructureRow {
         system: "e7",
         algebras: [A3XI, SL2],
         definitions: "
             H := y*x^(-xi); K := x*z + y^2; c := x^(-xi - 1);
             P12 := 0; P23 := xi*y; P31 := -x; Q12 := x; Q23 := z; Q31 := 2*y",
     },
-    Structure {
+    StructureRow {
         system: "e8",
         algebras: [A32, SL2],
         definitions: "
             H := x*exp(-y/x); K := x*z + y^2; c := -exp(-y/x)/x;
             P12 := 0; P23 := x + y; P31 := -x; Q12 := x; Q23 := z; Q31 := 2*y",
     },
-    Structure {
+    StructureRow {
         system: "e9",
         algebras: [A3XI, SO3],
         definitions: "
@@ -125,11 +125,11 @@ pub(super) const STRUCTURES: [Structure; 9] = [
 
 /// Returns the Lie-Poisson pair and the map's structures for a system E1 to E9.
 #[must_use]
-pub fn structure(system: &str) -> Option<&'static Structure> {
+pub fn structure(system: &str) -> Option<&'static StructureRow> {
     STRUCTURES.iter().find(|structure| structure.system == system)
 }
 
-impl Structure {
+impl StructureRow {
     /// Returns whether the map's integrals and pair are rational, and therefore in Tables 2 to 4.
     #[must_use]
     pub fn has_map(&self) -> bool {

@@ -6,8 +6,8 @@
 use super::super::claim::Claim;
 use super::super::id::Id;
 use super::super::section::Section;
-use super::structures::{Algebra, STRUCTURES, Structure};
-use super::text::{Written, read};
+use super::structures::{Algebra, STRUCTURES, StructureRow};
+use super::text::{ClaimText, read};
 
 /// Claims about a flow: Table 1 and Section 3, or Section 6 for E7 to E9.
 const FLOW: &str = "
@@ -108,7 +108,7 @@ table4.e3.Q31
 ";
 
 pub(super) fn claims() -> Vec<Claim> {
-    let misprints = Written::all(MISPRINTS);
+    let misprints = ClaimText::all(MISPRINTS);
     let claims = STRUCTURES.iter().flat_map(row).map(|claim| {
         let misprint = misprints.iter().find(|misprint| claim.id == Id::of([&misprint.head]));
         misprint.map_or(claim.clone(), |misprint| misprint.annotate(claim))
@@ -116,7 +116,7 @@ pub(super) fn claims() -> Vec<Claim> {
     claims.collect()
 }
 
-fn row(s: &Structure) -> Vec<Claim> {
+fn row(s: &StructureRow) -> Vec<Claim> {
     let index = &s.system[1..];
     // Table 1 contains the systems whose maps are in Tables 2 to 4.
     let (section, table) = if s.has_map() {
@@ -138,7 +138,7 @@ fn row(s: &Structure) -> Vec<Claim> {
             (Some("table2" | "theorem1"), _) => Section::Maps,
             _ => Section::MapPairs,
         };
-        Claim::new(section, [id], s.system, place, statement).given(s.definitions)
+        Claim::new(section, [id], s.system, place, statement).given_definitions(s.definitions)
     };
     let mut text = filled(FLOW);
     for (tensor, algebra) in ["P", "Q"].into_iter().zip(s.algebras) {

@@ -19,12 +19,12 @@ use super::super::claim::Claim;
 use super::super::erratum::Erratum;
 
 /// A claim's text: a line without indentation, and its notes.
-pub(super) struct Written {
+pub(super) struct ClaimText {
     pub(super) head: String,
     notes: Vec<String>,
 }
 
-impl Written {
+impl ClaimText {
     pub(super) fn all(text: &str) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         for line in text.lines().filter(|line| !line.trim().is_empty()) {
@@ -33,7 +33,7 @@ impl Written {
             let is_note =
                 ["misprint ", "refuted:", "explains ", "within "].iter().any(|n| line.starts_with(n));
             match all.last_mut().filter(|_| is_indented) {
-                None => all.push(Written { head: line.to_owned(), notes: Vec::new() }),
+                None => all.push(ClaimText { head: line.to_owned(), notes: Vec::new() }),
                 Some(written) if is_note => written.notes.push(line.to_owned()),
                 Some(written) => {
                     let continued = written.notes.last_mut().unwrap_or(&mut written.head);
@@ -70,12 +70,12 @@ impl Written {
 /// Reads claims; `claim` makes one from a name, a place and a statement. Panics if a line lacks one
 /// of these; lines are constants, checked by tests.
 pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
-    let one = |written: Written| {
+    let one = |written: ClaimText| {
         let mut parts = written.head.splitn(3, " | ");
         match (parts.next(), parts.next(), parts.next()) {
             (Some(name), Some(place), Some(statement)) => written.annotate(claim(name, place, statement)),
             _ => panic!("`{}` is no name, place and statement", written.head),
         }
     };
-    Written::all(text).into_iter().map(one).collect()
+    ClaimText::all(text).into_iter().map(one).collect()
 }

@@ -12,7 +12,7 @@ use smallvec::SmallVec;
 
 use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
-use crate::engine::{Columns, given, with_scratch};
+use crate::engine::{Columns, values_of, with_scratch};
 use crate::follow::is_finite;
 use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
@@ -92,8 +92,8 @@ impl<T: MachineFloat> MapAt<T> {
             x.clear();
             x.extend(columns.iter().map(|column| column[k]));
             let alone = k..k + 1;
-            let values = parameters.iter().map(|values| given(values, &alone)[0]);
-            let map = self.at_constants(self.map.clone(), values, given(eps, &alone)[0]);
+            let values = parameters.iter().map(|values| values_of(values, &alone)[0]);
+            let map = self.at_constants(self.map.clone(), values, values_of(eps, &alone)[0]);
             map.advance_checked([&mut x, &mut []], steps);
             columns.iter_mut().zip(&x).for_each(|(column, x)| column[k] = *x);
         }
@@ -105,9 +105,9 @@ impl<T: MachineFloat> MapAt<T> {
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
-            let values = parameters.iter().flat_map(|values| given(values, &(k..k + 1)));
+            let values = parameters.iter().flat_map(|values| values_of(values, &(k..k + 1)));
             let values: Vec<f64> = values.map(Scalar::approximate).collect();
-            let eps = given(eps, &(k..k + 1))[0].approximate();
+            let eps = values_of(eps, &(k..k + 1))[0].approximate();
             if !self.map.field().derived().is_defined_at(&Float64, &values, &eps) {
                 columns.iter_mut().for_each(|column| column[k] = nothing());
             }
@@ -155,8 +155,8 @@ impl<T: MachineFloat> MapAt<T> {
             let piece = first..trajectories.min(first + TOGETHER);
             let mut columns: Vec<&mut [T]> =
                 columns.iter_mut().map(|column| &mut column[piece.clone()]).collect();
-            let parameters: Vec<&[T]> = parameters.iter().map(|values| given(values, &piece)).collect();
-            let constants = (given(eps, &piece), &parameters[..]);
+            let parameters: Vec<&[T]> = parameters.iter().map(|values| values_of(values, &piece)).collect();
+            let constants = (values_of(eps, &piece), &parameters[..]);
             self.follow_piece(kind, &mut columns, constants, steps, &mut before, &mut ends[piece]);
         }
         Ok(ends)
@@ -280,11 +280,11 @@ impl<T: MachineFloat> MapAt<T> {
         let (own_parameters, own_eps) = self.own();
         let field = self.map.field();
         let map = |k: usize| {
-            let eps = given(eps, &(k..k + 1)).first().copied().unwrap_or(own_eps);
+            let eps = values_of(eps, &(k..k + 1)).first().copied().unwrap_or(own_eps);
             if parameters.is_empty() {
                 return self.at_constants(self.map.clone(), own_parameters.iter().copied(), eps);
             }
-            let values = parameters.iter().flat_map(|values| given(values, &(k..k + 1))).copied();
+            let values = parameters.iter().flat_map(|values| values_of(values, &(k..k + 1))).copied();
             let named = field.parameters().iter().zip(values.clone().map(|value| value.approximate()));
             match field.with(named) {
                 Ok(map) => self.at_constants(map, values, eps),

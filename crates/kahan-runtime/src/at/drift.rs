@@ -2,9 +2,9 @@
 
 use kahan_core::observe::{Burst, Drift, Drifted, GROUP, Grouped, Observer, Observers};
 
-use super::group::{Aligned, MOST};
+use super::group::{AlignedGroups, MOST};
 use super::{MachineFloat, MapAt};
-use crate::engine::{Abreast, Scratch, with_scratch};
+use crate::engine::{GroupCode, Scratch, with_scratch};
 
 const MOST_INTEGRALS: usize = 8;
 
@@ -70,10 +70,12 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
         *map = drift.at;
     }
     let variables = first.dimension();
-    let mut columns = Aligned::<T, { MOST + MOST_INTEGRALS }>::zeros();
+    let mut columns = AlignedGroups::<T, { MOST + MOST_INTEGRALS }>::zeros();
     let Some(columns) = columns.0.get_mut(..variables + count) else { return false };
     with_scratch(T::single(), |Scratch { given, .. }| {
-        let Some(abreast) = MapAt::integrals_abreast(maps, core::mem::take(given)) else { return false };
+        let Some(abreast) = MapAt::group_code_of_integrals(maps, core::mem::take(given)) else {
+            return false;
+        };
         for (step, points) in burst.steps() {
             columns.iter_mut().zip(points.as_ref()).for_each(|(column, point)| *column = *point);
             abreast.step(columns);
@@ -86,17 +88,17 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
                 drift.look(step);
             }
         }
-        *given = abreast.into_room();
+        *given = abreast.into_memory();
         true
     })
 }
 
 impl<T: MachineFloat> MapAt<T> {
     /// Returns code that writes the integrals of a group of maps after their points, in SIMD lanes.
-    fn integrals_abreast(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<Abreast<T>> {
+    fn group_code_of_integrals(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));
         let constants = maps.map(|map| &*map.of_integrals);
-        first.engine().integrals_abreast(constants, first.set, workspace).filter(|_| are_like_first)
+        first.engine().group_code_of_integrals(constants, first.set, workspace).filter(|_| are_like_first)
     }
 }

@@ -9,11 +9,11 @@ use super::{MachineFloat, RuntimePoint};
 /// Groups of numbers aligned to cache lines, so that no load crosses two lines.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-pub(crate) struct Aligned<T, const N: usize>(pub(crate) [Group<T>; N]);
+pub(crate) struct AlignedGroups<T, const N: usize>(pub(crate) [Group<T>; N]);
 
-impl<T: MachineFloat, const N: usize> Aligned<T, N> {
+impl<T: MachineFloat, const N: usize> AlignedGroups<T, N> {
     pub(crate) fn zeros() -> Self {
-        Aligned([[T::zero(); GROUP]; N])
+        AlignedGroups([[T::zero(); GROUP]; N])
     }
 }
 
@@ -21,14 +21,14 @@ pub(crate) const MOST: usize = 8;
 
 #[derive(Debug)]
 pub(crate) struct RuntimeGroup<T> {
-    columns: Aligned<T, MOST>,
+    columns: AlignedGroups<T, MOST>,
     variables: usize,
 }
 
 impl<T: MachineFloat> RuntimeGroup<T> {
     /// Gathers the points of a group, padded with its last orbit; `None` beyond [`MOST`] variables.
     pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
-        let mut group = RuntimeGroup { columns: Aligned::zeros(), variables: columns.len() };
+        let mut group = RuntimeGroup { columns: AlignedGroups::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {
             *own = from_fn(|lane| column[(first + lane).min(column.len() - 1)]);
         }

@@ -13,7 +13,7 @@ use kahan_core::{EnsembleScalar, Level, Scalar};
 use super::group::RuntimeGroup;
 use super::{MachineFloat, MapAt, RuntimePoint};
 use crate::dimension::Argument;
-use crate::engine::{Abreast, CodedStages};
+use crate::engine::{CodedStages, GroupCode};
 use crate::follow::{is_within, pause};
 use crate::{DimensionError, End, Followed};
 
@@ -128,7 +128,7 @@ impl<T: MachineFloat> MapAt<T> {
         steps: u64,
         tell: &mut dyn FnMut(u64) -> ControlFlow<()>,
     ) -> bool {
-        let Some(abreast) = Self::abreast(maps) else { return false };
+        let Some(abreast) = Self::group_code(maps) else { return false };
         let advance = |points: &mut _| abreast.step(RuntimeGroup::as_mut(points));
         observe_group(points, observers, steps, Level::best(), advance, tell);
         true
@@ -158,23 +158,23 @@ impl<T: MachineFloat> MapAt<T> {
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
-    pub(super) fn abreast(maps: [&Self; GROUP]) -> Option<Abreast<T>> {
+    pub(super) fn group_code(maps: [&Self; GROUP]) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
-        first.engine().abreast(Self::coded_group(maps)?, first.set, Vec::new())
+        first.engine().group_code(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
     /// Returns machine code that steps orbits with tangent vectors after each point, and with their
     /// squared lengths last if `lengths` is set. Points have the bits of orbits without vectors.
     /// `None` also for maps without a straight-line program for tangent vectors.
-    pub(crate) fn abreast_with_vectors(
+    pub(crate) fn group_code_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
         workspace: Vec<T>,
-    ) -> Option<Abreast<T>> {
+    ) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
         let constants = first.has_tangent_line().then(|| maps.map(|map| &map.constants[..]))?;
         let stages = Self::coded_group(maps)?;
-        first.engine().abreast_with_vectors(stages, Some(constants), carried, first.set, workspace)
+        first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
     /// Returns machine code for the maps of the variational field, with squared lengths last.
@@ -182,11 +182,11 @@ impl<T: MachineFloat> MapAt<T> {
         maps: [&Self; GROUP],
         vectors: usize,
         workspace: Vec<T>,
-    ) -> Option<Abreast<T>> {
+    ) -> Option<GroupCode<T>> {
         let variational = maps.map(Self::variational);
         let [first, ..] = variational;
         let stages = Self::coded_group(variational)?;
-        first.engine().abreast_with_vectors(stages, None, (vectors, true), first.set, workspace)
+        first.engine().group_code_with_vectors(stages, None, (vectors, true), first.set, workspace)
     }
 
     fn coded_group(maps: [&Self; GROUP]) -> Option<[&CodedStages<T>; GROUP]> {

@@ -12,7 +12,7 @@ use crate::engine::{split, stage_constants};
 
 /// A count of steps over poles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Passed {
+pub struct PassedPoleCount {
     /// The number of steps.
     pub steps: u64,
     /// Whether the count is a lower bound: without a denominator, the sign of det A decides, which
@@ -51,19 +51,19 @@ pub struct Passed {
 pub struct PassedPoles<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
     place: RuntimePoint<T>,
-    passed: Passed,
+    passed: PassedPoleCount,
 }
 
 impl<'a, T: MachineFloat> PassedPoles<'a, T> {
     /// Counts along orbits of this map.
     #[must_use]
     pub fn of(at: &'a MapAt<T>) -> Self {
-        PassedPoles { at, place: RuntimePoint::new(), passed: Passed::default() }
+        PassedPoles { at, place: RuntimePoint::new(), passed: PassedPoleCount::default() }
     }
 }
 
 impl<T: MachineFloat> Observer<T> for PassedPoles<'_, T> {
-    type Report = Passed;
+    type Report = PassedPoleCount;
 
     const MAY_END: bool = false;
 
@@ -76,7 +76,7 @@ impl<T: MachineFloat> Observer<T> for PassedPoles<'_, T> {
         self.place.extend_from_slice(x);
     }
 
-    fn report(self) -> Passed {
+    fn report(self) -> PassedPoleCount {
         self.passed
     }
 }

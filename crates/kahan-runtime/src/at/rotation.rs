@@ -3,17 +3,17 @@
 //! In: a map. Out: for the first pass an observer of the extremes of each variable and of its rate
 //! of change, for the second one of the rotation around the middle of these extremes.
 
-use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, Turns};
+use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, RotationNumber};
 
 use super::{MachineFloat, MapAt};
 
-struct WithRates<'a, T: MachineFloat, O> {
+struct StatesAndRates<'a, T: MachineFloat, O> {
     at: &'a MapAt<T>,
     both: Vec<T>,
     observers: O,
 }
 
-impl<T: MachineFloat, O: Observer<T>> Observer<T> for WithRates<'_, T, O> {
+impl<T: MachineFloat, O: Observer<T>> Observer<T> for StatesAndRates<'_, T, O> {
     type Report = O::Report;
 
     const MAY_END: bool = O::MAY_END;
@@ -70,7 +70,7 @@ impl<T: MachineFloat + PartialOrd> MapAt<T> {
         &self,
         steps: u64,
         [variables, rates]: &[Vec<Option<Extremes<T>>>; 2],
-    ) -> impl Observer<T, Report = Vec<Turns>> + use<'_, T> {
+    ) -> impl Observer<T, Report = Vec<RotationNumber>> + use<'_, T> {
         let (n, nan) = (self.dimension(), T::zero() / T::zero());
         let both = variables.iter().zip(rates).enumerate();
         let rotations = both.map(|(k, (variable, rate))| {
@@ -81,7 +81,7 @@ impl<T: MachineFloat + PartialOrd> MapAt<T> {
         self.with_rates(rotations.collect::<Vec<_>>())
     }
 
-    fn with_rates<O: Observer<T>>(&self, observers: O) -> WithRates<'_, T, O> {
-        WithRates { at: self, both: vec![T::zero(); 2 * self.dimension()], observers }
+    fn with_rates<O: Observer<T>>(&self, observers: O) -> StatesAndRates<'_, T, O> {
+        StatesAndRates { at: self, both: vec![T::zero(); 2 * self.dimension()], observers }
     }
 }

@@ -8,9 +8,9 @@ use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_m
 use kahan_dynamics::Precision;
 use smallvec::SmallVec;
 
-use super::group::{Aligned, MOST};
+use super::group::{AlignedGroups, MOST};
 use crate::engine::{Object, Scratch, determinant, with_scratch};
-use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint};
+use crate::{Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint, Sensitivity};
 
 const MOST_COLUMNS: usize = 3 * MOST + 2;
 
@@ -39,7 +39,7 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     pub(super) fn variational(&self) -> &Self {
-        self.variational.get_or_init(|| self.sensitivities(&[By::Start]))
+        self.variational.get_or_init(|| self.sensitivities(&[Sensitivity::Start]))
     }
 }
 
@@ -47,8 +47,8 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Returns the map of a point and its derivatives.
     ///
     /// A state holds x, then a vector for each entry of `by`. Start a vector at 0, or for
-    /// [`By::Start`] at the unit vector of a coordinate. Vectors along composed and compensated
-    /// orbits are derivatives of these orbits. With [`By::Epsilon`], 1/ε is a further parameter,
+    /// [`Sensitivity::Start`] at the unit vector of a coordinate. Vectors along composed and compensated
+    /// orbits are derivatives of these orbits. With [`Sensitivity::Epsilon`], 1/ε is a further parameter,
     /// the last one in [columns](Self::advance_columns).
     ///
     /// The entries of x may differ from those of this map in their last bits, since the larger
@@ -58,21 +58,21 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Cost: the first call for a field plans a field of 1 + `by.len()` times the variables.
     ///
     /// ```
-    /// use kahan_runtime::{By, Field};
+    /// use kahan_runtime::{Sensitivity, Field};
     ///
     /// // x' = a·x²: one step takes x to x/(1 − 2εax)
     /// let at = Field::parse("xdot = a*x^2;").unwrap().with([("a", 3)]).unwrap().at(0.125);
     /// let mut state = [0.5, 0.0, 1.0];
-    /// at.sensitivities(&[By::Parameter(0), By::Start]).advance(&mut state, 1).unwrap();
+    /// at.sensitivities(&[Sensitivity::Parameter(0), Sensitivity::Start]).advance(&mut state, 1).unwrap();
     /// assert_eq!(state, [0.8, 0.16, 2.56]);
     /// ```
     #[must_use]
-    pub fn sensitivities(&self, by: &[By]) -> Self {
+    pub fn sensitivities(&self, by: &[Sensitivity]) -> Self {
         let field = Field { engine: self.engine().sensitivities(by) };
         let mut parameters = self.map.parameters().to_vec();
         let (own, eps) = self.own();
         let mut constants = own.to_vec();
-        if by.contains(&By::Epsilon) {
+        if by.contains(&Sensitivity::Epsilon) {
             let inverse = T::one() / eps;
             parameters.push(Rational::from_f64(inverse.approximate()).unwrap_or_default());
             constants.push(inverse);
@@ -96,21 +96,21 @@ impl<T: RuntimeFloat> MapAt<T> {
 /// assert!(exponent.value.abs() < exponent.error);
 /// ```
 impl<T: MachineFloat> TangentMap for MapAt<T> {
-    fn carry(&self, x: &[T], v: &mut Vec<T>) {
+    fn push_forward(&self, x: &[T], v: &mut Vec<T>) {
         self.check_lengths(x, v);
         if self.has_tangent_line() {
             let mut next = RuntimePoint::from_slice(x);
             self.advance_checked([&mut next, &mut []], 1);
-            return self.carry_to(x, &next, v);
+            return self.push_forward_to(x, &next, v);
         }
         let mut both: SmallVec<[T; 16]> = x.iter().chain(v.iter()).copied().collect();
         self.variational().advance_checked([&mut both, &mut []], 1);
         v.copy_from_slice(&both[x.len()..]);
     }
 
-    fn carry_to(&self, x: &[T], next: &[T], v: &mut Vec<T>) {
+    fn push_forward_to(&self, x: &[T], next: &[T], v: &mut Vec<T>) {
         if !self.has_tangent_line() {
-            return self.carry(x, v);
+            return self.push_forward(x, v);
         }
         self.check_lengths(x, v);
         self.check_lengths(next, v);
@@ -119,7 +119,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
     }
 
     /// Propagates one or two vectors by machine code; `None` without code.
-    fn carry_side_by_side<P: Grouped<T>>(
+    fn push_forward_group<P: Grouped<T>>(
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,
     ) -> Option<usize> {
@@ -127,10 +127,10 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         with_scratch(T::single(), |Scratch { given, .. }| {
             let workspace = core::mem::take(given);
             let abreast = match maps[0].has_tangent_line() {
-                true => MapAt::abreast_with_vectors(maps, (count, true), workspace)?,
+                true => MapAt::group_code_with_vectors(maps, (count, true), workspace)?,
                 false => MapAt::variational_abreast(maps, count, workspace)?,
             };
-            let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
+            let mut columns = AlignedGroups::<T, MOST_COLUMNS>::zeros();
             let columns = columns.0.get_mut(..variables * (1 + count) + count)?;
             let (_, carried) = columns.split_at_mut(variables);
             for (own, column) in carried.iter_mut().zip(vectors.iter().flat_map(P::as_ref)) {
@@ -153,7 +153,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
             for (column, carried) in vectors.iter_mut().flat_map(P::as_mut).zip(&columns[variables..]) {
                 *column = *carried;
             }
-            *given = abreast.into_room();
+            *given = abreast.into_memory();
             Some(taken)
         })
     }
@@ -162,7 +162,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         let columns = (0..x.len()).flat_map(|i| {
             let mut column = vec![T::zero(); x.len()];
             column[i] = T::one();
-            self.carry(x, &mut column);
+            self.push_forward(x, &mut column);
             column
         });
         determinant(&mut columns.collect::<Vec<T>>(), x.len())

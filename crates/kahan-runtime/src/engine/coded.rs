@@ -13,29 +13,29 @@ use crate::follow::is_finite;
 use crate::machine::{OrbitCode, StepKind};
 
 use super::Engine;
-use super::abreast::AbreastOnce;
 use super::dense::advance_columns as advance_dense_columns;
 use super::distinct;
 use super::floats::{MachineFloat, RuntimeFloat};
+use super::group_code::GroupCodeCell;
 use super::scratch::{Scratch, with_scratch};
 
 pub(super) const GUARDED: u64 = 64;
 
 /// Code, compiled at first use; `Some(None)` if it cannot be compiled.
-type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
+type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
 /// The stages of a step as code, with constants for each distinct stage, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
     /// The code of plain states, then of states with rounding errors.
-    codes: [Arc<CodeOnce<T::Word>>; 2],
+    codes: [Arc<OrbitCodeCell<T::Word>>; 2],
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
-    pub(super) abreast: Arc<AbreastOnce<T::Word>>,
+    pub(super) abreast: Arc<GroupCodeCell<T::Word>>,
 }
 
 impl<T: RuntimeFloat> CodedStages<T> {
-    fn new(code: CodeOnce<T::Word>, kind: StepKind, constants: Arc<[Vec<T::Word>]>) -> Self {
+    fn new(code: OrbitCodeCell<T::Word>, kind: StepKind, constants: Arc<[Vec<T::Word>]>) -> Self {
         let codes = [Arc::new(code), Arc::default()];
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
@@ -70,7 +70,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     /// cannot be compiled, or if compiling does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
-        if once.get().is_none() && !engine.codes.pay_after(steps, engine) {
+        if once.get().is_none() && !engine.codes.is_worth_compiling(steps, engine) {
             return None;
         }
         let kind = StepKind { compensated: carries, ..self.kind };

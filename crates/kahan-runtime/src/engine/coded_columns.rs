@@ -36,7 +36,7 @@ impl Engine {
     ) -> bool {
         let Some(set) = set.or_else(InstructionSet::best) else { return false };
         let trajectories = columns.columns.first().map_or(0, |column| column.len() as u64);
-        if !self.codes.pay_after(trajectories.saturating_mul(steps), self) {
+        if !self.codes.is_worth_compiling(trajectories.saturating_mul(steps), self) {
             return false;
         }
         let Some(code) = self.codes.columns(self, kind, set) else { return false };

@@ -12,9 +12,9 @@ use smallvec::SmallVec;
 
 use crate::machine::StepKind;
 
-use super::couplings::Tables;
+use super::couplings::EliminationPattern;
 use super::floats::{MachineFloat, RuntimeFloat};
-use super::scratch::{Local, Scratch, with_scratch};
+use super::scratch::{Scratch, ScratchKey, with_scratch};
 use super::step::{Step, Steps};
 use super::{Engine, distinct, in_turn};
 
@@ -39,14 +39,14 @@ impl<T> Columns<'_, '_, T> {
         let mut columns: Tile<'_, T> =
             self.columns.iter_mut().map(|column| &mut column[trajectories.clone()]).collect();
         columns.extend(guard);
-        let parameters = self.parameters.iter().map(|values| given(values, trajectories));
+        let parameters = self.parameters.iter().map(|values| values_of(values, trajectories));
         let parameters: SmallVec<[&[T]; 8]> = parameters.collect();
-        let eps = given(self.eps, trajectories);
+        let eps = values_of(self.eps, trajectories);
         run(&mut Columns { columns: &mut columns, eps, parameters: &parameters });
     }
 }
 
-pub(crate) fn given<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> &'a [T] {
+pub(crate) fn values_of<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> &'a [T] {
     if values.len() > 1 { &values[trajectories.clone()] } else { values }
 }
 
@@ -114,7 +114,7 @@ impl Engine {
 /// Advances the trajectories in groups of `V::WIDTH`; copies of the last one pad the last group.
 pub(super) fn advance<T, V>(
     (step, kind): (&Step, StepKind),
-    local: Local<V>,
+    local: ScratchKey<V>,
     Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,
     composition: Composition,
     steps: u64,
@@ -148,7 +148,14 @@ pub(super) fn advance<T, V>(
                         let x = scattered(x);
                         gathered(|place| kind.stored(x[place]))
                     };
-                    step.advance(kind, [state, &mut []], registers, workspace, stored, Tables::factor);
+                    step.advance(
+                        kind,
+                        [state, &mut []],
+                        registers,
+                        workspace,
+                        stored,
+                        EliminationPattern::factor,
+                    );
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

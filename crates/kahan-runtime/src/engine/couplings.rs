@@ -19,7 +19,7 @@ const FEWEST_IN_PANELS: usize = 16_000;
 
 /// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
 #[derive(Debug)]
-pub struct Tables {
+pub struct EliminationPattern {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,
     columns: Vec<u32>,
@@ -28,7 +28,7 @@ pub struct Tables {
     panels: OnceLock<Supernodes>,
 }
 
-/// Workspace for [`Tables`]: the entries of A, or its factors.
+/// Workspace for [`EliminationPattern`]: the entries of A, or its factors.
 #[derive(Clone, Debug)]
 pub struct Factors<V> {
     values: Vec<V>,
@@ -42,14 +42,14 @@ impl<V> Default for Factors<V> {
     }
 }
 
-impl Tables {
+impl EliminationPattern {
     pub(super) fn of(couplings: &elimination::Couplings) -> Self {
         let number = |number: &usize| u32::try_from(*number).expect("fewer places than fill the memory");
         let list = |numbers: &[usize]| numbers.iter().map(number).collect();
         let row = |row: &elimination::Row| {
             CouplingRow::new(number(&row.start), number(&row.own), number(&row.diagonal), number(&row.end))
         };
-        Tables {
+        EliminationPattern {
             order: list(&couplings.order),
             rows: couplings.rows.iter().map(row).collect(),
             columns: list(&couplings.columns),
@@ -60,7 +60,7 @@ impl Tables {
     }
 
     fn couplings(&self) -> Couplings<'_> {
-        let Tables { order, rows, columns, blocks, places, .. } = self;
+        let EliminationPattern { order, rows, columns, blocks, places, .. } = self;
         Couplings { order, rows, columns, blocks, places }
     }
 

@@ -2,14 +2,14 @@
 
 use core::cell::Cell;
 
-use kahan_core::__private::{InLanes, Lanes, Twice};
+use kahan_core::__private::{InLanes, Lanes, RegisterPair};
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar};
 use kahan_dynamics::Precision;
 
-use crate::machine::{Codes, CodesOf};
+use crate::machine::{Codes, FloatCodes};
 
-use super::couplings::{Factors, Tables};
-use super::scratch::{Kept, Local};
+use super::couplings::{EliminationPattern, Factors};
+use super::scratch::{ScratchCell, ScratchKey};
 use super::{Engine, Object};
 
 /// A float of states: `f32`, `f64`, or [`Dd`].
@@ -44,42 +44,42 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) by [`Tables::factor`], or by an equivalent in SIMD lanes.
+    /// Factors A(x,ε) by [`EliminationPattern::factor`], or by an equivalent in SIMD lanes.
     #[doc(hidden)]
-    fn factor(tables: &Tables, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
+    fn factor(tables: &EliminationPattern, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)
     }
 
     /// Returns the scratch for one state.
     #[doc(hidden)]
-    fn single() -> Local<Self>;
+    fn single() -> ScratchKey<Self>;
 
     /// Returns the scratch for derivatives along one direction.
     #[doc(hidden)]
-    fn duals() -> Local<Dual<Self, 1>>;
+    fn duals() -> ScratchKey<Dual<Self, 1>>;
 }
 
-type EightLanes<T> = Twice<Twice<Twice<T>>>;
+type EightLanes<T> = RegisterPair<RegisterPair<RegisterPair<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
     /// Several states as one scalar, so that each instruction is decoded once for all.
     #[doc(hidden)]
-    type Abreast: Lanes<Self>;
+    type GroupCode: Lanes<Self>;
 
     /// Returns the codes over this float.
     #[doc(hidden)]
-    fn codes(codes: &Codes) -> &CodesOf<Self>;
+    fn codes(codes: &Codes) -> &FloatCodes<Self>;
 
     /// Returns the scratch for several states.
     #[doc(hidden)]
-    fn lanes() -> Local<Self::Abreast>;
+    fn lanes() -> ScratchKey<Self::Abreast>;
 }
 
 macro_rules! scratch {
     ($name:ident, $scalar:ty) => {
-        fn $name() -> Local<$scalar> {
-            thread_local!(static SCRATCH: Kept<$scalar> = const { Cell::new(None) });
+        fn $name() -> ScratchKey<$scalar> {
+            thread_local!(static SCRATCH: ScratchCell<$scalar> = const { Cell::new(None) });
             &SCRATCH
         }
     };
@@ -119,15 +119,15 @@ macro_rules! implement_for_float {
                 code.map(|code| code.run(state, constants, out)).is_some()
             }
 
-            fn factor(tables: &Tables, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
+            fn factor(tables: &EliminationPattern, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
                 tables.factor_in_lanes(slopes, eps, factors)
             }
         }
 
         impl MachineFloat for $float {
-            type Abreast = EightLanes<$float>;
+            type GroupCode = EightLanes<$float>;
 
-            fn codes(codes: &Codes) -> &CodesOf<Self> {
+            fn codes(codes: &Codes) -> &FloatCodes<Self> {
                 &codes.$codes
             }
 

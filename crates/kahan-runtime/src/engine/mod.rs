@@ -3,7 +3,6 @@
 //! In: plans, and slices whose lengths the callers have checked. Out: numbers with the bits of
 //! generated code. Each plan is prepared at first use, and shared by all maps of the field.
 
-mod abreast;
 mod coded;
 mod coded_columns;
 mod columns;
@@ -11,6 +10,7 @@ mod couplings;
 mod dense;
 mod elimination;
 mod floats;
+mod group_code;
 mod scratch;
 mod step;
 mod transposed;
@@ -21,7 +21,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
-use kahan_algebra::variational::By;
+use kahan_algebra::variational::Sensitivity;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
 use crate::line::Line;
@@ -31,13 +31,13 @@ pub(crate) use elimination::determinant;
 use elimination::{has_negative_determinant, solve};
 use step::Steps;
 
-pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
 pub(crate) use columns::Columns;
-pub(crate) use columns::given;
-pub(crate) use couplings::{Factors, Tables};
+pub(crate) use columns::values_of;
+pub(crate) use couplings::{EliminationPattern, Factors};
 pub(crate) use dense::advance as advance_dense;
 pub use floats::{MachineFloat, RuntimeFloat};
+pub(crate) use group_code::GroupCode;
 use scratch::Workspace;
 pub(crate) use scratch::{Scratch, with_scratch};
 pub(crate) use step::{Step, into_matrix};
@@ -99,7 +99,7 @@ impl Object {
             Object::FieldAtEps => (11, Some(derived.field())),
             Object::FieldJacobianAtEps => (12, Some(derived.field_jacobian())),
             Object::PolarizedAtEps => (13, Some(derived.polarized())),
-            Object::Tangent => (14, derived.carry().map(|(_, plan)| plan)),
+            Object::Tangent => (14, derived.tangent_map().map(|(_, plan)| plan)),
             Object::Bracket(index) => (15 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
         }
     }
@@ -113,7 +113,7 @@ pub struct Engine {
     lines: Vec<OnceLock<Option<Line>>>,
     /// A straight-line program for each integral; a division by zero yields no value.
     single_integrals: OnceLock<Vec<Line>>,
-    sensitivities: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
+    sensitivities: Mutex<Vec<(Vec<Sensitivity>, Arc<Engine>)>>,
     coefficients: OnceLock<Option<Line>>,
     /// The packed coefficients of a dense field without parameters, in `f32` and in `f64`.
     packed: [OnceLock<Box<dyn Any + Send + Sync>>; 2],
@@ -159,7 +159,7 @@ impl Engine {
         self.derived.system.field.dimension()
     }
 
-    pub(crate) fn sensitivities(&self, by: &[By]) -> Arc<Engine> {
+    pub(crate) fn sensitivities(&self, by: &[Sensitivity]) -> Arc<Engine> {
         let mut known = self.sensitivities.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, engine)) = known.iter().find(|(own, _)| own == by) {
             return Arc::clone(engine);
@@ -187,7 +187,7 @@ impl Engine {
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
-            Object::Tangent => Some(self.derived.carry()?.0),
+            Object::Tangent => Some(self.derived.tangent_map()?.0),
             _ => Some(&self.derived.system.field.symbols),
         };
         let line = || Some(Line::of(plan?, symbols()?));
@@ -219,7 +219,7 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Advances a state by interpreted steps; a nonempty `carry` holds its rounding errors.
+    /// Advances a state by interpreted steps; a nonempty `tangent_map` holds its rounding errors.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -239,7 +239,7 @@ impl Engine {
         let (kind, mut divides) = (StepKind::of(T::PRECISION, false), false);
         with_scratch(T::single(), |scratch| {
             self.run(kind, stages, 1, scratch, |step, kind, registers, workspace| {
-                step.advance(kind, [state, &mut []], registers, workspace, |x| x, Tables::factor);
+                step.advance(kind, [state, &mut []], registers, workspace, |x| x, EliminationPattern::factor);
                 divides |= step.has_divided_by_zero(registers, workspace);
             });
         });
@@ -338,7 +338,14 @@ impl Engine {
         with_scratch(T::duals(), |scratch| {
             let stages = [self.stage(&extended, scratch)];
             self.run(kind, &stages, 1, scratch, |step, kind, registers, workspace| {
-                step.advance(kind, [&mut point, &mut []], registers, workspace, |x| x, Tables::factor);
+                step.advance(
+                    kind,
+                    [&mut point, &mut []],
+                    registers,
+                    workspace,
+                    |x| x,
+                    EliminationPattern::factor,
+                );
             });
         });
         point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()

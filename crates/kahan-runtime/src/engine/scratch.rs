@@ -54,12 +54,12 @@ impl<V> Default for Scratch<V> {
 }
 
 /// The scratch of a thread; `None` while in use, and before first use.
-pub(super) type Kept<V> = Cell<Option<Box<Scratch<V>>>>;
+pub(super) type ScratchCell<V> = Cell<Option<Box<Scratch<V>>>>;
 
-pub(super) type Local<V> = &'static LocalKey<Kept<V>>;
+pub(super) type ScratchKey<V> = &'static LocalKey<ScratchCell<V>>;
 
 /// Runs `work` with this thread's scratch, or with a new one while the thread is ending.
-pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
+pub(crate) fn with_scratch<V, R>(local: ScratchKey<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
     let mut scratch = local.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let result = work(&mut scratch);
     let _ = local.try_with(|kept| kept.set(Some(scratch)));

@@ -12,7 +12,7 @@ use kahan_dynamics::Precision;
 use crate::line::{Line, Results, has_value};
 use crate::machine::StepKind;
 
-use super::couplings::{Factors, Tables};
+use super::couplings::{EliminationPattern, Factors};
 use super::elimination::solve;
 use super::floats::RuntimeFloat;
 use super::scratch::Workspace;
@@ -62,7 +62,7 @@ pub(crate) struct Step {
     prepared: Option<Line>,
     /// The programs that read the state: the step's kernel, or for elimination f′ and the field.
     lines: Vec<Line>,
-    couplings: Option<Tables>,
+    couplings: Option<EliminationPattern>,
     /// For each component the indices of numerator and reciprocal of the increment among the
     /// results. Elimination yields increments, without reciprocals.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
@@ -88,7 +88,7 @@ impl Step {
         Step {
             prepared: None,
             lines: [&couplings.slopes, derived.field()].map(|plan| Line::of(plan, symbols)).into(),
-            couplings: Some(Tables::of(couplings)),
+            couplings: Some(EliminationPattern::of(couplings)),
             quotients: (0..symbols.dimension()).map(|i| (i, None)).collect(),
         }
     }
@@ -97,7 +97,7 @@ impl Step {
         Some([self.prepared.as_ref()?, &self.lines[0]])
     }
 
-    pub(crate) fn couplings(&self) -> Option<(&Line, &Tables)> {
+    pub(crate) fn couplings(&self) -> Option<(&Line, &EliminationPattern)> {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
@@ -106,7 +106,7 @@ impl Step {
         self.prepared.is_some()
     }
 
-    /// Appends the numbers that depend only on parameters and ε to `given`.
+    /// Appends the numbers that depend only on parameters and ε to `values_of`.
     pub(crate) fn prepare<V: Scalar + Copy>(
         &self,
         constants: &[V],
@@ -125,7 +125,7 @@ impl Step {
 
     pub(crate) fn open<V: Scalar + Copy>(&self, mut given: &[V], registers: &mut Vec<V>) {
         for line in &self.lines {
-            let (own, rest) = given.split_at(line.given());
+            let (own, rest) = given.split_at(line.values_of());
             registers.extend_from_slice(own);
             registers.resize(registers.len() + line.registers() - own.len(), V::zero());
             given = rest;
@@ -137,7 +137,7 @@ impl Step {
     /// A nonempty `carry` holds the rounding errors of the state, updated as in
     /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
     /// states of single precision that are computed in double. `factor` factors A(x,ε) in a step
-    /// that eliminates: [`Tables::factor`] except when tracing a program. If `factor` returns
+    /// that eliminates: [`EliminationPattern::factor`] except when tracing a program. If `factor` returns
     /// `false`, partial pivoting takes over.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
@@ -146,7 +146,7 @@ impl Step {
         registers: &mut [V],
         workspace: &mut Workspace<V>,
         single: impl Fn(V) -> V,
-        factor: impl FnOnce(&Tables, &[V], &V, &mut Factors<V>) -> bool,
+        factor: impl FnOnce(&EliminationPattern, &[V], &V, &mut Factors<V>) -> bool,
     ) {
         self.compute(state, registers, workspace, factor);
         for (i, x) in state.iter_mut().enumerate() {
@@ -181,7 +181,11 @@ impl Step {
     }
 
     /// Factors A(x,ε) by sparse elimination; `None` for a dense field, or for a small pivot.
-    fn factors<T: RuntimeFloat>(&self, constants: &[T], state: &[T]) -> Option<(&Tables, Factors<T>)> {
+    fn factors<T: RuntimeFloat>(
+        &self,
+        constants: &[T],
+        state: &[T],
+    ) -> Option<(&EliminationPattern, Factors<T>)> {
         let (slopes, tables) = self.couplings()?;
         let entries: Vec<T> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
         let mut factors = Factors::default();
@@ -195,7 +199,7 @@ impl Step {
         registers: &mut [V],
         workspace: &'a mut Workspace<V>,
     ) -> impl Iterator<Item = V> + use<'a, V> {
-        self.compute(state, registers, workspace, Tables::factor);
+        self.compute(state, registers, workspace, EliminationPattern::factor);
         (0..self.quotients.len()).map(|i| self.quotient(i, true, workspace).0)
     }
 
@@ -205,7 +209,7 @@ impl Step {
         state: &[V],
         registers: &mut [V],
         workspace: &mut Workspace<V>,
-        factor: impl FnOnce(&Tables, &[V], &V, &mut Factors<V>) -> bool,
+        factor: impl FnOnce(&EliminationPattern, &[V], &V, &mut Factors<V>) -> bool,
     ) {
         let Workspace { outcome, matrix, slopes: entries, factors, is_singular } = workspace;
         outcome.clear();
@@ -252,7 +256,7 @@ impl Step {
 
 fn append_given<V: Scalar>(line: &Line, constants: impl IntoIterator<Item = V>, given: &mut Vec<V>) {
     let start = given.len();
-    given.resize(start + line.given(), V::zero());
+    given.resize(start + line.values_of(), V::zero());
     line.give(constants, &mut given[start..]);
 }
 

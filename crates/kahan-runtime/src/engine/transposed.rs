@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Engine;
-use super::couplings::{Factors, Tables};
+use super::couplings::{EliminationPattern, Factors};
 use super::elimination::solve;
 use super::floats::RuntimeFloat;
 
@@ -11,7 +11,7 @@ use super::floats::RuntimeFloat;
 pub(crate) struct Transposed<'a, T> {
     variables: usize,
     /// `None` for fields without sparse elimination.
-    tables: Option<&'a Tables>,
+    tables: Option<&'a EliminationPattern>,
     entries: Vec<(usize, usize)>,
     factors: Factors<T>,
     matrix: Vec<T>,

@@ -1,7 +1,7 @@
 //! The common factor of a step's result, its content gcd(X̃₁, …, X̃_n, W̃), and its removal.
 //!
 //! For integrable maps the content is large: two thirds of the digits for dE4. A gcd of numbers
-//! that long costs more than the step itself, so [`Content`] predicts it from earlier steps. Exact
+//! that long costs more than the step itself, so [`ContentPredictor`] predicts it from earlier steps. Exact
 //! divisions check each prediction; [`common_factors`](super::reduction::common_factors) finds the
 //! common factors that remain. For other maps, the search stops after [`PATIENCE`] negligible
 //! contents in a row. It resumes when gcds computed for heights reach one per cent of the digits.
@@ -25,7 +25,7 @@ const WORTH_A_THREAD: usize = 1 << 17;
 const LAGS: usize = 4;
 
 #[derive(Clone, Debug)]
-pub(crate) struct Primitive {
+pub(crate) struct PrimitivePoint {
     pub(crate) point: Vec<IBig>,
     pub(crate) weight_parts: Vec<IBig>,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Primitive {
 /// The lag is learnt while numbers are short; later, gcd(γ, W̃) is tried first. γ costs one
 /// division, and the gcd is fast if γ is little longer than the content.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Content {
+pub(crate) struct ContentPredictor {
     misses: u32,
     /// γ of the latest points, most recent first.
     behind: VecDeque<UBig>,
@@ -53,15 +53,15 @@ pub(crate) struct Content {
     was_predicted: bool,
 }
 
-impl Content {
+impl ContentPredictor {
     /// Divides out the predicted or computed content. The caller reports the common factor that
     /// remains to [`left`](Self::left).
-    pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> Primitive {
+    pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> PrimitivePoint {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
         if self.misses >= PATIENCE {
             self.behind.clear();
-            return Primitive { point, weight_parts };
+            return PrimitivePoint { point, weight_parts };
         }
         let size = longest(&point);
         let is_long = size > WORTH_PREDICTING;
@@ -72,13 +72,13 @@ impl Content {
             let gamma = self.lag.filter(|_| is_long).and_then(|lag| self.behind.get(lag));
             if let Some(quotients) = gamma.and_then(|gamma| predicted(&point, gamma)) {
                 self.was_predicted = true;
-                return Primitive { point: quotients, weight_parts: Vec::new() };
+                return PrimitivePoint { point: quotients, weight_parts: Vec::new() };
             }
         }
         let content = greatest_common_divisor(&point);
         self.misses = if is_negligible(&content, size) { self.misses + 1 } else { 0 };
         if self.pause == 0 {
-            self.learn(&content);
+            self.find_lag(&content);
             if is_long && self.lag.is_none() {
                 self.pause_predictions();
             }
@@ -86,16 +86,16 @@ impl Content {
             self.pause -= 1;
         }
         if content.is_one() {
-            return Primitive { point, weight_parts };
+            return PrimitivePoint { point, weight_parts };
         }
-        Primitive {
+        PrimitivePoint {
             point: quotients(&point, &content).expect("a common divisor divides"),
             weight_parts: Vec::new(),
         }
     }
 
     /// Learns the lag at which γ has more than half of the content's digits in common with it.
-    fn learn(&mut self, content: &UBig) {
+    fn find_lag(&mut self, content: &UBig) {
         let shares = self.behind.iter().map(|gamma| short_gcd(content, gamma).bit_len()).enumerate();
         let best = shares.max_by_key(|&(lag, share)| (share, std::cmp::Reverse(lag)));
         self.lag = best.filter(|(_, share)| 2 * share > content.bit_len().max(64)).map(|(lag, _)| lag);
@@ -122,7 +122,7 @@ impl Content {
 
 /// Returns γ, the last coordinate of the inverse step divided by the previous W. `None` if the
 /// division is not exact, because the previous point had a content of its own.
-fn factor_behind((weight, behind): (&IBig, IBig)) -> Option<UBig> {
+fn factor_of_step_back((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
 }

@@ -5,7 +5,7 @@ use dashu_int::{IBig, UBig};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
-use super::content::{Content, Primitive, longest};
+use super::content::{ContentPredictor, PrimitivePoint, longest};
 use super::integers::{denominator, numerator, short_gcd};
 use super::logarithm::{decimal_digits, natural_logarithm};
 use super::map::{ProjectiveMap, UndefinedField};
@@ -36,21 +36,21 @@ pub struct HeightsOrbit {
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
-    content: Content,
+    content: ContentPredictor,
     max_digits: Option<u64>,
     step: Option<usize>,
     stopped: Option<Stop>,
-    bits: Bits,
+    bits: PointBits,
 }
 
 /// The bits of the previous and the current point; 0 before the second point.
 #[derive(Clone, Copy, Debug, Default)]
-struct Bits {
+struct PointBits {
     before: usize,
     now: usize,
 }
 
-impl Bits {
+impl PointBits {
     fn growth(self) -> f64 {
         self.now as f64 / self.before.max(1) as f64
     }
@@ -81,11 +81,11 @@ impl HeightsOrbit {
             factors: Vec::new(),
             map,
             before: None,
-            content: Content::default(),
+            content: ContentPredictor::default(),
             max_digits: None,
             step: None,
             stopped: None,
-            bits: Bits::default(),
+            bits: PointBits::default(),
         }
     }
 
@@ -128,13 +128,14 @@ impl HeightsOrbit {
             let heights = heights(0, &self.map, &self.point, &self.factors);
             return if self.is_too_long(&heights) { Err(Stop::Digits) } else { Ok(heights) };
         };
-        self.foresee()?;
+        self.check_expected_digits()?;
         let image = self.map.apply(&self.point, &self.factors);
         if image.point.last().is_none_or(IBig::is_zero) {
             return Err(Stop::Pole);
         }
         let size = longest(&image.point);
-        let Primitive { mut point, weight_parts } = self.content.divide_out(image, self.before.as_deref());
+        let PrimitivePoint { mut point, weight_parts } =
+            self.content.divide_out(image, self.before.as_deref());
         let (weight, x) = point.split_last().ok_or(Stop::Pole)?;
         let mut factors = common_factors(x, &weight.unsigned_abs(), &weight_parts, &self.factors);
         let rest = common_of(&factors);
@@ -147,14 +148,14 @@ impl HeightsOrbit {
         if self.is_too_long(&heights) {
             return Err(Stop::Digits);
         }
-        self.bits = Bits { before: longest(&self.point), now: longest(&point) };
+        self.bits = PointBits { before: longest(&self.point), now: longest(&point) };
         self.before = Some(std::mem::replace(&mut self.point, point));
         self.factors = factors;
         Ok(heights)
     }
 
     /// Returns an error if the next step, with the last growth of digits, would exceed the bound.
-    pub(super) fn foresee(&self) -> Result<(), Stop> {
+    pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
             Some(max_digits) if expected > 2.0 * max_digits as f64 => Err(Stop::Digits),

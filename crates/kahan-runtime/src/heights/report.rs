@@ -29,7 +29,7 @@ pub enum Stop {
     ///
     /// [`within_digits`]: super::HeightsOrbit::within_digits
     Digits,
-    /// The next point would exceed the time limit of [`Survey::within`](super::Survey::within), or
+    /// The next point would exceed the time limit of [`DiophantineTest::within`](super::DiophantineTest::within), or
     /// the callback ended the survey.
     Seconds,
 }

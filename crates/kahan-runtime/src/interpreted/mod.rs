@@ -18,7 +18,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::{ExtendScalars, Scalar, StepCost};
 use smallvec::SmallVec;
 
-use crate::engine::{Engine, Factors, Object, Tables};
+use crate::engine::{EliminationPattern, Engine, Factors, Object};
 use crate::line::{Line, Results, has_value};
 
 pub use crate::literal::round;
@@ -124,7 +124,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())
     }
 
-    fn factors(&self, state: &[T], eps: &T) -> Option<(&Tables, Factors<T>)> {
+    fn factors(&self, state: &[T], eps: &T) -> Option<(&EliminationPattern, Factors<T>)> {
         let (slopes, tables) = self.engine.steps().form(false).couplings()?;
         let mut factors = Factors::default();
         tables.factor(&self.list(slopes, state, eps), eps, &mut factors).then_some((tables, factors))

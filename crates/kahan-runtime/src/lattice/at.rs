@@ -14,21 +14,21 @@ use crate::dimension::Argument;
 use crate::parameters::in_order;
 use crate::{DimensionError, ParameterError};
 
-use super::read::Read;
-use super::{Code, LatticeError};
+use super::read::RuntimeFamily;
+use super::{LatticeCode, LatticeError};
 
 /// The map of a family at a fixed ε, half the time step, for a fixed number of sites.
 ///
 /// A state lists site by site the value of each array. [`step`](Self::step) does not allocate.
 #[derive(Debug)]
 pub struct ChainAt {
-    code: Arc<Code>,
-    at: LatticeAt<Read, f64>,
+    code: Arc<LatticeCode>,
+    at: LatticeAt<RuntimeFamily, f64>,
 }
 
 impl ChainAt {
     pub(super) fn new<N: AsRef<str>, V: AsRef<[f64]>>(
-        code: Arc<Code>,
+        code: Arc<LatticeCode>,
         eps: f64,
         sites: usize,
         values: impl IntoIterator<Item = (N, V)>,
@@ -59,7 +59,8 @@ impl ChainAt {
         }
         let site_parameters = numbers.split_off(plain).into();
         let parameters: Arc<[f64]> = numbers.into_iter().flatten().collect();
-        let read = Read { code: Arc::clone(&code), parameters: Arc::clone(&parameters), site_parameters };
+        let read =
+            RuntimeFamily { code: Arc::clone(&code), parameters: Arc::clone(&parameters), site_parameters };
         let undefined = || {
             let value = |number: &f64| Rational::from_f64(*number).expect("it was seen to be finite");
             let names = family.parameters.iter().cloned();

@@ -3,7 +3,7 @@
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
 //! and parameters. Out: steps in `f64`. The program of a site is interpreted for many sites at
 //! once; the solver is that of compiled families. Bits are those of compiled families, except for
-//! long chains whose stencil is missing in the solver's [`Menu`]: they are eliminated as a whole.
+//! long chains whose stencil is missing in the solver's [`StencilMenu`]: they are eliminated as a whole.
 
 mod at;
 mod error;
@@ -16,7 +16,7 @@ use kahan_algebra::family::Family;
 use kahan_algebra::syntax::Boundary;
 use kahan_core::__private as core;
 use kahan_core::__private::Sizes;
-use kahan_core::__private::chain::Menu;
+use kahan_core::__private::chain::StencilMenu;
 use kahan_core::eps_from_dt;
 
 use crate::line::Line;
@@ -30,11 +30,11 @@ pub use error::LatticeError;
 /// A family of equations, ready for chains of any number of sites. Clones share their programs.
 #[derive(Clone, Debug)]
 pub struct Lattice {
-    code: Arc<Code>,
+    code: Arc<LatticeCode>,
 }
 
 #[derive(Debug)]
-struct Code {
+struct LatticeCode {
     family: Family,
     boundary: core::Boundary,
     /// The program from the parameters of the chain and ε to the prepared constants.
@@ -50,7 +50,7 @@ struct Code {
     sizes: Sizes,
 }
 
-impl Code {
+impl LatticeCode {
     fn of(family: &Family) -> Self {
         let lines = family.lines();
         let (block, stencil, parameters) = (family.block(), family.stencil(), family.site_parameters.len());
@@ -69,7 +69,7 @@ impl Code {
         let rows = Program::of(&lines.rows, places, block + block * columns, &numbering, &mut literals);
         let sums = family.sums().count();
         let sums = Program::of(&lines.sums, 0..sums, sums, &numbering, &mut literals);
-        let sizes = Menu::widened(Sizes {
+        let sizes = StencilMenu::widened(Sizes {
             block,
             reach: family.reach,
             parameters,
@@ -82,7 +82,7 @@ impl Code {
             Boundary::Periodic => core::Boundary::Periodic,
             Boundary::Open => core::Boundary::Open,
         };
-        Code {
+        LatticeCode {
             constants: Line::with_poles(&lines.constants, &lines.given),
             family: family.clone(),
             boundary,
@@ -99,7 +99,7 @@ impl Lattice {
     /// Prepares the lattice of a family; the claims of the family are not proved again.
     #[must_use]
     pub fn of(family: &Family) -> Self {
-        Lattice { code: Arc::new(Code::of(family)) }
+        Lattice { code: Arc::new(LatticeCode::of(family)) }
     }
 
     /// Returns the names of the arrays, in their order within a site.

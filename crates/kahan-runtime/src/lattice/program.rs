@@ -35,12 +35,12 @@ struct Instruction {
     /// The operands; an instruction with fewer than three repeats its last one.
     operands: [Operand; 3],
     /// The operands' positions in the memory of gathered sites.
-    places: [Place; 3],
+    places: [OperandOffset; 3],
 }
 
 /// The offset of an operand: `numbers`, plus `registers` times the width of the lanes.
 #[derive(Clone, Copy, Debug, Default)]
-struct Place {
+struct OperandOffset {
     numbers: usize,
     registers: usize,
 }
@@ -151,21 +151,21 @@ impl Program {
         let first = operands.next().unwrap_or_else(|| unreachable!("each kind takes an operand"));
         let second = operands.next().unwrap_or(first);
         let third = operands.next().unwrap_or(second);
-        let (operands, places) = ([first, second, third], [Place::default(); 3]);
+        let (operands, places) = ([first, second, third], [OperandOffset::default(); 3]);
         self.instructions.push(Instruction { kind, to, operands, places });
     }
 
     /// Returns the position of an operand. Registers come first, [`ROOM`] numbers each; then
     /// inputs, one array or parameter after the other, so that the next site is one register of
     /// lanes further; then constants, `ROOM` numbers each.
-    fn place(&self, operand: Operand) -> Place {
+    fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * ROOM, 0),
             Operand::State { site, array } => (self.array(array), site),
             Operand::Parameter { site, index } => (self.array(self.block + index), site),
             Operand::Constant(k) => (self.array(self.block + self.parameters) + k * ROOM, 0),
         };
-        Place { numbers, registers }
+        OperandOffset { numbers, registers }
     }
 
     /// Returns the offset of an array or, from index `block` on, of a site parameter.

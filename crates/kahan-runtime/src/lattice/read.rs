@@ -2,27 +2,27 @@
 
 use std::sync::Arc;
 
-use kahan_core::__private::chain::{Gathered, Menu, SiteLine};
+use kahan_core::__private::chain::{Gathered, SiteLine, StencilMenu};
 use kahan_core::__private::{Boundary, Lanes, LatticeMap, Sizes};
 use kahan_core::Scalar;
 
-use super::Code;
+use super::LatticeCode;
 
 #[derive(Clone, Debug)]
-pub(super) struct Read {
-    pub(super) code: Arc<Code>,
+pub(super) struct RuntimeFamily {
+    pub(super) code: Arc<LatticeCode>,
     pub(super) parameters: Arc<[f64]>,
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
 /// Names and sizes are run-time values; the constants of the trait are placeholders. Callers ask
 /// for the energy only if the family has a Hamiltonian.
-impl LatticeMap<f64> for Read {
+impl LatticeMap<f64> for RuntimeFamily {
     const ARRAYS: &'static [&'static str] = &[];
     const REACH: usize = 0;
     const HAMILTONIAN: Option<&'static str> = Some("");
 
-    type Kernels = Menu;
+    type Kernels = StencilMenu;
 
     fn sizes(&self) -> Sizes {
         self.code.sizes

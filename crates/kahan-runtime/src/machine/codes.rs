@@ -12,7 +12,7 @@ use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, LaneCount, O
 
 use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
-use super::{SideBySide, StepKind, programs};
+use super::{GroupKind, StepKind, programs};
 
 /// Whether code can run. Without the feature no program is traced, and the binary contains neither
 /// the compiler nor the tracing numbers.
@@ -47,18 +47,18 @@ impl<K: Eq + Hash, C> Table<K, C> {
 
 /// The compiled code of a field over one float.
 #[derive(Debug, Default)]
-pub struct CodesOf<T> {
+pub struct FloatCodes<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
     functions: OnceLock<Vec<OnceLock<Option<Function<T>>>>>,
     columns: Table<(StepKind, Shape), ColumnsCode<T>>,
-    abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
+    abreast: Table<(GroupKind, InstructionSet), Sweep<T>>,
 }
 
 /// The compiled code of a field.
 #[derive(Debug, Default)]
 pub struct Codes {
-    pub(crate) single: CodesOf<f32>,
-    pub(crate) double: CodesOf<f64>,
+    pub(crate) single: FloatCodes<f32>,
+    pub(crate) double: FloatCodes<f64>,
     /// The steps requested before the code of an elimination was compiled.
     steps: AtomicU64,
     operations: OnceLock<Option<u32>>,
@@ -96,7 +96,7 @@ impl Codes {
     }
 
     /// Counts further steps, and returns whether compiling pays; a straight-line step always does.
-    pub(crate) fn pay_after(&self, steps: u64, engine: &Engine) -> bool {
+    pub(crate) fn is_worth_compiling(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;
         let before = self.steps.load(Ordering::Relaxed);
@@ -127,17 +127,17 @@ impl Codes {
     }
 
     /// Returns the code of points in lanes, each with its own constants, or `None`.
-    pub(crate) fn abreast<T: MachineFloat>(
+    pub(crate) fn group_code<T: MachineFloat>(
         &self,
         engine: &Engine,
-        work: SideBySide,
+        work: GroupKind,
         instructions: InstructionSet,
     ) -> Option<Arc<Sweep<T>>> {
         T::codes(self).abreast.get((work, instructions), || {
             let (program, fuses) = match work {
-                SideBySide::Steps(kind) => (kind.program::<T>(engine)?, kind.fuses),
-                SideBySide::Carrying(carrying) => (carrying.program::<T>(engine)?, carrying.kind.fuses),
-                SideBySide::Integrals => (programs::integrals_behind_the_state::<T>(engine)?, false),
+                GroupKind::Steps(kind) => (kind.program::<T>(engine)?, kind.fuses),
+                GroupKind::Carrying(carrying) => (carrying.program::<T>(engine)?, carrying.kind.fuses),
+                GroupKind::Integrals => (programs::integrals_behind_the_state::<T>(engine)?, false),
             };
             let shape = Shape { instructions, lanes: LaneCount::All, fuses };
             Sweep::compile(&program, shape, Constants::Own).ok()

@@ -24,7 +24,7 @@ pub(super) struct Pair {
 }
 
 #[derive(Debug, Default)]
-struct Notes {
+struct GuardNotes {
     /// Whether products use fused multiply-adds for their rounding errors.
     fuses: bool,
     of_sizes: Vec<Double>,
@@ -33,7 +33,7 @@ struct Notes {
 }
 
 thread_local! {
-    static NOTES: RefCell<Notes> = RefCell::default();
+    static NOTES: RefCell<GuardNotes> = RefCell::default();
 }
 
 /// Divisors between 2^−DIVISORS and 2^DIVISORS cannot overflow or underflow.
@@ -41,7 +41,7 @@ const DIVISORS: i32 = 400;
 
 /// Traces the numbers that `compute` returns, two doubles each, and the guard as the last result.
 pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
-    NOTES.set(Notes { fuses, ..Notes::default() });
+    NOTES.set(GuardNotes { fuses, ..GuardNotes::default() });
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
@@ -62,20 +62,20 @@ fn fuses() -> bool {
 }
 
 /// Adds to the guard: 0 where |a|·2^exponent is finite, else NaN.
-fn note_below(a: Double, exponent: i32) {
+fn guard_below(a: Double, exponent: i32) {
     let note = a * Double::number(power_of_two(exponent)) * Double::number(0.0);
     NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
 /// Adds to the guard unless 2^−DIVISORS < |a| < 2^DIVISORS; `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
-    note_below(a, 1024 - DIVISORS);
-    note_below(inverse, 1024 - DIVISORS);
+    guard_below(a, 1024 - DIVISORS);
+    guard_below(inverse, 1024 - DIVISORS);
 }
 
 /// Adds to the guard unless |leading| < 2^1022, which leaves room for the lower terms of the sum.
-fn leaves_room(leading: Double) {
-    note_below(leading, 1024 - 1022);
+fn guard_headroom(leading: Double) {
+    guard_below(leading, 1024 - 1022);
 }
 
 /// Returns a + b and its rounding error (Knuth).
@@ -105,7 +105,7 @@ fn two_product(a: Double, b: Double) -> (Double, Double) {
 
 /// Splits a into two floats of 26 bits (Veltkamp); adds to the guard beyond 2⁹⁹⁵.
 fn split(a: Double) -> (Double, Double) {
-    note_below(a, 1024 - 995);
+    guard_below(a, 1024 - 995);
     let spread = Double::number(power_of_two(27) + 1.0) * a;
     let high = spread - (spread - a);
     (high, a - high)
@@ -126,7 +126,7 @@ impl Pair {
 
     fn sum(self, other: Self) -> Self {
         let (leading, error) = two_sum(self.high, other.high);
-        leaves_room(leading);
+        guard_headroom(leading);
         let (lower, rest) = two_sum(self.low, other.low);
         let Pair { high, low } = fast_two_sum(leading, error + lower);
         fast_two_sum(high, rest + low)
@@ -134,7 +134,7 @@ impl Pair {
 
     fn product(self, other: Self) -> Self {
         let (leading, error) = two_product(self.high, other.high);
-        leaves_room(leading);
+        guard_headroom(leading);
         let lower = self.low.multiply_add(other.high, self.high * other.low);
         fast_two_sum(leading, error + lower)
     }
@@ -197,7 +197,7 @@ impl Scalar for Pair {
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         let (leading, product_error) = two_product(self.high, factor.high);
         let (sum, sum_error) = two_sum(leading, addend.high);
-        leaves_room(sum);
+        guard_headroom(sum);
         let lower = self.low.multiply_add(factor.high, self.high.multiply_add(factor.low, addend.low));
         fast_two_sum(sum, sum_error + (product_error + lower))
     }

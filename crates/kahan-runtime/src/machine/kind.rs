@@ -18,15 +18,15 @@ pub(crate) struct StepKind {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum SideBySide {
+pub(crate) enum GroupKind {
     Steps(StepKind),
-    Carrying(Carrying),
+    Carrying(TangentKind),
     /// Integrals, written after the points; the constants are the parameters and ε.
     Integrals,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Carrying {
+pub(crate) struct TangentKind {
     /// The step of the point, or of the variational field.
     pub(crate) kind: StepKind,
     /// Whether `kind` is the step of the variational field. Otherwise the program of

@@ -10,6 +10,6 @@ mod kind;
 mod programs;
 mod traced;
 
-pub(crate) use codes::{Codes, CodesOf, ColumnsCode, OrbitCode};
+pub(crate) use codes::{Codes, ColumnsCode, FloatCodes, OrbitCode};
 pub(crate) use kahan_jit::{InstructionSet, Sweep};
-pub(crate) use kind::{Carrying, SideBySide, StepKind};
+pub(crate) use kind::{GroupKind, StepKind, TangentKind};

@@ -7,12 +7,14 @@ use kahan_core::Scalar;
 use kahan_dynamics::Precision;
 use kahan_jit::{Input, Program};
 
-use crate::engine::{Engine, MachineFloat, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
+use crate::engine::{
+    EliminationPattern, Engine, MachineFloat, Object, Scratch, Step, into_matrix, jacobian_by_duals,
+};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
-use super::{Carrying, InstructionSet, StepKind};
+use super::{InstructionSet, StepKind, TangentKind};
 
 const MOST_OPERATIONS: u32 = 50_000;
 
@@ -111,12 +113,12 @@ impl StepKind {
         kernel.give((0..).map(constant), &mut registers);
         let (state, carry) = numbers.split_at_mut(step.quotients.len());
         let workspace = &mut Scratch::default().workspace;
-        step.advance(self, [state, carry], &mut registers, workspace, single, Tables::factor);
+        step.advance(self, [state, carry], &mut registers, workspace, single, EliminationPattern::factor);
         Some(numbers)
     }
 }
 
-impl Carrying {
+impl TangentKind {
     /// Returns the program of a point with tangent vectors after it; `None` for a step that
     /// branches. Squared lengths are further states, which are only written.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {

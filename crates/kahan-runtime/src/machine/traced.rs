@@ -7,7 +7,7 @@ use std::marker::PhantomData;
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{FloatScalar, Scalar, operators};
-use kahan_jit::{Called, Input, Instruction, Program};
+use kahan_jit::{CalledFunction, Input, Instruction, Program};
 use kahan_program::Operation::{
     Add, Call, Constant, Divide, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
 };
@@ -62,19 +62,19 @@ impl<T> Traced<T> {
     }
 
     pub(super) fn rounded_to_single(self) -> Self {
-        Self::of(Call(Called::RoundToSingle, self.place, self.place))
+        Self::of(Call(CalledFunction::RoundToSingle, self.place, self.place))
     }
 
     pub(super) fn magnitude(self) -> Self {
-        Self::of(Call(Called::Maximum, self.place, self.neg().place))
+        Self::of(Call(CalledFunction::Maximum, self.place, self.neg().place))
     }
 
     pub(super) fn larger(self, other: Self) -> Self {
-        Self::of(Call(Called::Maximum, self.place, other.place))
+        Self::of(Call(CalledFunction::Maximum, self.place, other.place))
     }
 
     pub(super) fn smaller(self, other: Self) -> Self {
-        Self::of(Call(Called::Minimum, self.place, other.place))
+        Self::of(Call(CalledFunction::Minimum, self.place, other.place))
     }
 
     pub(super) fn literal(self) -> Option<f64> {

@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 use kahan_core::observe::{GROUP, Group, Observer, PAUSE, are_moderate};
 
-use crate::at::group::{Aligned, MOST, RuntimeGroup};
+use crate::at::group::{AlignedGroups, MOST, RuntimeGroup};
 use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 
 /// The largest number of columns of a group: points, and three tangent vectors.
@@ -37,9 +37,9 @@ pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     if !MapAt::has_observed_group(maps, points, observers, PAUSE, tell) {
         return false;
     }
-    let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
+    let mut columns = AlignedGroups::<T, MOST_COLUMNS>::zeros();
     let columns = &mut columns.0[..count];
-    let mut before = Aligned::<T, MOST_COLUMNS>::zeros();
+    let mut before = AlignedGroups::<T, MOST_COLUMNS>::zeros();
     let before = &mut before.0[..count];
     columns[..variables].copy_from_slice(points.as_ref());
     take_vectors(observers, &mut columns[variables..], variables);

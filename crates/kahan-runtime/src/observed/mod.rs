@@ -15,13 +15,13 @@ use kahan_core::{EmbedScalar, Step};
 
 use crate::{DimensionError, Followed, MachineFloat, MapAt};
 
-pub use observable::Seen;
+pub use observable::ObservedValue;
 pub use running::Observable;
 pub use tangent::Relations;
 
 /// A request: observables of orbits, with settings.
 #[derive(Clone, Copy, Debug)]
-pub struct Observing<'a> {
+pub struct ObservationRequest<'a> {
     /// The observables, each once.
     pub of: &'a [Observable],
     /// The largest number of steps of each orbit.
@@ -36,7 +36,7 @@ pub struct Observing<'a> {
     pub relations: Option<&'a dyn Relations>,
 }
 
-impl Observing<'_> {
+impl ObservationRequest<'_> {
     /// The bound of [`Observable::Escape`] if [`escape`](Self::escape) is `None`.
     pub const USUAL_SIZE: f64 = 1e6;
 
@@ -54,52 +54,52 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     ///
     /// # Errors
     /// [`DimensionError`] if `start` does not have one entry for each variable.
-    fn alone(
+    fn observe_one(
         step: Option<&dyn Step<Scalar = Self>>,
         at: &MapAt<Self>,
         start: &[Self],
-        asked: &Observing<'_>,
+        asked: &ObservationRequest<'_>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Result<Followed<Vec<Seen>>, DimensionError>;
+    ) -> Result<Followed<Vec<ObservedValue>>, DimensionError>;
 
     /// Observes many orbits, in SIMD lanes where machine code allows it.
     ///
     /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
-    /// Numbers equal those of [`alone`](Self::alone), but are meaningless if `tell` stops the work.
+    /// Numbers equal those of [`observe_one`](Self::observe_one), but are meaningless if `tell` stops the work.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
-    fn abreast(
+    fn observe_many(
         maps: &[&MapAt<Self>],
         starts: &[Vec<Self>],
-        asked: &Observing<'_>,
+        asked: &ObservationRequest<'_>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError>;
+    ) -> Result<Vec<Followed<Vec<ObservedValue>>>, DimensionError>;
 }
 
 macro_rules! observed {
     ($($float:ty),*) => {
         $(impl ObservedFloat for $float {
-            fn alone(
+            fn observe_one(
                 step: Option<&dyn Step<Scalar = Self>>,
                 at: &MapAt<Self>,
                 start: &[Self],
-                asked: &Observing<'_>,
+                asked: &ObservationRequest<'_>,
                 tell: &dyn Fn(u64) -> ControlFlow<()>,
-            ) -> Result<Followed<Vec<Seen>>, DimensionError> {
+            ) -> Result<Followed<Vec<ObservedValue>>, DimensionError> {
                 match step {
-                    Some(step) => running::alone(&step, at, start, asked, tell),
-                    None => running::alone(at, at, start, asked, tell),
+                    Some(step) => running::observe_one(&step, at, start, asked, tell),
+                    None => running::observe_one(at, at, start, asked, tell),
                 }
             }
 
-            fn abreast(
+            fn observe_many(
                 maps: &[&MapAt<Self>],
                 starts: &[Vec<Self>],
-                asked: &Observing<'_>,
+                asked: &ObservationRequest<'_>,
                 tell: &dyn Fn(u64) -> ControlFlow<()>,
-            ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
-                running::abreast(maps, starts, asked, tell)
+            ) -> Result<Vec<Followed<Vec<ObservedValue>>>, DimensionError> {
+                running::observe_many(maps, starts, asked, tell)
             }
         })*
     };

@@ -3,18 +3,18 @@
 //!
 //! The list of observables, with their observers, is in `running.rs`.
 
-use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
+use kahan_core::observe::{Drifted, Exponent, Extremes, RotationNumber};
 
 use super::running::Observable;
-use crate::Passed;
+use crate::PassedPoleCount;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct About {
+pub(super) struct ObservableInfo {
     pub(super) name: &'static str,
-    of: Of,
+    of: ColumnScope,
     /// Column names, with `{}` for a variable, integral or number, and their meanings.
     columns: &'static [(&'static str, &'static str)],
-    follows: Follows,
+    follows: ObservedPart,
     is_usual: bool,
     label: Option<&'static str>,
     is_logarithmic: bool,
@@ -22,7 +22,7 @@ pub(super) struct About {
 
 /// The scope of an observable's columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Of {
+pub(super) enum ColumnScope {
     Orbit,
     Variables,
     Integrals,
@@ -31,47 +31,47 @@ pub(super) enum Of {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Follows {
+enum ObservedPart {
     Points,
     TangentVectors,
     Map,
 }
 
-impl About {
+impl ObservableInfo {
     pub(super) const fn new(
         name: &'static str,
-        of: Of,
+        of: ColumnScope,
         columns: &'static [(&'static str, &'static str)],
     ) -> Self {
-        let (follows, is_usual, label, is_logarithmic) = (Follows::Points, false, None, false);
-        About { name, of, columns, follows, is_usual, label, is_logarithmic }
+        let (follows, is_usual, label, is_logarithmic) = (ObservedPart::Points, false, None, false);
+        ObservableInfo { name, of, columns, follows, is_usual, label, is_logarithmic }
     }
 
     pub(super) const fn of_tangent_vectors(self) -> Self {
-        About { follows: Follows::TangentVectors, ..self }
+        ObservableInfo { follows: ObservedPart::TangentVectors, ..self }
     }
 
     pub(super) const fn of_the_map(self) -> Self {
-        About { follows: Follows::Map, ..self }
+        ObservableInfo { follows: ObservedPart::Map, ..self }
     }
 
     pub(super) const fn usual(self) -> Self {
-        About { is_usual: true, ..self }
+        ObservableInfo { is_usual: true, ..self }
     }
 
     /// Offers the observable as the colour of charts, with this label in the legend.
     pub(super) const fn colour(self, label: &'static str) -> Self {
-        About { label: Some(label), ..self }
+        ObservableInfo { label: Some(label), ..self }
     }
 
     pub(super) const fn logarithmic(self) -> Self {
-        About { is_logarithmic: true, ..self }
+        ObservableInfo { is_logarithmic: true, ..self }
     }
 }
 
 /// The value of an observable at the end of an orbit.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Seen {
+pub enum ObservedValue {
     /// The last point.
     Point(Vec<f64>),
     /// The drift of each integral, relative to its first value.
@@ -85,11 +85,11 @@ pub enum Seen {
     /// A chaos indicator, or the mean of log |det ∂x̃/∂x|.
     Number(f64),
     /// The rotation of each variable, in full turns per step.
-    Turns(Vec<Turns>),
+    Turns(Vec<RotationNumber>),
     /// The step of the escape; `None` without one.
     Step(Option<u64>),
     /// The number of steps over poles of the map.
-    Passed(Passed),
+    Passed(PassedPoleCount),
 }
 
 impl Observable {
@@ -125,21 +125,21 @@ impl Observable {
     /// Returns the name in results: for observables of the whole orbit, that of the first column.
     #[must_use]
     pub fn key(self) -> &'static str {
-        let About { name, of, columns, .. } = self.about();
-        if of == Of::Orbit { columns[0].0 } else { name }
+        let ObservableInfo { name, of, columns, .. } = self.about();
+        if of == ColumnScope::Orbit { columns[0].0 } else { name }
     }
 
     /// Returns whether the observable needs tangent vectors (in a lifted field those of the
     /// original variables).
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
-        self.about().follows == Follows::TangentVectors
+        self.about().follows == ObservedPart::TangentVectors
     }
 
     /// Returns whether the observable depends only on the points of the orbit.
     #[must_use]
     pub fn is_of_points(self) -> bool {
-        self.about().follows == Follows::Points
+        self.about().follows == ObservedPart::Points
     }
 
     /// Returns the number of passes over the orbit.
@@ -163,12 +163,12 @@ impl Observable {
     /// Returns the columns (names and meanings) for a field with these variables and integrals.
     #[must_use]
     pub fn columns(self, variables: &[String], integrals: &[String]) -> Vec<(String, &'static str)> {
-        let About { of, columns, .. } = self.about();
+        let ObservableInfo { of, columns, .. } = self.about();
         let names = match of {
-            Of::Orbit => vec![String::new()],
-            Of::Variables => variables.to_vec(),
-            Of::Integrals => integrals.to_vec(),
-            Of::Numbers => (1..=variables.len()).map(|k| k.to_string()).collect(),
+            ColumnScope::Orbit => vec![String::new()],
+            ColumnScope::Variables => variables.to_vec(),
+            ColumnScope::Integrals => integrals.to_vec(),
+            ColumnScope::Numbers => (1..=variables.len()).map(|k| k.to_string()).collect(),
         };
         let each = |name: &String| {
             let named = columns.iter().map(|(column, meaning)| (column.replace("{}", name), *meaning));
@@ -178,7 +178,7 @@ impl Observable {
     }
 }
 
-impl Seen {
+impl ObservedValue {
     /// Returns the numbers of the columns, in their order; NaN stands for a missing value.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {
@@ -195,7 +195,7 @@ impl Seen {
             Self::Number(number) => vec![*number],
             Self::Turns(turns) => turns.iter().flat_map(|turns| [turns.value, turns.error]).collect(),
             Self::Step(step) => vec![step.map_or(f64::NAN, |step| step as f64)],
-            Self::Passed(Passed { steps, is_lower_bound }) => {
+            Self::Passed(PassedPoleCount { steps, is_lower_bound }) => {
                 vec![*steps as f64, f64::from(u8::from(*is_lower_bound))]
             }
         }

@@ -11,13 +11,13 @@ use std::ops::ControlFlow;
 
 use kahan_core::observe::{
     Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
-    Resumed, Sali, Spectrum,
+    Sali, SparseObserver, Spectrum,
 };
 use kahan_core::{EmbedScalar, Step};
 
-use super::Observing;
+use super::ObservationRequest;
 use super::carried::has_carried;
-use super::observable::{About, Of, Seen};
+use super::observable::{ColumnScope, ObservableInfo, ObservedValue};
 use super::tangent::Carrier;
 use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
@@ -55,7 +55,7 @@ macro_rules! observables {
                 }
             }
 
-            pub(super) fn about(self) -> About {
+            pub(super) fn about(self) -> ObservableInfo {
                 match self {
                     $(Self::$name => $($module::ABOUT)? $($about)?,)*
                 }
@@ -72,7 +72,7 @@ macro_rules! observables {
             observable: Observable,
             $at: &'a MapAt<T>,
             $carrier: &Carrier<'a, T>,
-            $asked: &Observing<'_>,
+            $asked: &ObservationRequest<'_>,
         ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
             match observable {
                 $(Observable::$name => Running::$name($($module::observer($at, $asked))? $($new)?),)*
@@ -105,13 +105,13 @@ macro_rules! observables {
                 }
             }
 
-            fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+            fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
                 match self {
                     $(Running::$name(one) => one.resumed(),)*
                 }
             }
 
-            fn report(self, $middles: &mut Option<Middles<T>>) -> Seen {
+            fn report(self, $middles: &mut Option<Middles<T>>) -> ObservedValue {
                 match self {
                     $(Running::$name(own) => {
                         $($module::seen(own))?
@@ -130,8 +130,8 @@ observables! {
     at, carrier, asked, middles:
     Last, "The last point.", in last;
     Lyapunov, "The largest Lyapunov exponent, per unit of time.",
-        Lyapunov<Carrier<'a, T>> = Lyapunov::new(carrier.clone()), one => Seen::Exponent(one.report()),
-        About::new("lyapunov", Of::Orbit, &[
+        Lyapunov<Carrier<'a, T>> = Lyapunov::new(carrier.clone()), one => ObservedValue::Exponent(one.report()),
+        ObservableInfo::new("lyapunov", ColumnScope::Orbit, &[
             ("lyapunov", "largest Lyapunov exponent, per unit of time"),
             ("lyapunov_error", "how far the exponent has converged, per unit of time"),
         ]).of_tangent_vectors().usual().colour("largest exponent per unit of t");
@@ -140,61 +140,61 @@ observables! {
             let exponents = asked.exponents.min(Step::dimension(carrier));
             Spectrum::new(carrier.clone(), exponents, asked.renormalize)
         },
-        one => Seen::Spectrum(one.report()),
-        About::new("spectrum", Of::Numbers, &[
+        one => ObservedValue::Spectrum(one.report()),
+        ObservableInfo::new("spectrum", ColumnScope::Numbers, &[
             ("spectrum_{}", "Lyapunov exponent, the largest first, per unit of time"),
         ]).of_tangent_vectors().usual();
     LogDet, "The mean of log |det ∂x̃/∂x| per unit of time, the sum of all exponents.",
-        MeanLogDet<Carrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => Seen::Number(one.report()),
-        About::new("log_det", Of::Orbit, &[
+        MeanLogDet<Carrier<'a, T>> = MeanLogDet::new(carrier.clone()), one => ObservedValue::Number(one.report()),
+        ObservableInfo::new("log_det", ColumnScope::Orbit, &[
             ("mean_log_det", "sum of all Lyapunov exponents, per unit of time"),
         ]).of_tangent_vectors().usual().colour("sum of all exponents per unit of t");
     Fli, "FLI, the fast Lyapunov indicator.",
-        Fli<Carrier<'a, T>> = Fli::new(carrier.clone()), one => Seen::Number(one.report()),
-        About::new("fli", Of::Orbit, &[("fli", "fast Lyapunov indicator")])
+        Fli<Carrier<'a, T>> = Fli::new(carrier.clone()), one => ObservedValue::Number(one.report()),
+        ObservableInfo::new("fli", ColumnScope::Orbit, &[("fli", "fast Lyapunov indicator")])
             .of_tangent_vectors().usual().colour("FLI");
     Megno, "The mean of MEGNO, the mean exponential growth factor of nearby orbits.",
-        Megno<Carrier<'a, T>> = Megno::new(carrier.clone()), one => Seen::Number(one.report().mean),
-        About::new("megno", Of::Orbit, &[("megno", "mean exponential growth factor of nearby orbits")])
+        Megno<Carrier<'a, T>> = Megno::new(carrier.clone()), one => ObservedValue::Number(one.report().mean),
+        ObservableInfo::new("megno", ColumnScope::Orbit, &[("megno", "mean exponential growth factor of nearby orbits")])
             .of_tangent_vectors().usual().colour("mean MEGNO");
     Sali, "SALI, the smaller alignment index of two tangent vectors.",
-        Sali<Carrier<'a, T>> = Sali::new(carrier.clone()), one => Seen::Number(one.report()),
-        About::new("sali", Of::Orbit, &[("sali", "smaller alignment index")])
+        Sali<Carrier<'a, T>> = Sali::new(carrier.clone()), one => ObservedValue::Number(one.report()),
+        ObservableInfo::new("sali", ColumnScope::Orbit, &[("sali", "smaller alignment index")])
             .of_tangent_vectors().usual().colour("SALI").logarithmic();
     Rotation, "The rotation number of each variable, in turns per step.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
             // The second pass replaces this placeholder.
-            Seen::Turns(Vec::new())
+            ObservedValue::Turns(Vec::new())
         },
-        About::new("rotation", Of::Variables, &[
+        ObservableInfo::new("rotation", ColumnScope::Variables, &[
             ("rotation_{}", "turns a step, modulo 1"),
             ("rotation_{}_error", "turns a step that may be wrong"),
         ]).usual();
     Drift, "The largest change of each claimed integral, relative to its first value.",
-        IntegralDrift<'a, T> = IntegralDrift::of(at), one => Seen::Drift(one.report()),
-        About::new("drift", Of::Integrals, &[
+        IntegralDrift<'a, T> = IntegralDrift::of(at), one => ObservedValue::Drift(one.report()),
+        ObservableInfo::new("drift", ColumnScope::Integrals, &[
             ("drift_{}", "largest change of the integral, relative to its first value"),
             ("drift_{}_final", "change of the integral after the last step, relative to its first value"),
         ]).usual().colour("greatest relative drift").logarithmic();
     Extrema, "The least and the greatest value of each variable.",
         Vec<Extrema<Quantity<T>, T>> =
             (0..at.dimension()).map(|k| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>)).collect(),
-        one => Seen::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect()),
-        About::new("extrema", Of::Variables, &[
+        one => ObservedValue::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect()),
+        ObservableInfo::new("extrema", ColumnScope::Variables, &[
             ("least_{}", "least value"), ("greatest_{}", "greatest value"),
         ]).usual();
     Escape, "The step after which a variable is larger than a bound.",
         Escape<B> = {
-            let size = asked.escape.unwrap_or(Observing::USUAL_SIZE);
+            let size = asked.escape.unwrap_or(ObservationRequest::USUAL_SIZE);
             Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
-        }, one => Seen::Step(Observer::<T>::report(one)),
-        About::new("escape", Of::Orbit, &[
+        }, one => ObservedValue::Step(Observer::<T>::report(one)),
+        ObservableInfo::new("escape", ColumnScope::Orbit, &[
             ("escaped", "step after which a variable is beyond `escape`; not a number where none is"),
         ]).usual().colour("step of the escape");
     PassedPoles, "The number of steps that pass over a pole of the map.",
-        PassedPoles<'a, T> = PassedPoles::of(at), one => Seen::Passed(one.report()),
-        About::new("passed_poles", Of::Orbit, &[
+        PassedPoles<'a, T> = PassedPoles::of(at), one => ObservedValue::Passed(one.report()),
+        ObservableInfo::new("passed_poles", ColumnScope::Orbit, &[
             ("passed_poles", "steps over a pole: the reduced denominator has a root in (0, ε]"),
             ("passed_poles_lower_bound", "1 where that is a lower bound, by the sign of det A, else 0"),
         ]).of_the_map().colour("steps over a pole");
@@ -205,29 +205,29 @@ fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
 }
 
 /// The observers of one orbit; reports the values, and the extremes for a second pass.
-struct All<'a, T: MachineFloat + EmbedScalar, M, B> {
+struct AllObservers<'a, T: MachineFloat + EmbedScalar, M, B> {
     carrier: Carrier<'a, T>,
     running: Vec<(Observable, Running<'a, T, M, B>)>,
 }
 
 fn all<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
     at: &'a MapAt<T>,
-    asked: &Observing<'a>,
-) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
+    asked: &ObservationRequest<'a>,
+) -> AllObservers<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
     let needs_vectors = asked.of.iter().any(|one| one.is_of_tangent_vectors());
     let carrier = Carrier::new(at, asked.relations.filter(|_| needs_vectors));
     let own = |one: &Observable| (*one, running(*one, at, &carrier, asked));
     let running = asked.of.iter().map(own).collect();
-    All { carrier, running }
+    AllObservers { carrier, running }
 }
 
-impl<T, M, B> Observer<T> for All<'_, T, M, B>
+impl<T, M, B> Observer<T> for AllObservers<'_, T, M, B>
 where
     T: MachineFloat + EmbedScalar + PartialOrd,
     M: Observer<T, Report = Middles<T>>,
     B: Fn(&[T]) -> bool,
 {
-    type Report = (Vec<Seen>, Option<Middles<T>>);
+    type Report = (Vec<ObservedValue>, Option<Middles<T>>);
 
     const MAY_END: bool = false;
 
@@ -255,7 +255,7 @@ where
         }
     }
 
-    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+    fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
         let can_resume = self.running.iter_mut().all(|(_, running)| running.resumed().is_some());
         if can_resume && self.carrier.plane.is_none() { Some(self) } else { None }
     }
@@ -267,14 +267,18 @@ where
     }
 }
 
-impl<T: MachineFloat + EmbedScalar, M, B> Resumed<T> for All<'_, T, M, B>
+impl<T: MachineFloat + EmbedScalar, M, B> SparseObserver<T> for AllObservers<'_, T, M, B>
 where
     T: PartialOrd,
     M: Observer<T, Report = Middles<T>>,
     B: Fn(&[T]) -> bool,
 {
     fn vectors(&mut self) -> usize {
-        self.running.iter_mut().filter_map(|(_, running)| running.resumed()).map(Resumed::vectors).sum()
+        self.running
+            .iter_mut()
+            .filter_map(|(_, running)| running.resumed())
+            .map(SparseObserver::vectors)
+            .sum()
     }
 
     fn vector(&mut self, k: usize) -> &[T] {
@@ -299,13 +303,13 @@ where
 }
 
 /// Observes the orbit of `start` under `step`; a second pass finds rotations, if requested.
-pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
+pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,
     start: &[T],
-    asked: &Observing<'_>,
+    asked: &ObservationRequest<'_>,
     tell: &dyn Fn(u64) -> ControlFlow<()>,
-) -> Result<Followed<Vec<Seen>>, DimensionError> {
+) -> Result<Followed<Vec<ObservedValue>>, DimensionError> {
     let bound = asked.bound();
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
@@ -317,17 +321,17 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;
-        put(&mut seen, Seen::Turns(turns.report));
+        put(&mut seen, ObservedValue::Turns(turns.report));
     }
     Ok(Followed { report: seen, end })
 }
 
-pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
+pub(super) fn observe_many<T: MachineFloat + EmbedScalar + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],
-    asked: &Observing<'_>,
+    asked: &ObservationRequest<'_>,
     tell: &dyn Fn(u64) -> ControlFlow<()>,
-) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
+) -> Result<Vec<Followed<Vec<ObservedValue>>>, DimensionError> {
     let observers = |orbit: usize| WhileFinite::within(asked.bound(), all(maps[orbit], asked));
     let points = &mut starts.to_vec();
     let by_code =
@@ -348,14 +352,16 @@ pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
         vec![None; first.len()]
     };
     let seen = first.into_iter().zip(turns).map(|(Followed { report: (mut seen, _), end }, turns)| {
-        turns.into_iter().for_each(|turns| put(&mut seen, Seen::Turns(turns)));
+        turns.into_iter().for_each(|turns| put(&mut seen, ObservedValue::Turns(turns)));
         Followed { report: seen, end }
     });
     Ok(seen.collect())
 }
 
-fn put(seen: &mut [Seen], turns: Seen) {
-    seen.iter_mut().filter(|seen| matches!(seen, Seen::Turns(_))).for_each(|seen| seen.clone_from(&turns));
+fn put(seen: &mut [ObservedValue], turns: ObservedValue) {
+    seen.iter_mut()
+        .filter(|seen| matches!(seen, ObservedValue::Turns(_)))
+        .for_each(|seen| seen.clone_from(&turns));
 }
 
 fn slices<T>(columns: &mut [Vec<T>]) -> Vec<&mut [T]> {

@@ -33,11 +33,11 @@ const FARTHEST: f64 = 1.0 / 64.0;
 pub(super) struct Carrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
     /// The propagated plane of a lifted field; `None` if tangent vectors have all variables.
-    pub(super) plane: Option<Rc<RefCell<Plane<'a, T>>>>,
+    pub(super) plane: Option<Rc<RefCell<CarriedPlane<'a, T>>>>,
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Plane<'a, T: MachineFloat> {
+pub(super) struct CarriedPlane<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
     relations: &'a dyn Relations,
     parameters: Vec<f64>,
@@ -52,7 +52,7 @@ pub(super) struct Plane<'a, T: MachineFloat> {
 
 impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
     pub(super) fn new(map: &'a MapAt<T>, relations: Option<&'a dyn Relations>) -> Self {
-        let plane = |relations| Plane {
+        let plane = |relations| CarriedPlane {
             map,
             relations,
             parameters: map.own().0.iter().map(T::approximate).collect(),
@@ -75,13 +75,13 @@ impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
     }
 }
 
-impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
+impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
     fn follow(&mut self, step: u64, x: &[T]) {
         if step == 0 {
             self.begin(x);
         } else {
             for vector in &mut self.basis {
-                self.map.carry(&self.place, vector);
+                self.map.push_forward(&self.place, vector);
             }
             let n = self.basis.len();
             self.images = self.basis.iter().map(|vector| vector[..n].to_vec()).collect();
@@ -171,8 +171,8 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
     /// Propagates a vector: with a plane by the last step followed, otherwise by the map at `x`.
-    fn carry(&self, x: &[T], v: &mut Vec<T>) {
-        let Some(plane) = &self.plane else { return self.map.carry(x, v) };
+    fn push_forward(&self, x: &[T], v: &mut Vec<T>) {
+        let Some(plane) = &self.plane else { return self.map.push_forward(x, v) };
         let mut sum = vec![T::zero(); v.len()];
         for (image, entry) in plane.borrow().images.iter().zip(&*v) {
             sum.iter_mut().zip(image).for_each(|(sum, one)| *sum += *entry * *one);
@@ -186,10 +186,10 @@ impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
         determinant(&mut images.concat(), images.len())
     }
 
-    fn carry_side_by_side<P: Grouped<T>>(maps: [&Self; GROUP], work: SideBySide<'_, T, P>) -> Option<usize> {
+    fn push_forward_group<P: Grouped<T>>(maps: [&Self; GROUP], work: SideBySide<'_, T, P>) -> Option<usize> {
         if maps.iter().any(|carrier| carrier.plane.is_some()) {
             return None;
         }
-        MapAt::carry_side_by_side(maps.map(|carrier| carrier.map), work)
+        MapAt::push_forward_group(maps.map(|carrier| carrier.map), work)
     }
 }

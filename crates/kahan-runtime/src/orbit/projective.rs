@@ -40,7 +40,7 @@ macro_rules! compile_for {
     ($($scalar:ty),*) => {$(
         impl ProjectiveScalar for $scalar {
             fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>> {
-                At::begin(map, eps, start)
+                ProjectivePosition::begin(map, eps, start)
             }
         }
     )*};
@@ -63,14 +63,14 @@ impl Map {
     }
 }
 
-struct At<T: ThroughPoles> {
+struct ProjectivePosition<T: ThroughPoles> {
     map: Padded<T>,
     eps: T,
     orbit: Projective<Padded<T>, T, LARGEST_DIMENSION>,
     point: ProjectivePoint<T, LARGEST_DIMENSION>,
 }
 
-impl<T: ThroughPoles> At<T> {
+impl<T: ThroughPoles> ProjectivePosition<T> {
     fn begin(map: Padded<T>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<T>> {
         let start: SVector<T, LARGEST_DIMENSION> =
             SVector::from_fn(|i, _| start.get(i).map_or_else(T::zero, round));
@@ -78,11 +78,11 @@ impl<T: ThroughPoles> At<T> {
         let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
         // The iterator yields the first point itself first.
         orbit.next();
-        Box::new(At { map, eps, orbit, point: start.into() })
+        Box::new(ProjectivePosition { map, eps, orbit, point: start.into() })
     }
 }
 
-impl<T: ThroughPoles> ProjectiveOrbit<T> for At<T> {
+impl<T: ThroughPoles> ProjectiveOrbit<T> for ProjectivePosition<T> {
     fn advance(&mut self) -> Result<(), Option<SingularStep>> {
         self.point = self.orbit.next().ok_or_else(|| self.orbit.stopped().copied())?;
         Ok(())

@@ -6,7 +6,7 @@ use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, ComplexField};
 use kahan_dynamics::periodic::{
-    Branch, Change, Differentiable, Parametric, Stability, Turn, branch, periodic_point,
+    Branch, BranchChange, ChangePoint, Differentiable, Parametric, Stability, branch, periodic_point,
 };
 
 use crate::Field;
@@ -170,9 +170,9 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
 }
 
 /// Returns whether a branch has these bifurcations, each within a bound of its parameter.
-fn has_turns(branch: &Branch, expected: &[(Change, f64, f64)]) -> bool {
+fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
     let pairs = branch.turns.iter().zip(expected);
-    let is_near = |(turn, (change, at, bound)): (&Turn, &(Change, f64, f64))| {
+    let is_near = |(turn, (change, at, bound)): (&ChangePoint, &(BranchChange, f64, f64))| {
         turn.change == *change && (turn.parameter - at).abs() < *bound
     };
     branch.turns.len() == expected.len() && pairs.into_iter().all(is_near)
@@ -189,7 +189,7 @@ fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
         let cycle = periodic_point(&map(from), &start, 3).unwrap();
         let branch = branch(map, &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
         // A multiplier leaves the circle from 1 + 10⁻⁶ on, at a distance of about the square in a.
-        assert!(has_turns(&branch, &[(Change::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
+        assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
     }
 }
 
@@ -208,15 +208,15 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     for steps in [1, 7] {
         let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         // The multiplier is known up to rounding, and differs from 1 by 2ε·10/11 times r − 1.
-        assert!(has_turns(&branch, &[(Change::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
+        assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
     // At r = 1 the two other equilibria meet at the origin: a fold of their branch.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
-    let hopf = (Change::ThroughCircle, 470.0 / 19.0, 1e-9);
+    let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
     // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is the square
     // of the distance: 10⁻¹² gives 10⁻⁸.
-    let fold = (Change::Fold, 1.0, 1e-7);
+    let fold = (BranchChange::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();
     assert!(last.parameter >= 28.0 && (last.cycle.points[0][2] - (last.parameter - 1.0)).abs() < 1e-10);

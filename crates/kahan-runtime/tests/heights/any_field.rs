@@ -8,7 +8,7 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
-use kahan_runtime::heights::{Growth, Heights, HeightsOrbit, Stop, Survey};
+use kahan_runtime::heights::{DiophantineTest, Growth, Heights, HeightsOrbit, Stop};
 
 use crate::support::{catalog, field, number, numbers, orbit};
 
@@ -93,7 +93,7 @@ fn a_field_without_a_reduced_map_is_solved_exactly() {
 #[test]
 fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
     let growth = |text: &str, parameters: &str, eps: &str, start: &str, steps: u64| {
-        let survey = Survey::of(&mut orbit(&field(text), parameters, eps, start), steps);
+        let survey = DiophantineTest::of(&mut orbit(&field(text), parameters, eps, start), steps);
         assert_eq!(survey.heights.len() as u64, steps + 1, "{text}");
         survey.growth
     };
@@ -152,7 +152,7 @@ fn an_orbit_ends_at_a_pole_and_says_so() {
 fn bounds_end_an_orbit_and_keep_what_is_known() {
     let within_digits = |max_digits: u64| {
         let mut orbit = lotka_volterra().within_digits(max_digits);
-        let survey = Survey::of(&mut orbit, u64::MAX);
+        let survey = DiophantineTest::of(&mut orbit, u64::MAX);
         assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Digits), Some(Stop::Digits)));
         survey
     };
@@ -171,7 +171,8 @@ fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
         let readings = Cell::new(0);
         let clock = || Some(Duration::from_secs(readings.replace(readings.get() + 1)));
         let mut orbit = lotka_volterra();
-        let survey = Survey::within(&mut orbit, u64::MAX, seconds, &clock, |_| ControlFlow::Continue(()));
+        let survey =
+            DiophantineTest::within(&mut orbit, u64::MAX, seconds, &clock, |_| ControlFlow::Continue(()));
         assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Seconds), None));
         survey.heights.len()
     };
@@ -189,7 +190,7 @@ fn whoever_sees_the_heights_can_end_the_orbit() {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        let survey = Survey::within(&mut lotka_volterra(), steps, 0.0, &|| None, each);
+        let survey = DiophantineTest::within(&mut lotka_volterra(), steps, 0.0, &|| None, each);
         (survey.heights.len(), survey.stopped)
     };
     assert_eq!(stop_at(3, 9), (4, Some(Stop::Seconds)));
@@ -206,7 +207,7 @@ fn a_field_that_is_undefined_is_refused() {
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {
-        Survey::of(&mut orbit(&catalog(name), "", eps, start), steps).growth
+        DiophantineTest::of(&mut orbit(&catalog(name), "", eps, start), steps).growth
     };
     for steps in [20, 40, 80, 160, 400] {
         let found = growth("e1", "9/14", "35/12,-19/3,0", steps);
@@ -219,6 +220,6 @@ fn noisy_logarithms_are_never_called_linear() {
         assert!(matches!(found, Growth::Logarithmic | Growth::Undecided), "{name}: {found}");
     }
     let tall = "181717957208561472822061132748/3613401719033258215905741,-3";
-    let survey = Survey::of(&mut orbit(&field("xdot = 1; ydot = -1;"), "", "4/5", tall), 500);
+    let survey = DiophantineTest::of(&mut orbit(&field("xdot = 1; ydot = -1;"), "", "4/5", tall), 500);
     assert_eq!(survey.growth, Growth::Logarithmic);
 }

@@ -1,7 +1,7 @@
 //! Growth classes of systems of the catalog. `kahan-paper` tests the heights in the paper's
 //! figures.
 
-use kahan_runtime::heights::{Growth, Survey};
+use kahan_runtime::heights::{DiophantineTest, Growth};
 
 use crate::support::{catalog, orbit};
 
@@ -20,7 +20,7 @@ fn the_other_systems_grow_as_the_paper_says() {
     ];
     for (name, parameters, growth) in cases {
         let steps = if growth == Growth::Quadratic { 40 } else { 200 };
-        let survey = Survey::of(&mut orbit(&catalog(name), parameters, "1/2", start), steps);
+        let survey = DiophantineTest::of(&mut orbit(&catalog(name), parameters, "1/2", start), steps);
         assert_eq!(survey.growth, growth, "{name} {parameters}");
         assert_eq!(survey.entropy, 0.0, "{name}");
         assert_eq!(survey.stopped, None);

@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 
 use kahan_core::Composition;
-use kahan_runtime::{End, MapAt, Observable, ObservedFloat, Observing};
+use kahan_runtime::{End, MapAt, Observable, ObservationRequest, ObservedFloat};
 
 use super::support::{columns, maps};
 
 /// The number of orbits, more than two groups.
 const ORBITS: usize = 37;
 
-fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observing<'_>) -> Vec<End> {
+fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &ObservationRequest<'_>) -> Vec<End> {
     let go_on = |_| ControlFlow::Continue(());
     let found = T::abreast(&[at; ORBITS], starts, asked, &go_on).expect("columns that fit");
     for (orbit, found) in found.iter().enumerate() {
@@ -32,11 +32,17 @@ fn observables_are_those_of_each_orbit_alone() {
         let starts = columns::<f64>(field.variables().len(), ORBITS);
         for of in [&[Last][..], &[Lyapunov], &[Sali, Last], &[Lyapunov, Sali], &[Sali, Fli], &[Extrema]] {
             for (eps, steps) in [(0.05, 7), (0.05, 131), (0.4, 128), (2.5, 50)] {
-                let asked =
-                    Observing { of, steps, renormalize: 1, exponents: 1, escape: None, relations: None };
+                let asked = ObservationRequest {
+                    of,
+                    steps,
+                    renormalize: 1,
+                    exponents: 1,
+                    escape: None,
+                    relations: None,
+                };
                 ends.extend(agree(&map.at(eps), &starts, &asked));
                 agree(&map.at(eps).composed(Composition::SUZUKI_4), &starts, &asked);
-                agree(&map.at(eps), &starts, &Observing { escape: Some(2.0), ..asked });
+                agree(&map.at(eps), &starts, &ObservationRequest { escape: Some(2.0), ..asked });
             }
         }
     }

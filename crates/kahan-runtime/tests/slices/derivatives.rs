@@ -1,7 +1,7 @@
 //! Derivatives of orbits by first points, parameters and ε.
 
 use kahan_core::Dd;
-use kahan_runtime::{By, Composition, Field, Map, MapAt, Rational};
+use kahan_runtime::{Composition, Field, Map, MapAt, Rational, Sensitivity};
 
 /// A field as text, with the values of its parameters and a first point.
 pub(crate) type Case = (String, Vec<(&'static str, f64)>, Vec<f64>);
@@ -57,10 +57,10 @@ fn derivatives_are_those_of_differences_in_double_double() {
     for (text, values, start) in fields() {
         let field = Field::parse(&text).unwrap();
         let n = start.len();
-        let by: Vec<By> = (0..values.len())
-            .map(By::Parameter)
-            .chain([By::Epsilon])
-            .chain((0..n).map(|_| By::Start))
+        let by: Vec<Sensitivity> = (0..values.len())
+            .map(Sensitivity::Parameter)
+            .chain([Sensitivity::Epsilon])
+            .chain((0..n).map(|_| Sensitivity::Start))
             .collect();
         for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
             let map = field.with(values.iter().copied()).unwrap();

@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 use std::ops::ControlFlow;
 
 use kahan_core::Dd;
-use kahan_runtime::{By, Composition, End, Field, Gradient, MapAt, Rational, RuntimeFloat};
+use kahan_runtime::{Composition, End, Field, Gradient, MapAt, Rational, RuntimeFloat, Sensitivity};
 
 use super::derivatives::{Case, fields};
 use super::large::{chain, dense};
@@ -29,8 +29,11 @@ fn number<T: RuntimeFloat>(value: f64) -> T {
 
 fn carried<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], every: u64, weights: &[T]) -> Gradient<T> {
     let (n, parameters) = (start.len(), at.map().parameters().len());
-    let by: Vec<By> =
-        (0..parameters).map(By::Parameter).chain([By::Epsilon]).chain((0..n).map(|_| By::Start)).collect();
+    let by: Vec<Sensitivity> = (0..parameters)
+        .map(Sensitivity::Parameter)
+        .chain([Sensitivity::Epsilon])
+        .chain((0..n).map(|_| Sensitivity::Start))
+        .collect();
     let mut state = start.to_vec();
     state.resize(n * (1 + by.len()), T::zero());
     for i in 0..n {

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use kahan_core::nalgebra::DMatrix;
 use kahan_core::{Composition, Scalar};
 use kahan_runtime::{
-    Field, Follow, MachineFloat, MapAt, Observable, ObservedFloat, Observing, Passed, PassedPoles, Rational,
-    Seen,
+    Field, Follow, MachineFloat, MapAt, Observable, ObservationRequest, ObservedFloat, ObservedValue,
+    PassedPoleCount, PassedPoles, Rational,
 };
 
 use super::large::{chain, dense};
@@ -18,13 +18,13 @@ fn map(text: &str, eps: f64) -> MapAt<f64> {
     Field::parse(text).expect("a field").map().expect("no parameters").at(eps)
 }
 
-fn passed<T: MachineFloat>(at: &MapAt<T>, start: &[T], steps: u64) -> Passed {
+fn passed<T: MachineFloat>(at: &MapAt<T>, start: &[T], steps: u64) -> PassedPoleCount {
     let followed = at.observe(&mut start.to_vec(), steps, PassedPoles::of(at), |_| ControlFlow::Continue(()));
     followed.expect("a number a variable").report
 }
 
-fn exactly(steps: u64) -> Passed {
-    Passed { steps, is_lower_bound: false }
+fn exactly(steps: u64) -> PassedPoleCount {
+    PassedPoleCount { steps, is_lower_bound: false }
 }
 
 /// The coefficients of the denominator by powers of ε, at an exact point.
@@ -229,7 +229,7 @@ fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
                 at.advance(&mut x, 1).expect("a number a variable");
             }
             assert!(x.iter().all(|x| x.is_finite()));
-            assert_eq!(passed(&at, &start, 5), Passed { steps: count, is_lower_bound: true });
+            assert_eq!(passed(&at, &start, 5), PassedPoleCount { steps: count, is_lower_bound: true });
             passes += count;
         }
         assert!((5..45).contains(&passes), "{passes} poles");
@@ -240,8 +240,14 @@ fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
 #[test]
 fn orbits_side_by_side_are_counted_as_each_is_alone() {
     let of = [Observable::PassedPoles, Observable::Last];
-    let asked =
-        Observing { of: &of, steps: 40, renormalize: 10, exponents: 1, escape: None, relations: None };
+    let asked = ObservationRequest {
+        of: &of,
+        steps: 40,
+        renormalize: 10,
+        exponents: 1,
+        escape: None,
+        relations: None,
+    };
     let go_on = |_| ControlFlow::Continue(());
     for (name, _) in EXACT {
         let at = of_name(name, 0.4);
@@ -253,7 +259,7 @@ fn orbits_side_by_side_are_counted_as_each_is_alone() {
             let start: Vec<f64> = starts.iter().map(|column| column[orbit]).collect();
             let alone = f64::alone(None, &at, &start, &asked, &go_on).expect("a number a variable");
             assert_eq!(format!("{beside:?}"), format!("{alone:?}"), "{name}: orbit {orbit}");
-            let Seen::Passed(found) = alone.report[0] else { panic!("{alone:?}") };
+            let ObservedValue::Passed(found) = alone.report[0] else { panic!("{alone:?}") };
             assert_eq!(found, passed(&at, &start, 40));
         }
     }

@@ -2,8 +2,8 @@
 
 use kahan_core::Composition;
 use kahan_core::observe::{
-    AtMost, Direction, Drift, Escape, Extrema, Extremes, Fli, Lyapunov, MeanLogDet, Megno, Observer, Period,
-    Residence, Rotation, Sali, Section, Spectrum,
+    Direction, Drift, Escape, Extrema, Extremes, FirstCrossings, Fli, Lyapunov, MeanLogDet, Megno, Observer,
+    Period, Residence, Rotation, Sali, Section, Spectrum,
 };
 use kahan_runtime::{Field, IntegralDrift, MachineFloat, MapAt};
 
@@ -84,7 +84,7 @@ impl<T: MachineFloat + PartialOrd> Subject<'_, T> {
             Period::within(self.length(0.1), self.start()),
             Rotation::of(STEPS, seen),
             Rotation::between(STEPS, seen, extremes),
-            Section::new(&self.at, |x: &[T]| x[0] - near, Direction::Both, AtMost::new(20)),
+            Section::new(&self.at, |x: &[T]| x[0] - near, Direction::Both, FirstCrossings::new(20)),
         );
         let ([drift], extrema, escape, stays, back, turns, between, crossings) = self.observe(places);
         answers.add("drift", NUMBER, &[drift.max, drift.last]);

@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::number;
 
 /// Values made of exact numbers, with their JSON.
-pub trait Exactly: Sized {
+pub trait ExactJson: Sized {
     /// Returns the text p/q or p, `null` for `None`, or a list.
     fn to_json(&self) -> Value;
 
@@ -21,7 +21,7 @@ pub trait Exactly: Sized {
     fn of_json(value: &Value) -> Result<Self, String>;
 }
 
-impl Exactly for Rational {
+impl ExactJson for Rational {
     fn to_json(&self) -> Value {
         self.to_string().into()
     }
@@ -31,7 +31,7 @@ impl Exactly for Rational {
     }
 }
 
-impl<T: Exactly> Exactly for Option<T> {
+impl<T: ExactJson> ExactJson for Option<T> {
     fn to_json(&self) -> Value {
         self.as_ref().map_or(Value::Null, T::to_json)
     }
@@ -41,7 +41,7 @@ impl<T: Exactly> Exactly for Option<T> {
     }
 }
 
-impl<T: Exactly> Exactly for Vec<T> {
+impl<T: ExactJson> ExactJson for Vec<T> {
     fn to_json(&self) -> Value {
         self.iter().map(T::to_json).collect()
     }
@@ -56,7 +56,7 @@ impl<T: Exactly> Exactly for Vec<T> {
 ///
 /// # Errors
 /// Errors of the serializer.
-pub fn serialize<T: Exactly, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub fn serialize<T: ExactJson, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     value.to_json().serialize(serializer)
 }
 
@@ -64,6 +64,6 @@ pub fn serialize<T: Exactly, S: Serializer>(value: &T, serializer: S) -> Result<
 ///
 /// # Errors
 /// A value that is not an exact number.
-pub fn deserialize<'de, T: Exactly, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+pub fn deserialize<'de, T: ExactJson, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     T::of_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
 }

@@ -10,14 +10,14 @@ use kahan_runtime::{End, Follow};
 use serde::{Deserialize, Serialize};
 
 use crate::axes;
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-use super::over::Varied;
+use super::over::AxisOver;
 use super::section::{Crossed, Section, name_of, of_name};
 use super::usual_order;
 
@@ -141,7 +141,7 @@ impl Diagram {
         let Diagram { eps, at, over, transient, steps, direction, crossings, order, carry, reembed, .. } =
             self.clone();
         let plain = Section::new(Rational::zero(), at, 0, plane);
-        let over = vec![Varied::from(over)];
+        let over = vec![AxisOver::from(over)];
         Section { eps, over, transient, steps, direction, crossings, order, carry, reembed, ..plain }
     }
 
@@ -157,7 +157,7 @@ impl Diagram {
         let shown = shown.map_or_else(|| study.variable(&found.variable), Ok)?;
         let asked = self.section(plane);
         let columns = asked.columns(study)?.len();
-        let mut shown = Shown { column: columns - study.shown().len() + shown, values: Vec::new() };
+        let mut shown = ColumnCollector { column: columns - study.shown().len() + shown, values: Vec::new() };
         let orbits = asked.find(study, &mut shown, watch)?;
         let mut left = shown.values.into_iter();
         found.points =
@@ -186,7 +186,7 @@ impl Diagram {
         let start: Vec<f64> = self.at.iter().map(Rational::to_f64).collect();
         let each = self.transient.saturating_add(steps);
         let total = each.saturating_mul(self.over.range.count() as u64);
-        let count = Count::new("steps", total, watch);
+        let count = WorkCount::new("steps", total, watch);
         let tell = |steps| count.tell(steps);
         let mut last = None::<Vec<f64>>;
         for value in self.over.range.values() {
@@ -224,12 +224,12 @@ impl Diagram {
 }
 
 /// A consumer of rows that collects one column.
-struct Shown {
+struct ColumnCollector {
     column: usize,
     values: Vec<f64>,
 }
 
-impl Rows for Shown {
+impl Rows for ColumnCollector {
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
         if let Values::F64(values) = values[self.column] {
             self.values.extend_from_slice(values);

@@ -5,7 +5,7 @@ use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::syntax::{ClaimBody, ClaimKind, TensorEntry};
 use kahan_algebra::system::{Claim, System};
 use kahan_discover::claims::proved::Formula;
-use kahan_discover::integrals::composition::Survivors;
+use kahan_discover::integrals::composition::CompositionIntegrals;
 use kahan_discover::modular::monomials::Monomials;
 use kahan_discover::orbits::basis::Basis;
 use kahan_discover::orbits::hilbert::{MOST_MONOMIALS_AT_ALL, default_degree};
@@ -17,11 +17,11 @@ use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
 use crate::named::Names;
-use crate::numbers::exact::{self, Exactly};
-use crate::rows::{Column, Kept};
+use crate::numbers::exact::{self, ExactJson};
+use crate::rows::{Column, StoredColumn};
 use crate::study::Study;
 
-use super::over::{AtCell, Entry, column};
+use super::over::{AtCell, CellEntry, column};
 use super::seconds_since;
 
 /// A request for the structures that the map of a field preserves.
@@ -89,21 +89,21 @@ impl AtCell for Discover {
         (self.eps.as_ref(), None)
     }
 
-    fn columns(&self, _: &[String]) -> Vec<(Column, Kept)> {
+    fn columns(&self, _: &[String]) -> Vec<(Column, StoredColumn)> {
         vec![
             column(
                 "independent_integrals",
                 "number of independent algebraic integrals that were seen",
-                Kept::Integer,
+                StoredColumn::Integer,
             ),
-            column("growth", "how the degrees of iterates grow", Kept::Text),
-            column("entropy", "algebraic entropy", Kept::F64),
-            column("integrals", "integrals in the language of kahan!, proved", Kept::Text),
-            column("densities", "invariant densities, proved", Kept::Text),
+            column("growth", "how the degrees of iterates grow", StoredColumn::Text),
+            column("entropy", "algebraic entropy", StoredColumn::F64),
+            column("integrals", "integrals in the language of kahan!, proved", StoredColumn::Text),
+            column("densities", "invariant densities, proved", StoredColumn::Text),
         ]
     }
 
-    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<CellEntry> {
         let degree = self.degree.or(Some(default_degree(at.len())));
         let asked = Discover { eps: Some(eps.clone()), degree, ..self.clone() };
         let (integrals, growth, entropy, formulas) = match asked.ask(study, &Unwatched) {
@@ -121,8 +121,8 @@ impl AtCell for Discover {
             Err(StudyError::Discover { why, .. }) => (-1, why.to_string(), f64::NAN, Default::default()),
             Err(why) => (-1, why.to_string(), f64::NAN, Default::default()),
         };
-        let seen = [Entry::Integer(integrals), Entry::Text(growth), Entry::Float(entropy)];
-        seen.into_iter().chain(formulas.map(Entry::Text)).collect()
+        let seen = [CellEntry::Integer(integrals), CellEntry::Text(growth), CellEntry::Float(entropy)];
+        seen.into_iter().chain(formulas.map(CellEntry::Text)).collect()
     }
 }
 
@@ -250,7 +250,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
 }
 
 /// Writes the integrals that compositions preserve, and quotients of two, as a JSON object.
-fn survivors(found: &Survivors, integrals: &[Formula]) -> Value {
+fn survivors(found: &CompositionIntegrals, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);
     let quotient = |&(above, below): &(usize, usize)| format!("{}/{}", name(above), name(below));

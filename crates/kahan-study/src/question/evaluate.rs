@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind, exact};
-use crate::rows::{Column, Kept};
+use crate::rows::{Column, StoredColumn};
 use crate::study::{NoStep, Study};
 
-use super::over::{AtCell, Entry, column};
+use super::over::{AtCell, CellEntry, column};
 
 /// A request for field, matrices, map, Jacobian and values of the claims at a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -152,18 +152,18 @@ impl AtCell for Evaluate {
         (Some(&self.eps), Some(&self.at))
     }
 
-    fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
+    fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)> {
         let determinants = [
-            column("det_A", "determinant of the matrix of the step", Kept::F64),
-            column("det_jacobian", "determinant of the Jacobian of the map", Kept::F64),
+            column("det_A", "determinant of the matrix of the step", StoredColumn::F64),
+            column("det_jacobian", "determinant of the Jacobian of the map", StoredColumn::F64),
         ];
-        let next = |name: &String| column(&format!("next_{name}"), "value one step later", Kept::F64);
+        let next = |name: &String| column(&format!("next_{name}"), "value one step later", StoredColumn::F64);
         variables.iter().map(next).chain(determinants).collect()
     }
 
-    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<CellEntry> {
         let asked = Evaluate { eps: eps.clone(), at: at.to_vec(), ..self.clone() };
-        let number = |number: Option<&Number>| Entry::Float(number.map_or(f64::NAN, Number::to_f64));
+        let number = |number: Option<&Number>| CellEntry::Float(number.map_or(f64::NAN, Number::to_f64));
         let variables = study.variables().len();
         match asked.ask(study, &Unwatched) {
             Ok(values) => {

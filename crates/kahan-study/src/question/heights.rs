@@ -2,17 +2,17 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Progress, Unwatched, Watch};
-use kahan_runtime::heights::{HeightsOrbit, Stop, Survey};
+use kahan_runtime::heights::{DiophantineTest, HeightsOrbit, Stop};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::error::StudyError;
 use crate::numbers::exact;
-use crate::rows::{Column, Kept};
+use crate::rows::{Column, StoredColumn};
 use crate::study::{NoStep, Study};
 
-use super::over::{AtCell, Entry, column};
+use super::over::{AtCell, CellEntry, column};
 use super::{minute, seconds_since};
 
 /// A request for the growth of the heights of an exact orbit.
@@ -47,7 +47,7 @@ pub struct HeightsFound {
     /// The state variables.
     pub variables: Vec<String>,
     /// The heights, their growth, and the reason of the end.
-    pub survey: Survey,
+    pub survey: DiophantineTest,
     /// The seconds of the orbit; `None` without a clock.
     pub seconds: Option<f64>,
     /// The pole that ended the orbit.
@@ -74,7 +74,7 @@ impl Heights {
         let orbit = HeightsOrbit::new(system, &parameters, &self.eps, &start);
         let mut orbit = orbit.map_err(|_| study.undefined_field_at(&self.eps))?.within_digits(self.digits);
         let clock = || Some(watch.now()?.saturating_sub(begun?));
-        let survey = Survey::within(&mut orbit, self.steps, self.seconds, &clock, |heights| {
+        let survey = DiophantineTest::within(&mut orbit, self.steps, self.seconds, &clock, |heights| {
             watch.look(&Progress { what: "steps", done: heights.step as u64, of: Some(self.steps) })
         });
         Ok(HeightsFound {
@@ -92,40 +92,40 @@ impl AtCell for Heights {
         (Some(&self.eps), Some(&self.at))
     }
 
-    fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
+    fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)> {
         let growth = [
-            column("steps", "steps that were made", Kept::Integer),
+            column("steps", "steps that were made", StoredColumn::Integer),
             column(
                 "growth",
                 "how heights grow: bounded, logarithmic, linear, quadratic, exponential or undecided",
-                Kept::Text,
+                StoredColumn::Text,
             ),
             column(
                 "entropy",
                 "logarithm of the last quotient of heights where these grow exponentially",
-                Kept::F64,
+                StoredColumn::F64,
             ),
         ];
         let meaning = "logarithmic height at the last step, natural logarithm";
-        let last = |name: &String| column(&format!("height_{name}"), meaning, Kept::F64);
+        let last = |name: &String| column(&format!("height_{name}"), meaning, StoredColumn::F64);
         growth.into_iter().chain(variables.iter().map(last)).collect()
     }
 
-    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<CellEntry> {
         let asked = Heights { eps: eps.clone(), at: at.to_vec(), ..self.clone() };
         let none = |growth: &str| (0, growth.to_owned(), f64::NAN, vec![f64::NAN; study.variables().len()]);
         let (steps, growth, entropy, last) = match asked.ask(study, &Unwatched) {
             Ok(found) => match found.survey.heights.last() {
                 Some(last) => {
-                    let Survey { growth, entropy, .. } = &found.survey;
+                    let DiophantineTest { growth, entropy, .. } = &found.survey;
                     (found.steps(), growth.to_string(), *entropy, last.logarithms.clone())
                 }
                 None => none("undecided"),
             },
             Err(_) => none("undefined"),
         };
-        let growth = [Entry::Integer(steps as i64), Entry::Text(growth), Entry::Float(entropy)];
-        growth.into_iter().chain(last.into_iter().map(Entry::Float)).collect()
+        let growth = [CellEntry::Integer(steps as i64), CellEntry::Text(growth), CellEntry::Float(entropy)];
+        growth.into_iter().chain(last.into_iter().map(CellEntry::Float)).collect()
     }
 }
 

@@ -25,7 +25,7 @@ use crate::trade::{Trade, Traded};
 
 use over::AtCell;
 
-pub use over::{Over, OverFound, Source, Through, Varied};
+pub use over::{AxisOver, AxisValues, Over, OverFound, Source};
 
 macro_rules! questions {
     ($(
@@ -91,7 +91,7 @@ macro_rules! questions {
             }
 
             /// Reads the question of this name, without axes, from its other fields.
-            fn alone(name: &str, rest: Map<String, Value>) -> Result<Self, Misread> {
+            fn from_fields(name: &str, rest: Map<String, Value>) -> Result<Self, Misread> {
                 match name {
                     $(
                         $(#[cfg(feature = $feature)])?
@@ -115,7 +115,7 @@ macro_rules! questions {
 
 questions! {
     /// Formulas.
-    Show, asked as "show", answered by Shown, in show;
+    Show, asked as "show", answered by ShownField, in show;
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated, in evaluate, also AtCell;
     /// The points of an orbit.
@@ -167,7 +167,7 @@ impl Study {
             Question::Orbit(asked) => Ok(asked.begin(&asked.study(self)?)?.rows(range, rows, watch).end),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
             Question::Section(asked) => {
-                let mut within = Within { range, row: 0, rows };
+                let mut within = RowRange { range, row: 0, rows };
                 let orbits = asked.find(self, &mut within, watch)?;
                 Ok(orbits.last().map_or(End::Complete, |last| last.end))
             }
@@ -177,13 +177,13 @@ impl Study {
 }
 
 /// A consumer that passes only the rows in a range on.
-struct Within<'a> {
+struct RowRange<'a> {
     range: Range<u64>,
     row: u64,
     rows: &'a mut dyn Rows,
 }
 
-impl Rows for Within<'_> {
+impl Rows for RowRange<'_> {
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
         let count = values.first().map_or(0, Values::count) as u64;
         let own = self.row..self.row + count;
@@ -212,7 +212,7 @@ impl Question {
         if Self::OVER_AXES.contains(&name) && object.contains_key("over") {
             Over::read(name, object).map(Self::Over)
         } else {
-            Self::alone(name, object)
+            Self::from_fields(name, object)
         }
     }
 }

@@ -9,12 +9,12 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::{Composition, EmbedScalar};
 use kahan_discover::Watch;
-use kahan_runtime::{End, Followed, MapAt, ObservedFloat, Observing};
+use kahan_runtime::{End, Followed, MapAt, ObservationRequest, ObservedFloat};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::lifted_step::LiftEnds;
 use crate::numbers::exact;
@@ -23,7 +23,7 @@ use crate::study::Study;
 
 use super::{NoOrbit, usual_order};
 
-pub use kahan_runtime::{Observable, Seen};
+pub use kahan_runtime::{Observable, ObservedValue};
 
 /// The reason why calls of a map succeed.
 pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
@@ -97,7 +97,7 @@ pub struct Observed {
     /// The reason of the end, if the lift caused it.
     pub why: Option<String>,
     /// The observations, in the order of the observables.
-    pub seen: Vec<(Observable, Seen)>,
+    pub seen: Vec<(Observable, ObservedValue)>,
 }
 
 impl Observe {
@@ -136,10 +136,10 @@ impl Observe {
         let system = study.proved()?;
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
         let at = at.composed(self.composition(study)?);
-        let count = Count::new("steps", self.steps_in_all(), watch);
+        let count = WorkCount::new("steps", self.steps_in_all(), watch);
         let of = self.observables();
         let tell = &|steps| count.tell(steps);
-        let (Followed { report, end }, ends) = self.alone(study, &at, &start, &of, tell);
+        let (Followed { report, end }, ends) = self.observe_one(study, &at, &start, &of, tell);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         let steps = end.steps(self.transient.saturating_add(self.steps));
         Ok(Observed {
@@ -182,10 +182,10 @@ impl Observe {
         self.observe.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
     }
 
-    pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> Observing<'a> {
+    pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> ObservationRequest<'a> {
         let relations = study.relations();
         let exponents = self.spectrum.unwrap_or(usize::MAX);
-        Observing {
+        ObservationRequest {
             of,
             steps: self.steps,
             renormalize: self.renormalize,
@@ -225,47 +225,47 @@ impl Observe {
         starts: &[Vec<T>],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<f64>>> {
-        let numbers = |found: Followed<Vec<Seen>>| {
+        let numbers = |found: Followed<Vec<ObservedValue>>| {
             let report = found.report.into_iter().map(|seen| shown(study, seen)).collect();
             let found = Followed { report, end: found.end };
             Followed { report: Self::numbers(&found), end: found.end }
         };
-        self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
+        self.observe_many(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
     /// Observes one orbit after its transient. Also returns the reason if the lift ended the orbit.
-    pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
+    pub(super) fn observe_one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
         at: &MapAt<T>,
         start: &[T],
         of: &[Observable],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> (Followed<Vec<Seen>>, Option<LiftEnds>) {
+    ) -> (Followed<Vec<ObservedValue>>, Option<LiftEnds>) {
         let asked = self.observing(study, of);
         if self.transient == 0 {
             return self.one(study, at, start, &asked, tell);
         }
-        let transient = Observing { of: &[Observable::Last], steps: self.transient, ..asked };
+        let transient = ObservationRequest { of: &[Observable::Last], steps: self.transient, ..asked };
         let (mut before, why) = self.one(study, at, start, &transient, tell);
         let settled = before.report.pop().and_then(last_point::<T>).expect(LAST);
         let steps = if before.end == End::Complete { self.steps } else { 0 };
-        let (found, ends) = self.one(study, at, &settled, &Observing { steps, ..asked }, tell);
+        let (found, ends) = self.one(study, at, &settled, &ObservationRequest { steps, ..asked }, tell);
         let found = later(found, before.end.steps(self.transient));
         if before.end == End::Complete { (found, ends) } else { (Followed { end: before.end, ..found }, why) }
     }
 
     /// Observes many orbits after their transients, in SIMD lanes where machine code allows it. An
     /// orbit that ends in its transient is followed again, up to its end.
-    pub(super) fn abreast<T: ObservedFloat + EmbedScalar>(
+    pub(super) fn observe_many<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
         maps: &[&MapAt<T>],
         starts: &[Vec<T>],
         of: &[Observable],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Vec<Followed<Vec<Seen>>> {
-        let alone = |orbit: usize| self.alone(study, maps[orbit], &start_of(starts, orbit), of, tell).0;
+    ) -> Vec<Followed<Vec<ObservedValue>>> {
+        let alone = |orbit: usize| self.observe_one(study, maps[orbit], &start_of(starts, orbit), of, tell).0;
         if self.reembed {
             return (0..maps.len()).map(alone).collect();
         }
@@ -273,7 +273,7 @@ impl Observe {
         if self.transient == 0 {
             return self.side_by_side(study, maps, starts, &asked, tell);
         }
-        let transient = Observing { of: &[Observable::Last], steps: self.transient, ..asked };
+        let transient = ObservationRequest { of: &[Observable::Last], steps: self.transient, ..asked };
         let mut settled = starts.to_vec();
         let before = self.side_by_side(study, maps, starts, &transient, tell).into_iter().enumerate();
         let ends: Vec<End> = before
@@ -286,7 +286,7 @@ impl Observe {
         let found = self.side_by_side(study, maps, &settled, &asked, tell).into_iter().zip(ends).enumerate();
         let found = found.map(|(orbit, (found, before))| match before {
             End::Complete => later(found, self.transient),
-            _ => alone(orbit),
+            _ => observe_one(orbit),
         });
         found.collect()
     }
@@ -298,14 +298,14 @@ impl Observe {
         study: &Study,
         at: &MapAt<T>,
         start: &[T],
-        asked: &Observing<'_>,
+        asked: &ObservationRequest<'_>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> (Followed<Vec<Seen>>, Option<LiftEnds>) {
+    ) -> (Followed<Vec<ObservedValue>>, Option<LiftEnds>) {
         let Some(step) = study.steps(at, self.reembed) else {
-            return (T::alone(None, at, start, asked, tell).expect(FITTING), None);
+            return (T::observe_one(None, at, start, asked, tell).expect(FITTING), None);
         };
-        let with_last = Observing { of: &with_last(asked.of), ..*asked };
-        let mut found = T::alone(Some(&step), at, start, &with_last, tell).expect(FITTING);
+        let with_last = ObservationRequest { of: &with_last(asked.of), ..*asked };
+        let mut found = T::observe_one(Some(&step), at, start, &with_last, tell).expect(FITTING);
         let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
         let ends = matches!(found.end, End::Range(_)).then(|| step.ends(&last)).flatten();
         found.end = step.end(found.end, &last);
@@ -319,12 +319,13 @@ impl Observe {
         study: &Study,
         maps: &[&MapAt<T>],
         starts: &[Vec<T>],
-        asked: &Observing<'_>,
+        asked: &ObservationRequest<'_>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Vec<Followed<Vec<Seen>>> {
+    ) -> Vec<Followed<Vec<ObservedValue>>> {
         let is_lifted = maps.first().is_some_and(|at| study.lifted_step(at).is_some());
         let of = if is_lifted { with_last(asked.of) } else { asked.of.to_vec() };
-        let mut found = T::abreast(maps, starts, &Observing { of: &of, ..*asked }, tell).expect(FITTING);
+        let mut found =
+            T::observe_many(maps, starts, &ObservationRequest { of: &of, ..*asked }, tell).expect(FITTING);
         for (orbit, found) in found.iter_mut().enumerate().filter(|_| is_lifted) {
             let last = found.report.pop().and_then(last_point::<T>).expect(LAST);
             if study.lifted_step(maps[orbit]).is_some_and(|step| step.is_beyond(&last)) {
@@ -338,11 +339,11 @@ impl Observe {
     /// early, only the step of its escape is a number, because other values would not cover all
     /// steps.
     #[must_use]
-    pub fn numbers(found: &Followed<Vec<Seen>>) -> Vec<f64> {
-        let numbers = |seen: &Seen| {
+    pub fn numbers(found: &Followed<Vec<ObservedValue>>) -> Vec<f64> {
+        let numbers = |seen: &ObservedValue| {
             let numbers = seen.numbers();
             match seen {
-                Seen::Step(_) => numbers,
+                ObservedValue::Step(_) => numbers,
                 _ if found.end.is_early() => vec![f64::NAN; numbers.len()],
                 _ => numbers,
             }
@@ -375,7 +376,7 @@ impl Observe {
 impl Observed {
     /// Returns the observation of one observable.
     #[must_use]
-    pub fn of(&self, observable: Observable) -> Option<&Seen> {
+    pub fn of(&self, observable: Observable) -> Option<&ObservedValue> {
         self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
     }
 }
@@ -385,9 +386,9 @@ fn with_last(of: &[Observable]) -> Vec<Observable> {
 }
 
 /// Adds the steps of the transient to all step numbers of a report.
-fn later(found: Followed<Vec<Seen>>, before: u64) -> Followed<Vec<Seen>> {
+fn later(found: Followed<Vec<ObservedValue>>, before: u64) -> Followed<Vec<ObservedValue>> {
     let later = |seen| match seen {
-        Seen::Step(step) => Seen::Step(step.map(|step| step + before)),
+        ObservedValue::Step(step) => ObservedValue::Step(step.map(|step| step + before)),
         seen => seen,
     };
     Followed { report: found.report.into_iter().map(later).collect(), end: found.end.after(before) }
@@ -397,47 +398,49 @@ fn start_of<T: Copy>(starts: &[Vec<T>], orbit: usize) -> Vec<T> {
     starts.iter().map(|column| column[orbit]).collect()
 }
 
-fn last_point<T: EmbedScalar>(seen: Seen) -> Option<Vec<T>> {
-    let Seen::Point(point) = seen else { return None };
+fn last_point<T: EmbedScalar>(seen: ObservedValue) -> Option<Vec<T>> {
+    let ObservedValue::Point(point) = seen else { return None };
     Some(point.into_iter().map(T::narrowed).collect())
 }
 
-pub(super) fn shown(study: &Study, seen: Seen) -> Seen {
+pub(super) fn shown(study: &Study, seen: ObservedValue) -> ObservedValue {
     match seen {
-        Seen::Point(point) => Seen::Point(study.project(&point)),
-        Seen::Extrema(extrema) => Seen::Extrema(study.project(&extrema)),
-        Seen::Turns(turns) => Seen::Turns(study.project(&turns)),
+        ObservedValue::Point(point) => ObservedValue::Point(study.project(&point)),
+        ObservedValue::Extrema(extrema) => ObservedValue::Extrema(study.project(&extrema)),
+        ObservedValue::Turns(turns) => ObservedValue::Turns(study.project(&turns)),
         other => other,
     }
 }
 
 /// Replaces indicators by NaN if no step was observed.
-fn after(has_steps: bool, seen: Seen) -> Seen {
+fn after(has_steps: bool, seen: ObservedValue) -> ObservedValue {
     match seen {
-        Seen::Number(_) if !has_steps => Seen::Number(f64::NAN),
+        ObservedValue::Number(_) if !has_steps => ObservedValue::Number(f64::NAN),
         seen => seen,
     }
 }
 
 /// Writes an observed value; for variables or integrals, a number for each name.
-fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
+fn json_of(seen: &ObservedValue, variables: &[String], integrals: &[String]) -> Value {
     fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
         names.iter().cloned().zip(values.iter().map(value)).collect()
     }
     match seen {
-        Seen::Point(point) => named(variables, point, |value| json!(value)),
-        Seen::Drift(drifts) => {
+        ObservedValue::Point(point) => named(variables, point, |value| json!(value)),
+        ObservedValue::Drift(drifts) => {
             named(integrals, drifts, |drift| json!({"max": drift.max, "final": drift.last}))
         }
-        Seen::Extrema(extrema) => named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest]))),
-        Seen::Exponent(one) => json!(one.value),
-        Seen::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
-        Seen::Number(number) => json!(number),
-        Seen::Turns(turns) => {
+        ObservedValue::Extrema(extrema) => {
+            named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest])))
+        }
+        ObservedValue::Exponent(one) => json!(one.value),
+        ObservedValue::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
+        ObservedValue::Number(number) => json!(number),
+        ObservedValue::Turns(turns) => {
             named(variables, turns, |turns| json!({"value": turns.value, "error": turns.error}))
         }
-        Seen::Step(step) => json!(step),
-        Seen::Passed(passed) => json!(passed.steps),
+        ObservedValue::Step(step) => json!(step),
+        ObservedValue::Passed(passed) => json!(passed.steps),
     }
 }
 
@@ -449,11 +452,13 @@ impl Serialize for Observed {
         for (observable, seen) in &self.seen {
             object[observable.key()] = json_of(seen, &self.variables, &self.integrals);
             match seen {
-                Seen::Exponent(one) => object["lyapunov_error"] = json!(one.error),
-                Seen::Spectrum(all) => {
+                ObservedValue::Exponent(one) => object["lyapunov_error"] = json!(one.error),
+                ObservedValue::Spectrum(all) => {
                     object["spectrum_errors"] = all.iter().map(|one| one.error).collect();
                 }
-                Seen::Passed(passed) => object["passed_poles_lower_bound"] = json!(passed.is_lower_bound),
+                ObservedValue::Passed(passed) => {
+                    object["passed_poles_lower_bound"] = json!(passed.is_lower_bound)
+                }
                 _ => {}
             }
         }

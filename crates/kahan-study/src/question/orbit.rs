@@ -7,8 +7,8 @@
 mod chain;
 mod maps;
 mod methods;
-mod paces;
 mod points;
+mod row_schedule;
 
 use std::fmt;
 use std::ops::{ControlFlow, Range};
@@ -31,9 +31,9 @@ use crate::study::Study;
 use super::{Observable, one, usual_order};
 
 pub use chain::{Chain, ChainHead};
-use maps::Moving;
-pub use paces::Paces;
-use points::{Course, Halt, Points, ended};
+use maps::PointArithmetic;
+use points::{EarlyEnd, OrbitPoints, OrbitRows, ended};
+pub use row_schedule::RowSchedule;
 
 /// A request for the points of an orbit: rows of n, the time t = 2εn, the variables, and the
 /// integrals whose condition (if any) holds for this orbit. Claims concern Kahan's map.
@@ -257,15 +257,15 @@ pub struct Orbited {
 }
 
 /// An orbit at its first point, ready to run.
-pub struct Begun<'a> {
+pub struct StartedOrbit<'a> {
     /// The metadata.
     pub head: OrbitHead,
-    go_on: GoOn<'a>,
+    go_on: OrbitContinuation<'a>,
 }
 
-type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
+type OrbitContinuation<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
 
-impl Begun<'_> {
+impl StartedOrbit<'_> {
     /// Passes the rows in `range` to a consumer: row k is the point after `transient` + k · `every`
     /// steps. Costs all steps up to the last row; integrals are computed in rows only.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
@@ -299,9 +299,9 @@ impl Orbit {
         }
     }
 
-    fn paces(&self) -> Result<Paces, StudyError> {
+    fn paces(&self) -> Result<RowSchedule, StudyError> {
         let zero = || StudyError::NotPositive { what: "every", value: Rational::zero() };
-        Paces::new(self.transient, self.steps, self.every).ok_or_else(zero)
+        RowSchedule::new(self.transient, self.steps, self.every).ok_or_else(zero)
     }
 
     /// Returns the number of steps to the last point, including the transient.
@@ -331,7 +331,7 @@ impl Orbit {
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
     /// scalar, a field that is undefined at its parameters, an unknown order, or options that
     /// exclude each other.
-    pub fn begin<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
+    pub fn begin<'a>(&'a self, study: &'a Study) -> Result<StartedOrbit<'a>, StudyError> {
         match self.scalar {
             ScalarKind::Exact => self.begin_in(&Exact, study),
             ScalarKind::F64 => self.begin_in(&Float64, study),
@@ -345,7 +345,7 @@ impl Orbit {
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin).
-    pub fn begin_in_doubles<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
+    pub fn begin_in_doubles<'a>(&'a self, study: &'a Study) -> Result<StartedOrbit<'a>, StudyError> {
         self.begin_in(&Float64, study)
     }
 
@@ -360,11 +360,11 @@ impl Orbit {
         if cells > MOST_CELLS { Err(StudyError::TooLong { cells }) } else { Ok(begun.in_memory(watch)) }
     }
 
-    fn begin_in<'a, A: Moving>(
+    fn begin_in<'a, A: PointArithmetic>(
         &'a self,
         arithmetic: &'a A,
         study: &'a Study,
-    ) -> Result<Begun<'a>, StudyError> {
+    ) -> Result<StartedOrbit<'a>, StudyError> {
         study.proved()?;
         let paces = self.paces()?;
         let composition = Composition::of_order(self.order).ok_or(StudyError::Order(self.order))?;
@@ -389,7 +389,7 @@ impl Orbit {
         }
         let named = study.parameters().iter().cloned();
         let numbers: Names<Number> = named.zip(parameters.iter().map(A::number)).collect();
-        let mut points: Box<dyn Points<A> + 'a> = match self.method {
+        let mut points: Box<dyn OrbitPoints<A> + 'a> = match self.method {
             Method::Kahan if self.projective => maps::projective(map, &self.eps, &start)?,
             Method::Kahan => A::kahan(study, self, composition, &start)?,
             Method::Euler | Method::Rk4 => {
@@ -414,7 +414,7 @@ impl Orbit {
         };
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
-            let course = Course { arithmetic, columns: &all, eps, paces };
+            let course = OrbitRows { arithmetic, columns: &all, eps, paces };
             // Skip the check of rates where it does not apply: rates are unbounded near infinity,
             // exact orbits have long steps, and other methods have other growth factors.
             let is_plain = self.method == Method::Kahan
@@ -422,16 +422,16 @@ impl Orbit {
                 && !self.projective
                 && self.steps > 0;
             let rates = study.rates(self.eps.to_f64()).filter(|_| is_plain);
-            let looks = rates.map(|rates| Looks::new(rates, paces.rows()));
-            let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows, looks };
-            let ending = match course.hand_on(&mut *points, range, &mut chosen, watch) {
+            let looks = rates.map(|rates| RateInspection::new(rates, paces.rows()));
+            let mut chosen = ColumnSelection { columns, places: study.columns_shown(all.len()), rows, looks };
+            let ending = match course.pass_rows(&mut *points, range, &mut chosen, watch) {
                 Ok(()) => Ending::plain(End::Complete, self.steps_in_all()),
-                Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
-                Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
+                Err(EarlyEnd::Stopped(step)) => Ending::plain(End::Stopped(step), step),
+                Err(EarlyEnd::Ended(n, why)) => ended(study, self, n, why, &points.point()),
             };
             Ending { note: chosen.looks.and_then(|looks| looks.rates.note()), ..ending }
         };
-        Ok(Begun { head, go_on: Box::new(go_on) })
+        Ok(StartedOrbit { head, go_on: Box::new(go_on) })
     }
 
     fn check(&self, study: &Study) -> Result<(), NoOrbit> {
@@ -456,14 +456,14 @@ impl Orbit {
 }
 
 /// A consumer that selects columns, and checks rates along the way.
-struct Chosen<'a> {
+struct ColumnSelection<'a> {
     columns: &'a [Column],
     places: Vec<usize>,
     rows: &'a mut dyn Rows,
-    looks: Option<Looks>,
+    looks: Option<RateInspection>,
 }
 
-struct Looks {
+struct RateInspection {
     rates: Rates,
     /// The number of rows from one checked row to the next.
     stride: u64,
@@ -471,9 +471,9 @@ struct Looks {
     next: u64,
 }
 
-impl Looks {
+impl RateInspection {
     fn new(rates: Rates, rows: u64) -> Self {
-        Looks { stride: rates.stride(rows), rates, next: 0 }
+        RateInspection { stride: rates.stride(rows), rates, next: 0 }
     }
 
     fn rows(&mut self, values: &[Values<'_>]) {
@@ -484,14 +484,14 @@ impl Looks {
                 .iter()
                 .map(|column| column.cell(row).to_f64())
                 .collect();
-            self.rates.look(&x);
+            self.rates.inspect(&x);
             self.next += self.stride;
         }
         self.next -= count;
     }
 }
 
-impl Rows for Chosen<'_> {
+impl Rows for ColumnSelection<'_> {
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
         if let Some(looks) = &mut self.looks {
             looks.rows(values);

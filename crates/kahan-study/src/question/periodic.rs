@@ -8,7 +8,8 @@ use kahan_algebra::symbols::Symbols;
 use kahan_core::nalgebra::{Complex, DMatrix};
 use kahan_discover::Watch;
 use kahan_dynamics::periodic::{
-    Branch, BranchPoint, Change, Differentiable, Leaf, Mark, OnLeaf, PeriodicPoint, branch, periodic_point,
+    Branch, BranchChange, BranchPoint, BranchPointKind, Differentiable, LevelSet, OnLevelSet, PeriodicPoint,
+    branch, periodic_point,
 };
 
 use kahan_runtime::{Map, MapAt, ParametricAt, RationalCycle};
@@ -16,9 +17,9 @@ use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Value, json};
 
 use crate::axes;
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
-use crate::numbers::exact::{self, Exactly};
+use crate::numbers::exact::{self, ExactJson};
 use crate::range::Axis;
 use crate::study::Study;
 
@@ -51,7 +52,7 @@ pub struct Periodic {
     /// The unknown besides the points: with ε, the cycle is a limit cycle of the flow, with unknown
     /// period.
     #[serde(default)]
-    pub free: Option<Free>,
+    pub free: Option<FreeUnknown>,
     /// With free ε, the number of steps before close returns of the orbit are searched.
     #[serde(default)]
     pub transient: u64,
@@ -60,13 +61,13 @@ pub struct Periodic {
     pub over: Option<Axis>,
     /// The integrals that keep their values at `at`.
     #[serde(default)]
-    pub hold: Hold,
+    pub hold: HeldIntegrals,
 }
 
 /// The integrals that keep their values during the search for a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Hold {
+pub enum HeldIntegrals {
     /// Linear integrals with constant coefficients.
     #[default]
     Linear,
@@ -74,7 +75,7 @@ pub enum Hold {
     None,
 }
 
-impl Hold {
+impl HeldIntegrals {
     /// All choices.
     pub const ALL: [Self; 2] = [Self::Linear, Self::None];
 
@@ -82,8 +83,8 @@ impl Hold {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Hold::Linear => "linear",
-            Hold::None => "none",
+            HeldIntegrals::Linear => "linear",
+            HeldIntegrals::None => "none",
         }
     }
 }
@@ -91,7 +92,7 @@ impl Hold {
 /// An unknown besides the points of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Free {
+pub enum FreeUnknown {
     /// Half the time step.
     Eps,
 }
@@ -125,7 +126,7 @@ impl Periodic {
     /// Asks for a fixed point, without a branch.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
-        let hold = Hold::default();
+        let hold = HeldIntegrals::default();
         Periodic { eps: Some(eps), at, period: one(), free: None, transient: 0, over: None, hold }
     }
 
@@ -144,9 +145,9 @@ impl Periodic {
         study.proved()?;
         let family = Family::of(self, study)?;
         let system = study.name().to_owned();
-        if self.free == Some(Free::Eps) {
+        if self.free == Some(FreeUnknown::Eps) {
             let values = self.over.as_ref().map_or(1, |axis| axis.range.count() as u64);
-            let count = Count::new("cycles", 3 * values, watch);
+            let count = WorkCount::new("cycles", 3 * values, watch);
             let (cycle, flow, branch) = family.flow_found(self, &count)?;
             let (branch, rows) = branch.unzip();
             return Ok(CycleFound {
@@ -190,7 +191,7 @@ impl CycleFound {
     pub fn rows(&self) -> impl Iterator<Item = (&BranchPoint, Option<&FlowFound>)> {
         let points = self.branch.iter().flat_map(|(_, branch)| &branch.points).enumerate();
         let rows = points.map(|(k, point)| (point, self.rows.get(k).and_then(Option::as_ref)));
-        rows.filter(|(point, _)| point.mark != Mark::Between)
+        rows.filter(|(point, _)| point.mark != BranchPointKind::Between)
     }
 
     /// Returns the eigenvalues of f′ at a steady state, λ = (μ − 1)/(ε(μ + 1)) for its multipliers
@@ -203,14 +204,16 @@ impl CycleFound {
 
     /// Describes a bifurcation; for steady states in terms of the field.
     #[must_use]
-    pub fn said(&self, change: Change) -> String {
+    pub fn change_in_words(&self, change: BranchChange) -> String {
         let of_field = match change {
-            Change::Fold => "fold, two steady states meet",
-            Change::ThroughOne => "an eigenvalue of f' goes through 0",
-            Change::ThroughCircle => {
+            BranchChange::Fold => "fold, two steady states meet",
+            BranchChange::ThroughOne => "an eigenvalue of f' goes through 0",
+            BranchChange::ThroughCircle => {
                 "Hopf point, a pair of eigenvalues of f' goes through the imaginary axis"
             }
-            Change::ThroughMinusOne | Change::Halved | Change::Hopf => return change.to_string(),
+            BranchChange::ThroughMinusOne | BranchChange::Halved | BranchChange::Hopf => {
+                return change.to_string();
+            }
         };
         if self.cycle.points.len() == 1 { of_field.to_owned() } else { change.to_string() }
     }
@@ -251,7 +254,7 @@ struct Family {
     start: Vec<f64>,
     held: Vec<Held>,
     /// The level set of the fixed integrals.
-    leaf: Leaf,
+    leaf: LevelSet,
     /// The index of the varied parameter; `None` for ε, and without an axis.
     parameter: Option<usize>,
     changes: bool,
@@ -277,8 +280,8 @@ impl Family {
         // Report mistakes in the input before the search.
         let (_, start) = study.in_floats(&point, &eps)?;
         let mut integrals = match asked.hold {
-            Hold::Linear => integrals(&study, parameter, &start)?,
-            Hold::None => Vec::new(),
+            HeldIntegrals::Linear => integrals(&study, parameter, &start)?,
+            HeldIntegrals::None => Vec::new(),
         };
         let floats = |integral: &Vec<(usize, Rational)>| {
             integral.iter().map(|(k, c)| (*k, c.to_f64())).collect::<Vec<_>>()
@@ -287,7 +290,7 @@ impl Family {
         let variables = if asked.free.is_some() { study.coordinates().len() } else { start.len() };
         integrals.retain(|integral| integral.iter().all(|(k, _)| *k < variables));
         let floats: Vec<_> = integrals.iter().map(floats).collect();
-        let leaf = Leaf::through(&start[..variables], &floats);
+        let leaf = LevelSet::through(&start[..variables], &floats);
         let held = integrals.into_iter().map(|integral| Held::of(integral, &point)).collect();
         Ok(Family { study, eps, start, held, leaf, parameter, changes: axis.is_some() })
     }
@@ -303,8 +306,8 @@ impl Family {
         self.held.iter().map(|integral| integral.equation(&self.study)).collect()
     }
 
-    fn on_leaf(&self, value: f64) -> OnLeaf<'_, ParametricAt> {
-        OnLeaf { map: self.at(value).by(self.parameter), leaf: &self.leaf }
+    fn on_leaf(&self, value: f64) -> OnLevelSet<'_, ParametricAt> {
+        OnLevelSet { map: self.at(value).by(self.parameter), leaf: &self.leaf }
     }
 
     /// Converts the points of a cycle from coordinates on the level set to all variables.
@@ -333,7 +336,7 @@ impl Family {
     fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
         // A winding branch has more cycles than this estimate.
-        let count = Count::new("cycles", steps as u64, watch);
+        let count = WorkCount::new("cycles", steps as u64, watch);
         let mut branch = branch(|value| self.on_leaf(value), cycle, ends, steps, |_| count.tell(1));
         self.finish(&mut branch, axis);
         branch
@@ -343,7 +346,7 @@ impl Family {
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
             self.unfold(&mut point.cycle);
-            if let Mark::Asked(k) = point.mark {
+            if let BranchPointKind::Asked(k) = point.mark {
                 point.parameter = axis.range.value(k).to_f64();
             }
         }
@@ -441,7 +444,7 @@ impl Serialize for CycleFound {
         let place = |(point, found): (&BranchPoint, Option<&FlowFound>)| {
             let mut place = object_of(self, &point.cycle, point.eps);
             place["parameter"] = json!(point.parameter);
-            place["change"] = json!(point.change().map(|change| self.said(change)));
+            place["change"] = json!(point.change().map(|change| self.change_in_words(change)));
             if self.flow.is_some() {
                 place["eps"] = json!(point.eps);
                 place["flow"] = flow::object(found, &point.cycle, point.eps);
@@ -449,7 +452,8 @@ impl Serialize for CycleFound {
             place
         };
         let turn = |(point, found): (&BranchPoint, Option<&FlowFound>)| {
-            let mut turn = json!({"change": self.said(point.change()?), "parameter": point.parameter});
+            let mut turn =
+                json!({"change": self.change_in_words(point.change()?), "parameter": point.parameter});
             if self.flow.is_some() {
                 turn["error"] = json!(found.map(|found| found.parameter.error));
             }

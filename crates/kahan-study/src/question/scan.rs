@@ -1,15 +1,15 @@
 //! Searches a grid for special values of parameters and of ε.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::scan::{GridPoint, Proposal, Sight};
-use kahan_discover::{Scan as Grid, Scanned, Watch, scan};
+use kahan_discover::scan::{DegreesAndRanks, GridPoint, Proposal};
+use kahan_discover::{Scan as Grid, ScannedQuantity, Watch, scan};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use crate::axes;
 use crate::error::StudyError;
-use crate::numbers::exact::{self, Exactly};
+use crate::numbers::exact::{self, ExactJson};
 use crate::range::Axis;
 use crate::study::Study;
 
@@ -83,7 +83,7 @@ impl Scan {
     }
 
     /// Returns the axes, after checking that no axis also has a fixed value.
-    fn scanned(&self, study: &Study) -> Result<Vec<Scanned>, StudyError> {
+    fn scanned(&self, study: &Study) -> Result<Vec<ScannedQuantity>, StudyError> {
         if self.over.is_empty() {
             return Err(StudyError::NoAxis);
         }
@@ -100,18 +100,18 @@ impl Scan {
             taken.push(&axis.name);
         }
         let scanned =
-            |axis: &Axis| Scanned { name: axis.name.clone(), values: axis.range.values().collect() };
+            |axis: &Axis| ScannedQuantity { name: axis.name.clone(), values: axis.range.values().collect() };
         Ok(self.over.iter().map(scanned).collect())
     }
 }
 
 fn grid<S: Serializer>(found: &Grid, serializer: S) -> Result<S::Ok, S::Error> {
-    let seen = |sight: &Sight| {
-        let Sight { integrals, hilbert, degrees } = sight;
+    let seen = |sight: &DegreesAndRanks| {
+        let DegreesAndRanks { integrals, hilbert, degrees } = sight;
         json!({"independent_integrals": integrals, "hilbert": hilbert, "degrees": degrees})
     };
     let values = |point: &GridPoint| -> Map<String, Value> {
-        found.names.iter().cloned().zip(point.values.iter().map(Exactly::to_json)).collect()
+        found.names.iter().cloned().zip(point.values.iter().map(ExactJson::to_json)).collect()
     };
     let point = |point: &GridPoint| json!({"values": values(point), "sight": point.sight.as_ref().map(seen)});
     let relation = |proposal: &Proposal| {

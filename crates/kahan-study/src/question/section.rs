@@ -1,9 +1,9 @@
 //! Crossings of orbits with a plane, or with a level set of any function.
 
-mod abreast;
-mod course;
 mod orbits;
 mod plane;
+mod section_orbit;
+mod side_by_side;
 
 use std::ops::ControlFlow;
 
@@ -19,11 +19,11 @@ use serde_json::{Map, Value, json};
 use crate::axes;
 use crate::error::StudyError;
 use crate::numbers::exact;
-use crate::rows::{Column, Kept, MOST_CELLS, Rows, Table, Values, free_name};
+use crate::rows::{Column, MOST_CELLS, Rows, StoredColumn, Table, Values, free_name};
 use crate::study::Study;
 
 use super::orbit::columns;
-use super::over::{Cells, Over, Varied};
+use super::over::{AxisOver, Cells, Over};
 use super::{Question, usual_order};
 
 use orbits::Orbits;
@@ -69,10 +69,10 @@ pub struct Section {
     pub starts: Vec<Vec<Rational>>,
     /// Parameters, or `eps`, with a value for each first point.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
-    pub params: Vec<Varied>,
+    pub params: Vec<AxisOver>,
     /// The axes, combined in all ways with each other and with the first points.
     #[serde(default, with = "axes", skip_serializing_if = "Vec::is_empty")]
-    pub over: Vec<Varied>,
+    pub over: Vec<AxisOver>,
     /// Whether an orbit starts at the last point of the previous orbit on the last axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub carry: bool,
@@ -155,7 +155,7 @@ impl Section {
     /// The errors of [`find`](Self::find), or more than [`MOST_CELLS`] cells.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<SectionFound, StudyError> {
         let mut rows = Table { columns: self.columns(study)?, values: Vec::new() };
-        let mut few = Few { rows: &mut rows, cells: 0 };
+        let mut few = LimitedRows { rows: &mut rows, cells: 0 };
         let orbits = self.find(study, &mut few, watch)?;
         if few.cells > MOST_CELLS {
             return Err(StudyError::TooLong { cells: few.cells });
@@ -218,12 +218,12 @@ impl Section {
 }
 
 /// A consumer that collects rows up to the limit of an answer.
-struct Few<'a> {
+struct LimitedRows<'a> {
     rows: &'a mut Table,
     cells: u64,
 }
 
-impl Rows for Few<'_> {
+impl Rows for LimitedRows<'_> {
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
         self.cells += (columns.len() * values.first().map_or(0, Values::count)) as u64;
         if self.cells > MOST_CELLS {
@@ -254,7 +254,7 @@ impl SectionFound {
 
     fn numbers(&self, column: usize) -> &[f64] {
         match self.rows.values.get(column) {
-            Some(Kept::F64(values)) => values,
+            Some(StoredColumn::F64(values)) => values,
             _ => &[],
         }
     }
@@ -267,7 +267,7 @@ impl SectionFound {
     #[must_use]
     pub fn steps(&self) -> &[i64] {
         match self.rows.values.get(self.front()) {
-            Some(Kept::Integer(values)) => values,
+            Some(StoredColumn::Integer(values)) => values,
             _ => &[],
         }
     }

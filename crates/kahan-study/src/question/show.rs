@@ -18,7 +18,7 @@ use crate::error::StudyError;
 use crate::study::Study;
 use crate::sympy::{self, SymPy};
 
-pub use plan::{Costs, Listing, Planned};
+pub use plan::{FunctionCost, Listing, ShownPlans};
 
 /// The most variables of a field whose matrices are written out.
 const MOST_VARIABLES: usize = 500;
@@ -29,7 +29,7 @@ const MOST_VARIABLES: usize = 500;
 pub struct Show {
     /// The form of the answer.
     #[serde(rename = "as", default)]
-    pub form: Form,
+    pub form: ShowForm,
     /// Whether to include the Jacobian of the map, which may be long.
     #[serde(default)]
     pub jacobian: bool,
@@ -38,7 +38,7 @@ pub struct Show {
 /// The form in which a field is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Form {
+pub enum ShowForm {
     /// Formulas in the language of `kahan!`.
     #[default]
     Text,
@@ -55,9 +55,9 @@ pub enum Form {
 /// A field in one of the forms.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
-pub enum Shown {
+pub enum ShownField {
     /// All formulas.
-    Formulas(Box<Sheet>),
+    Formulas(Box<FormulaSheet>),
     /// The block of `kahan!`.
     Block {
         /// The name of the system.
@@ -67,13 +67,13 @@ pub enum Shown {
         block: String,
     },
     /// The plans of the code.
-    Plan(Box<Planned>),
+    Plan(Box<ShownPlans>),
 }
 
 /// The formulas of a field, each as a text; `None` (null in JSON) for a formula with too many
 /// terms.
 #[derive(Clone, Debug, Serialize)]
-pub struct Sheet {
+pub struct FormulaSheet {
     /// The name of the system.
     pub system: String,
     /// The description in the catalog.
@@ -112,7 +112,7 @@ pub struct Sheet {
     /// The block of `kahan!`.
     #[serde(rename = "macro")]
     pub block: String,
-    /// A Python script in [`Form::Sympy`], which assigns the symbols, matrices and claims to the
+    /// A Python script in [`ShowForm::Sympy`], which assigns the symbols, matrices and claims to the
     /// names of this sheet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub script: Option<String>,
@@ -151,22 +151,24 @@ impl Show {
     /// # Errors
     /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or one
     /// of more than 500 variables, of which only the block is shown.
-    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Shown, StudyError> {
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ShownField, StudyError> {
         study.proved()?;
         let variables = study.variables().len();
-        if variables > MOST_VARIABLES && self.form != Form::Kahan {
+        if variables > MOST_VARIABLES && self.form != ShowForm::Kahan {
             return Err(StudyError::LargeMatrices { variables, most: MOST_VARIABLES });
         }
         let mut system = study.specialised()?;
         let block = macro_block(&system);
         let notation: &dyn Notation = match self.form {
-            Form::Text => &Text,
-            Form::Latex => &Latex,
-            Form::Sympy => &SymPy,
-            Form::Kahan => {
-                return Ok(Shown::Block { system: study.name().to_owned(), block });
+            ShowForm::Text => &Text,
+            ShowForm::Latex => &Latex,
+            ShowForm::Sympy => &SymPy,
+            ShowForm::Kahan => {
+                return Ok(ShownField::Block { system: study.name().to_owned(), block });
             }
-            Form::Plan => return Ok(Shown::Plan(Box::new(Planned::of(study.name(), &system, watch)))),
+            ShowForm::Plan => {
+                return Ok(ShownField::Plan(Box::new(ShownPlans::of(study.name(), &system, watch))));
+            }
         };
         system.claims.iter_mut().for_each(|claim| claim.put_values(&system.constants));
         let map = RationalMap::of(&system.field);
@@ -178,7 +180,7 @@ impl Show {
             source: study.source(&claim.name.text),
             ..ClaimShown::of(&system, claim, notation)
         });
-        let mut sheet = Sheet {
+        let mut sheet = FormulaSheet {
             system: study.name().to_owned(),
             title: study.title(),
             variables: system.field.symbols.states.clone(),
@@ -197,8 +199,8 @@ impl Show {
             block,
             script: None,
         };
-        sheet.script = (self.form == Form::Sympy).then(|| sympy::script(&sheet));
-        Ok(Shown::Formulas(Box::new(sheet)))
+        sheet.script = (self.form == ShowForm::Sympy).then(|| sympy::script(&sheet));
+        Ok(ShownField::Formulas(Box::new(sheet)))
     }
 }
 

@@ -9,7 +9,7 @@ use kahan_paper::{
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Value, json};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::study::Study;
 
@@ -72,7 +72,7 @@ impl Verify {
             study.proved()?;
         }
         let system = study.specialised()?;
-        let count = Count::new("claims", system.claims.len() as u64, watch);
+        let count = WorkCount::new("claims", system.claims.len() as u64, watch);
         let id = |name: &str| format!("{}.{name}", study.name());
         let claims = system.claims.iter().enumerate().take_while(|_| !count.is_stopped());
         Ok(if self.mutate {
@@ -110,7 +110,7 @@ impl Verify {
         let paper = Paper::new();
         let is_meant = |claim: &&Claim| system.is_none_or(|system| claim.system == system);
         let claims: Vec<&Claim> = paper.claims().iter().filter(is_meant).collect();
-        let count = Count::new("claims", claims.len() as u64, watch);
+        let count = WorkCount::new("claims", claims.len() as u64, watch);
         if self.mutate {
             let mutations = of_each(&paper, &claims, &count, |claim| mutated(&paper, claim));
             return Mutations::of(mutations, seconds_since(begun, watch));
@@ -129,7 +129,7 @@ impl Verify {
 fn of_each<R: Send>(
     paper: &Paper,
     claims: &[&Claim],
-    count: &Count<'_>,
+    count: &WorkCount<'_>,
     work: impl Fn(&Claim) -> R + Sync,
 ) -> Vec<R> {
     let each = |claim: &Claim| {

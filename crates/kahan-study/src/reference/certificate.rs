@@ -8,8 +8,8 @@ use kahan_core::{Composition, Dd, KahanMap};
 use kahan_dynamics::Flow;
 use serde::{Serialize, Serializer};
 
-use super::path::Limits;
-use super::refusal::{LEAST_DIFFERENCE, NoReference};
+use super::no_reference::{LEAST_DIFFERENCE, NoReference};
+use super::path::TrajectoryLimits;
 
 const FEWEST_STEPS: f64 = 16.0;
 /// The least and the largest factor by which the number of steps grows after a failed trial; in
@@ -76,7 +76,7 @@ impl Certificate {
         map: &M,
         start: SVector<Dd, N>,
         allowed: f64,
-        limits: &Limits<'_>,
+        limits: &TrajectoryLimits<'_>,
     ) -> Result<Self, NoReference>
     where
         M: KahanMap<Dd, N>,
@@ -142,7 +142,7 @@ impl Comparison {
         start: SVector<Dd, N>,
         steps: u64,
         allowed: f64,
-        limits: &Limits<'_>,
+        limits: &TrajectoryLimits<'_>,
     ) -> Option<Self>
     where
         M: KahanMap<Dd, N>,

@@ -4,7 +4,7 @@ use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
 
 use kahan_systems::registry::find;
-use kahan_systems::special::Precise;
+use kahan_systems::special::Float256;
 
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
@@ -16,15 +16,15 @@ pub(super) fn closed_solution(
     parameters: &[BigRational],
     start: &[BigRational],
 ) -> Option<Solution> {
-    let precise = |values: &[BigRational]| values.iter().map(Precise::from_rational).collect::<Vec<_>>();
+    let precise = |values: &[BigRational]| values.iter().map(Float256::from_rational).collect::<Vec<_>>();
     let trajectory = find(command)?.flow?(&precise(parameters), &precise(start))?;
     Some(Box::new(move |t| {
-        let (high, low) = (Precise::from(t.high()), Precise::from(t.low()));
+        let (high, low) = (Float256::from(t.high()), Float256::from(t.low()));
         trajectory(&(high + low)).iter().map(double_double).collect()
     }))
 }
 
-fn double_double(value: &Precise) -> Dd {
+fn double_double(value: &Float256) -> Dd {
     let high = value.to_f64();
-    Dd::new(high, (*value - Precise::from(high)).to_f64())
+    Dd::new(high, (*value - Float256::from(high)).to_f64())
 }

@@ -9,8 +9,8 @@
 mod certificate;
 #[cfg(feature = "catalog")]
 mod closed;
+mod no_reference;
 mod path;
-mod refusal;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
@@ -22,8 +22,8 @@ use kahan_runtime::interpreted::round;
 use path::path;
 
 pub use certificate::{Certificate, Method};
-pub use path::Limits;
-pub use refusal::NoReference;
+pub use no_reference::NoReference;
+pub use path::TrajectoryLimits;
 
 /// The allowed difference of the two methods, relative to the tolerance of orbits. Measured errors
 /// near a tenth of the tolerance then stay accurate to a tenth.
@@ -66,7 +66,7 @@ impl Reference {
     pub fn of<M, const N: usize>(
         map: &M,
         asked: &Trajectory<'_>,
-        limits: &Limits<'_>,
+        limits: &TrajectoryLimits<'_>,
     ) -> Result<Self, NoReference>
     where
         M: KahanMap<Dd, N>,

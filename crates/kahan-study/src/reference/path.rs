@@ -8,13 +8,13 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, KahanMap};
 use kahan_dynamics::{Flow, NoFlow};
 
-use super::refusal::NoReference;
+use super::no_reference::NoReference;
 
 const MOST_MEMORY: usize = 1 << 30;
 
 /// Limits on the computation of a trajectory.
 #[derive(Clone, Copy, Default)]
-pub struct Limits<'a> {
+pub struct TrajectoryLimits<'a> {
     /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory extends
     /// beyond its end, for orbits that overshoot. A solution that escapes first is not extended.
     pub margin: f64,
@@ -24,13 +24,13 @@ pub struct Limits<'a> {
     pub is_over: Option<&'a dyn Fn() -> bool>,
 }
 
-impl Limits<'_> {
+impl TrajectoryLimits<'_> {
     pub(super) fn is_over(&self) -> bool {
         self.is_over.is_some_and(|is_over| is_over())
     }
 }
 
-impl fmt::Debug for Limits<'_> {
+impl fmt::Debug for TrajectoryLimits<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Limits").field("margin", &self.margin).finish_non_exhaustive()
     }
@@ -40,7 +40,7 @@ pub(super) fn path<M, const N: usize>(
     map: &M,
     start: SVector<Dd, N>,
     end: f64,
-    limits: &Limits<'_>,
+    limits: &TrajectoryLimits<'_>,
 ) -> Result<Flow<Dd>, NoReference>
 where
     M: KahanMap<Dd, N>,

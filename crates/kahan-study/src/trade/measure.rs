@@ -20,7 +20,7 @@ use super::stops::stops;
 /// The number of points at which integrals are evaluated if the trajectory is followed.
 const INTEGRAL_SAMPLES: usize = 32;
 
-pub(super) struct Measuring<'a> {
+pub(super) struct SettingMeasurements<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
@@ -37,7 +37,7 @@ pub(super) struct Measuring<'a> {
     pub(super) watch: &'a dyn Watch,
 }
 
-impl Trials for Measuring<'_> {
+impl Trials for SettingMeasurements<'_> {
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
         self.scene.setting(scheme, steps)
     }
@@ -84,7 +84,7 @@ impl Trials for Measuring<'_> {
     }
 }
 
-impl Measuring<'_> {
+impl SettingMeasurements<'_> {
     /// Records the first number of steps for which no time was left to try a scheme.
     fn skip(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {

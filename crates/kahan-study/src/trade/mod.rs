@@ -31,14 +31,16 @@ pub use crate::map::CannotRun;
 use crate::map::rate;
 use crate::named::Names;
 use crate::numbers::{DoubleDouble, Printable, exact};
-use crate::reference::{Certificate, Limits, NoReference, PART_OF_TOLERANCE, Reference, Trajectory};
+use crate::reference::{
+    Certificate, NoReference, PART_OF_TOLERANCE, Reference, Trajectory, TrajectoryLimits,
+};
 use crate::study::Study;
 
 use drift::Integrals;
-use measure::Measuring;
+use measure::SettingMeasurements;
 use prices::Prices;
 use runner::Runner;
-use search::{Ladders, MEASURED};
+use search::{MEASURED, RefinementSearch};
 
 pub use object::need_name;
 
@@ -234,7 +236,8 @@ impl Trade {
         let clock = || watch.now().unwrap_or_default();
         let trade = |why| StudyError::Trade { system: study.name().to_owned(), why };
         let runner = Runner::new(study.field(), &parameters, &start, &clock).map_err(trade)?;
-        let search = Ladders::of(&runner, study, &parameters, scene, self.seconds, watch).map_err(trade)?;
+        let search =
+            RefinementSearch::of(&runner, study, &parameters, scene, self.seconds, watch).map_err(trade)?;
         Ok(search.finish(study, &parameters))
     }
 }
@@ -248,7 +251,7 @@ fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
     }
 }
 
-impl<'a> Ladders<'a> {
+impl<'a> RefinementSearch<'a> {
     fn of(
         runner: &'a Runner<'a>,
         study: &Study,
@@ -272,7 +275,7 @@ impl<'a> Ladders<'a> {
                 let is_over = || clock() > deadline;
                 // Errors refer to the variables of the original equations.
                 let variables = Some(study.coordinates().len());
-                let limits = Limits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
+                let limits = TrajectoryLimits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
                 let asked = Trajectory {
                     command: study.catalog_name().unwrap_or_default(),
                     parameters: &exact_parameters,
@@ -304,7 +307,7 @@ impl<'a> Ladders<'a> {
         // The tolerance leaves room for the error of the reference.
         let certified = reference.as_ref().map_or(0.0, |reference| reference.certificate().difference);
         let tolerance = scene.tolerance() - certified;
-        let measuring = Measuring {
+        let measuring = SettingMeasurements {
             subject: runner,
             prices,
             scene,
@@ -318,7 +321,7 @@ impl<'a> Ladders<'a> {
             watch,
         };
         let search = Search::new(measuring, tolerance, MEASURED);
-        let mut ladders = Ladders { search, tolerance, stalled: Vec::new() };
+        let mut ladders = RefinementSearch { search, tolerance, stalled: Vec::new() };
         ladders.run(coarsest);
         Ok(ladders)
     }
@@ -331,7 +334,7 @@ impl<'a> Ladders<'a> {
         for setting in settings.iter_mut().filter(|setting| setting.on_front) {
             setting.return_error = measuring.return_error(&setting.setting);
         }
-        let Measuring { subject, scene, reference, is_code, skipped, .. } = measuring;
+        let SettingMeasurements { subject, scene, reference, is_code, skipped, .. } = measuring;
         let choice = settings.iter().find(|setting| setting.error() <= tolerance).map(|best| Choice {
             setting: best.clone(),
             rust: paste::rust_of(study, parameters, &subject.start, &best.setting),
@@ -352,7 +355,7 @@ impl<'a> Ladders<'a> {
     }
 }
 
-impl Measuring<'_> {
+impl SettingMeasurements<'_> {
     /// Reports the number of settings to the watch. A watch that ends the work sets the deadline to
     /// 0, and then gets no more reports.
     fn tell(&mut self) {

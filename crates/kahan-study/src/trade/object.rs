@@ -5,7 +5,7 @@ use kahan_dynamics::{Need, Scene, Scheme, Setting};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::named::{Names, by_name};
-use crate::numbers::exact::Exactly;
+use crate::numbers::exact::ExactJson;
 
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Need", rename_all = "lowercase")]

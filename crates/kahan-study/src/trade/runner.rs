@@ -26,9 +26,9 @@ pub(super) struct Runner<'a> {
 pub(super) type Clock<'a> = &'a dyn Fn() -> Duration;
 
 /// A callback that gets the number of steps and the point, and decides whether to go on.
-pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
+pub(super) type PointVisitor<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 
-pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
+pub(super) type StopSteps<'a> = &'a mut dyn Iterator<Item = u64>;
 
 impl<'a> Runner<'a> {
     pub(super) fn new(
@@ -68,8 +68,8 @@ impl<'a> Runner<'a> {
         scheme: Scheme,
         eps: f64,
         from: Option<&[Dd]>,
-        stops: Stops<'_>,
-        visit: Visit<'_>,
+        stops: StopSteps<'_>,
+        visit: PointVisitor<'_>,
     ) -> f64 {
         let exact = |entry: &Dd| &rational(entry.high()) + &rational(entry.low());
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
@@ -92,8 +92,8 @@ impl<'a> Runner<'a> {
         Scheme { composition, compensated, .. }: Scheme,
         at: MapAt<T>,
         mut x: Vec<T>,
-        stops: Stops<'_>,
-        visit: Visit<'_>,
+        stops: StopSteps<'_>,
+        visit: PointVisitor<'_>,
     ) -> f64
     where
         Dd: From<T>,

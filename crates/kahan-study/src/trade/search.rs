@@ -1,35 +1,35 @@
 //! The order of measuring schemes: likely winners first, so that others can be abandoned early.
 
 use kahan_core::Composition;
-use kahan_dynamics::search::{Rules, Search};
+use kahan_dynamics::search::{Search, SearchParameters};
 use kahan_dynamics::{Precision, Scheme};
 
-use super::measure::Measuring;
+use super::measure::SettingMeasurements;
 
 /// The rules for measured settings: show all trials, and allow the whole tolerance, because the
 /// reference is certified.
-pub(super) const MEASURED: Rules =
-    Rules { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
+pub(super) const MEASURED: SearchParameters =
+    SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
 const SHARE: f64 = 0.3;
 /// An error of `f64` too large to be caused by rounding.
 const UNEVEN: f64 = 1e-11;
 
 /// A search with the schemes whose errors have stopped falling.
-pub(super) struct Ladders<'a> {
-    pub(super) search: Search<Measuring<'a>>,
+pub(super) struct RefinementSearch<'a> {
+    pub(super) search: Search<SettingMeasurements<'a>>,
     pub(super) tolerance: f64,
     pub(super) stalled: Vec<Scheme>,
 }
 
-impl Ladders<'_> {
+impl RefinementSearch<'_> {
     /// Measures until the answer is clear; `coarsest` is the least number of steps to the horizon.
     pub(super) fn run(&mut self, coarsest: u64) {
-        self.climb(coarsest);
+        self.refine_order(coarsest);
         self.search.set_share(1.0);
         if self.search.best().is_none() {
             // With no setting found, schemes that ran out of time get all the remaining time.
             for (scheme, _) in self.search.trials_mut().put_off() {
-                self.ladder(scheme, coarsest);
+                self.refine_steps(scheme, coarsest);
             }
         }
         for scheme in Scheme::all() {
@@ -45,12 +45,12 @@ impl Ladders<'_> {
         }
     }
 
-    fn climb(&mut self, coarsest: u64) {
+    fn refine_order(&mut self, coarsest: u64) {
         let plain = |precision, composition| Scheme::of(precision).composed(composition);
         let [.., highest] = Composition::BEST;
         let first = self.with_and_without(plain(Precision::Double, highest), coarsest);
         if self.search.best().is_none() {
-            self.ladder(plain(Precision::DoubleDouble, highest), coarsest);
+            self.refine_steps(plain(Precision::DoubleDouble, highest), coarsest);
         }
         // If rounding errors of f64 matter, double-double may win at ten times the price.
         let mut wide = if first { vec![highest] } else { Vec::new() };
@@ -73,7 +73,7 @@ impl Ladders<'_> {
         for composition in Composition::BEST.into_iter().rev() {
             let scheme = plain(Precision::DoubleDouble, composition);
             if (only_dd || wide.contains(&composition)) && !self.search.has_tried(scheme) {
-                self.ladder(scheme, coarsest);
+                self.refine_steps(scheme, coarsest);
             }
         }
     }
@@ -81,16 +81,16 @@ impl Ladders<'_> {
     /// Runs the ladder of a scheme without compensation, and with it if rounding errors matter.
     /// Returns whether they matter without it.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
-        let has_felt = self.ladder(scheme, coarsest);
+        let has_felt = self.refine_steps(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {
-            self.ladder(scheme.compensated(), coarsest);
+            self.refine_steps(scheme.compensated(), coarsest);
         }
         has_felt
     }
 
-    /// Runs the [ladder](Search::ladder) of a scheme; returns whether rounding errors matter.
-    fn ladder(&mut self, scheme: Scheme, coarsest: u64) -> bool {
-        let climb = self.search.ladder(scheme, coarsest);
+    /// Runs the [ladder](Search::refine_steps) of a scheme; returns whether rounding errors matter.
+    fn refine_steps(&mut self, scheme: Scheme, coarsest: u64) -> bool {
+        let climb = self.search.refine_steps(scheme, coarsest);
         if climb.has_stalled() {
             self.stalled.push(scheme);
         }

@@ -1,7 +1,7 @@
 //! Limit cycles of flows against SciPy: shooting with DOP853, tolerance 1e-13.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{StudyError, Subject, Unwatched, Which};
+use kahan_study::{LiftCriterion, StudyError, Subject, Unwatched};
 use serde_json::{Value, json};
 
 use super::{answer, question, study};
@@ -58,7 +58,7 @@ fn the_shortest_cycles_of_the_lorenz_system_are_found_by_their_period() {
 
 #[test]
 fn errors_of_lifted_cycles_hold() {
-    let lifted = |text| Subject::text(text).lifted(Which::Automatic);
+    let lifted = |text| Subject::text(text).lifted(LiftCriterion::Automatic);
     let field = lifted("xdot = y; ydot = (1 - x^2)*y - x;");
     for (dt, most) in [(0.02, 1e-6), (0.04, 1e-6), (0.05, 1e-6), (0.06, 1e-6), (0.1, 1e-5)] {
         let found = cycle(&field, dt, json!({"at": [2, 0]}));
@@ -95,7 +95,8 @@ fn what_is_no_cycle_is_said_in_its_words() {
 #[test]
 fn a_branch_ends_where_the_cycle_shrinks_to_a_steady_state() {
     // The Brusselator with a = 1 has its Hopf point at b = 1 + a².
-    let field = Subject::text("xdot = 1 + x^2*y - (b + 1)*x; ydot = b*x - x^2*y;").lifted(Which::Automatic);
+    let field =
+        Subject::text("xdot = 1 + x^2*y - (b + 1)*x; ydot = b*x - x^2*y;").lifted(LiftCriterion::Automatic);
     let more = json!({"at": [1, 2], "transient": 2000, "over": {"b": "2.3:1.8:6"}});
     let found = cycle(&field, 0.1, more);
     let rows = found["branch"]["points"].as_array().expect("rows");

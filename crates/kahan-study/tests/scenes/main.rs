@@ -14,7 +14,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, ExtendScalars};
 use kahan_dynamics::{NoSetting, Precision, Scene, Scheme, Setting};
-use kahan_study::reference::{Limits, Reference, Trajectory};
+use kahan_study::reference::{Reference, Trajectory, TrajectoryLimits};
 
 use seeded_fields::*;
 
@@ -52,7 +52,7 @@ where
     let exact = start.map(|entry| BigRational::from_float(entry).expect("finite"));
     let asked =
         Trajectory { command: "", parameters: &[], start: &exact, end: horizon, allowed: 0.1 * tolerance };
-    let limits = Limits::default();
+    let limits = TrajectoryLimits::default();
     let Ok(truth) = Reference::of(map, &asked, &limits) else {
         return Judged { scene: name, outcome: Outcome::Unjudged { is_accepted: chosen.is_ok() } };
     };

@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use kahan_study::{Kept, Table};
+use kahan_study::{StoredColumn, Table};
 use sha2::{Digest, Sha256};
 
 use super::Part;
@@ -84,9 +84,9 @@ fn encode(rows: &Table) -> Vec<u8> {
     let mut bytes = Vec::new();
     for kept in &rows.values {
         match kept {
-            Kept::Integer(list) => bytes.extend(list.iter().flat_map(|entry| entry.to_le_bytes())),
-            Kept::F64(list) => bytes.extend(list.iter().flat_map(|entry| entry.to_le_bytes())),
-            Kept::Text(list) => {
+            StoredColumn::Integer(list) => bytes.extend(list.iter().flat_map(|entry| entry.to_le_bytes())),
+            StoredColumn::F64(list) => bytes.extend(list.iter().flat_map(|entry| entry.to_le_bytes())),
+            StoredColumn::Text(list) => {
                 for entry in list {
                     bytes.extend((entry.len() as u64).to_le_bytes());
                     bytes.extend(entry.as_bytes());
@@ -138,9 +138,11 @@ impl<'a> Bytes<'a> {
         let mut values = Vec::new();
         for kept in &empty.values {
             values.push(match kept {
-                Kept::Integer(_) => Kept::Integer(self.words(count, i64::from_le_bytes)?),
-                Kept::F64(_) => Kept::F64(self.words(count, f64::from_le_bytes)?),
-                Kept::Text(_) => Kept::Text((0..count).map(|_| self.text()).collect::<Option<_>>()?),
+                StoredColumn::Integer(_) => StoredColumn::Integer(self.words(count, i64::from_le_bytes)?),
+                StoredColumn::F64(_) => StoredColumn::F64(self.words(count, f64::from_le_bytes)?),
+                StoredColumn::Text(_) => {
+                    StoredColumn::Text((0..count).map(|_| self.text()).collect::<Option<_>>()?)
+                }
                 other => unreachable!("no sweep has a column of {other:?}"),
             });
         }

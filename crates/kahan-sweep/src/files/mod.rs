@@ -12,6 +12,6 @@ mod table;
 
 pub(crate) use journal::Journal;
 pub(crate) use merge::{RESULTS, merge};
-pub(crate) use part::{Part, Unusable, folder_is_writable};
+pub(crate) use part::{Part, UnusablePart, folder_is_writable};
 pub(crate) use status::{Status, ranges, status};
 pub(crate) use table::{NoTable, numbers, table};

@@ -7,7 +7,7 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use kahan_study::{Kept, Table};
+use kahan_study::{StoredColumn, Table};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
@@ -44,18 +44,18 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
-pub(crate) enum Unusable {
+pub(crate) enum UnusablePart {
     /// The file is incomplete, altered or another part; its shard can write it again.
     Damaged(String),
     /// The file has another plan, version or floating-point mode.
     Foreign(String),
 }
 
-impl Display for Unusable {
+impl Display for UnusablePart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Unusable::Damaged(reason) => write!(f, "{reason}; delete it, and run its shard again"),
-            Unusable::Foreign(reason) => f.write_str(reason),
+            UnusablePart::Damaged(reason) => write!(f, "{reason}; delete it, and run its shard again"),
+            UnusablePart::Foreign(reason) => f.write_str(reason),
         }
     }
 }
@@ -119,9 +119,9 @@ impl<'a> Part<'a> {
     }
 
     /// Opens the file after checking its checksum, plan, version and index.
-    pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, Unusable> {
+    pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, UnusablePart> {
         let name = self.path.file_name().unwrap_or_default().display();
-        let damaged = |why: &dyn Display| Unusable::Damaged(format!("{name} is damaged ({why})"));
+        let damaged = |why: &dyn Display| UnusablePart::Damaged(format!("{name} is damaged ({why})"));
         // The checksum is verified before any metadata are trusted.
         let summed = File::open(&self.path).and_then(|mut file| Ok((Checksum::of(&mut file)?, file)));
         let (sum, file) = summed.map_err(|error| damaged(&error))?;
@@ -154,7 +154,7 @@ impl<'a> Part<'a> {
             }
             return Err(damaged(&"it is another part under this name"));
         };
-        Err(Unusable::Foreign(format!("{name} {why}")))
+        Err(UnusablePart::Foreign(format!("{name} {why}")))
     }
 }
 
@@ -189,9 +189,9 @@ pub(super) fn writer<W: Write + Send>(plan: &Plan, to: W) -> Result<SerializedFi
 fn schema(empty: &Table) -> Result<Type, ParquetError> {
     let fields = empty.columns.iter().zip(&empty.values).map(|(column, kept)| {
         let (physical, logical) = match kept {
-            Kept::Integer(_) => (Physical::INT64, None),
-            Kept::F64(_) => (Physical::DOUBLE, None),
-            Kept::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+            StoredColumn::Integer(_) => (Physical::INT64, None),
+            StoredColumn::F64(_) => (Physical::DOUBLE, None),
+            StoredColumn::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
             other => unreachable!("no sweep has a column of {other:?}"),
         };
         let field =
@@ -203,13 +203,13 @@ fn schema(empty: &Table) -> Result<Type, ParquetError> {
 
 fn put<W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
-    column: &Kept,
+    column: &StoredColumn,
 ) -> Result<(), ParquetError> {
     let mut writer = group.next_column()?.expect("the schema has a column for each of the table");
     match column {
-        Kept::Integer(entries) => writer.typed::<Int64Type>().write_batch(entries, None, None)?,
-        Kept::F64(entries) => writer.typed::<DoubleType>().write_batch(entries, None, None)?,
-        Kept::Text(entries) => {
+        StoredColumn::Integer(entries) => writer.typed::<Int64Type>().write_batch(entries, None, None)?,
+        StoredColumn::F64(entries) => writer.typed::<DoubleType>().write_batch(entries, None, None)?,
+        StoredColumn::Text(entries) => {
             let entries: Vec<ByteArray> = entries.iter().map(|text| ByteArray::from(text.as_str())).collect();
             writer.typed::<ByteArrayType>().write_batch(&entries, None, None)?
         }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
 use kahan_study::csv_line;
-use kahan_study::number_file::{Entry, Numbers};
+use kahan_study::number_file::{FileNumber, Numbers};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -78,9 +78,9 @@ fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<I
 
 fn exactly(entry: &Field) -> Option<Rational> {
     match entry {
-        Field::Double(value) => Entry::of_float(*value),
-        Field::Float(value) => Entry::of_float(f64::from(*value)),
-        Field::Str(text) => Entry::of_text(text).flatten(),
+        Field::Double(value) => FileNumber::of_float(*value),
+        Field::Float(value) => FileNumber::of_float(f64::from(*value)),
+        Field::Str(text) => FileNumber::of_text(text).flatten(),
         whole => Rational::parse(&whole.to_string()),
     }
 }

@@ -4,10 +4,10 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use kahan_algebra::rational::Rational;
-use kahan_study::columns::{Others, Wanted};
+use kahan_study::columns::{ExpectedColumns, OtherColumns};
 use kahan_study::number_file::Numbers;
 use kahan_study::{
-    Misread, Over, Question, Study, StudyError, Subject, Systems, Table, Through, TomlDocument, Unwatched,
+    AxisValues, Misread, Over, Question, Study, StudyError, Subject, Systems, Table, TomlDocument, Unwatched,
     read,
 };
 use serde::Deserialize;
@@ -170,7 +170,7 @@ fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &
             mistakes.push(mistake(&["question", "over", name], why));
         }
     }
-    match (over.over.iter().any(|axis| matches!(axis.through, Through::Drawn { .. })), has_draws) {
+    match (over.over.iter().any(|axis| matches!(axis.through, AxisValues::Drawn { .. })), has_draws) {
         (true, false) => {
             let why = "axes are drawn; say how many points by draws = 1000 at the top of the plan";
             mistakes.push(mistake(&["question", "over"], why));
@@ -223,7 +223,7 @@ fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
     // Columns of parameters and ε, as in earlier results, are ignored: the plan gives their values.
-    let wanted = Wanted::new(variables, study.parameters(), Others::Ignored);
+    let wanted = ExpectedColumns::new(variables, study.parameters(), OtherColumns::Ignored);
     let points = read.and_then(|numbers| numbers.points(&wanted));
     points.map_err(|why| format!("starts: {} {why}", path.display()))
 }

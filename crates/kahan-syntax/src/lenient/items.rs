@@ -7,24 +7,28 @@ use crate::syntax::ClaimKind;
 use crate::token::TokenKind;
 
 use super::Reader;
-use super::left::Left;
+use super::left_side::LeftSide;
 
-pub(super) struct Item {
+pub(super) struct TextItem {
     pub(super) tokens: Range<usize>,
-    pub(super) left: Option<Left>,
+    pub(super) left: Option<LeftSide>,
     pub(super) is_ended: bool,
 }
 
 impl Reader<'_> {
     /// Splits the text into items, up to the word `done`.
-    pub(super) fn items(&self) -> Vec<Item> {
+    pub(super) fn items(&self) -> Vec<TextItem> {
         let mut items = Vec::new();
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
                 // Options of XPP are skipped; other directives are refused later.
                 let left = None;
-                items.extend((self.at(at) != "@").then_some(Item { tokens: at..end, left, is_ended: false }));
+                items.extend((self.at(at) != "@").then_some(TextItem {
+                    tokens: at..end,
+                    left,
+                    is_ended: false,
+                }));
                 at = end;
                 continue;
             }
@@ -32,18 +36,19 @@ impl Reader<'_> {
             let brackets = usize::from(left.as_ref().is_some_and(|left| left.is_in_call));
             let end = self.end_of(at, left.as_ref());
             let is_ended = brackets == 0 && self.at(end) == ";";
-            items.push(Item { tokens: at..end, left, is_ended });
+            items.push(TextItem { tokens: at..end, left, is_ended });
             at = end + brackets + usize::from(matches!(self.at(end + brackets), ";" | ","));
         }
         items
     }
 
-    fn end_of(&self, start: usize, left: Option<&Left>) -> usize {
+    fn end_of(&self, start: usize, left: Option<&LeftSide>) -> usize {
         let word = self.at(start);
         let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");
         let is_next = |at: usize| {
             // In the conditions after `when`, `a = 1, b = 2` are relations.
-            let is_left = |left: Left| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
+            let is_left =
+                |left: LeftSide| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
             at == self.given.len()
                 || self.left(at).is_some_and(is_left)
                 || self.is_keyword(at)
@@ -51,7 +56,7 @@ impl Reader<'_> {
                 || self.is_done(at)
         };
         // Values may be separated by spaces: `a=1 b=2`.
-        let is_value = left.is_some_and(Left::is_value);
+        let is_value = left.is_some_and(LeftSide::is_value);
         let in_call = left.is_some_and(|left| left.is_in_call);
         let mut depth = usize::from(in_call);
         for at in left.map_or(start, |left| left.right)..self.given.len() {

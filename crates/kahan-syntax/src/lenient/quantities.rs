@@ -6,21 +6,21 @@ use std::ops::Range;
 use crate::rational::Rational;
 use crate::spelling::fresh;
 
-use super::items::Item;
-use super::left::Left;
+use super::items::TextItem;
+use super::left_side::LeftSide;
 use super::xpp::Function;
-use super::{Placed, Reader, mistake};
+use super::{PlacedToken, Reader, mistake};
 
 const DEEPEST: usize = 256;
 
 impl Reader<'_> {
     /// Records the states, and names the lower derivatives of higher-order equations.
-    pub(super) fn name_derivatives(&mut self, items: &[Item]) {
+    pub(super) fn name_derivatives(&mut self, items: &[TextItem]) {
         let equations = || items.iter().filter_map(|item| item.left.as_ref()).filter(|left| !left.is_value());
         for left in equations() {
             self.states.entry(left.of.name.clone()).or_default();
         }
-        for Left { of, .. } in equations() {
+        for LeftSide { of, .. } in equations() {
             if self.states.get(&of.name).is_some_and(|known| known.len() + 1 >= of.order) {
                 continue;
             }
@@ -42,14 +42,15 @@ impl Reader<'_> {
     }
 
     /// Removes values and auxiliary quantities; returns the replacements, `None` if an item stays.
-    pub(super) fn read_quantities(&mut self, items: &[Item]) -> Vec<Option<Vec<Placed>>> {
+    pub(super) fn read_quantities(&mut self, items: &[TextItem]) -> Vec<Option<Vec<PlacedToken>>> {
         let mut instead = vec![None; items.len()];
-        let is_value = |item: &Item| item.left.as_ref().is_some_and(Left::is_value);
+        let is_value = |item: &TextItem| item.left.as_ref().is_some_and(LeftSide::is_value);
         if !items.iter().any(is_value) {
             return instead;
         }
-        let right =
-            |item: &Item| item.left.as_ref().map_or(item.tokens.start, |left| left.right)..item.tokens.end;
+        let right = |item: &TextItem| {
+            item.left.as_ref().map_or(item.tokens.start, |left| left.right)..item.tokens.end
+        };
         let used = items.iter().flat_map(|item| self.names_in(right(item)));
         let used: HashSet<String> = used.map(str::to_owned).collect();
         let mut quantities: Vec<(usize, &str, Range<usize>)> = Vec::new();

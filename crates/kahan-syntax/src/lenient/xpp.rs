@@ -6,8 +6,8 @@ use std::ops::Range;
 use crate::spelling::ON_TEXTS;
 use crate::token::TokenKind;
 
-use super::right::MOST_TOKENS;
-use super::{Placed, Reader, mistake, placed};
+use super::right_side::MOST_TOKENS;
+use super::{PlacedToken, Reader, mistake, placed};
 
 const DEEPEST: usize = 64;
 
@@ -60,7 +60,7 @@ impl Reader<'_> {
         self.is_name(at) && self.at(at + 1) == "[" && is_number(at + 2) && self.at(at + 3) == "."
     }
 
-    pub(super) fn refused(&self, tokens: &Range<usize>) -> Option<Placed> {
+    pub(super) fn refused(&self, tokens: &Range<usize>) -> Option<PlacedToken> {
         let start = tokens.start;
         self.line_of_directive(start)?;
         let word = self.at(start);
@@ -105,7 +105,7 @@ impl Reader<'_> {
         &mut self,
         at: usize,
         in_equation: bool,
-        out: &mut Vec<Placed>,
+        out: &mut Vec<PlacedToken>,
     ) -> Option<usize> {
         if self.at(at + 1) != "(" || self.arguments.contains_key(self.at(at)) {
             return None;

@@ -112,7 +112,7 @@ fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<
             derivative(state, 1, |_| false)
         }
         None if cursor.is_punctuation(0, '=') => {
-            let (state, order) = meant(cursor, &text);
+            let (state, order) = probable_derivative(cursor, &text);
             let help = derivative(&state, order, |name| cursor.mentions(name));
             broken_equation(block, left, state);
             help
@@ -149,7 +149,7 @@ fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
 }
 
 /// Returns the state and order that a left-hand side probably means: `xdto`, `xDot`, `dxdt`, `ẋ`.
-fn meant(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
+fn probable_derivative(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;
     }

@@ -6,7 +6,7 @@ use crate::diagnostics::Kind;
 use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Name, TensorEntry};
 
 use super::block::{equals, semicolon};
-use super::cursor::{Cursor, End};
+use super::cursor::{Cursor, ExpressionEnd};
 use super::expr::parse_expr;
 use super::{Parsed, error};
 
@@ -35,9 +35,10 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
             ClaimBody::Function(parse_expr(cursor)?)
         }
     };
-    cursor.end = if claim.kind == ClaimKind::Bracket { End::Item } else { End::Semicolon };
+    cursor.end =
+        if claim.kind == ClaimKind::Bracket { ExpressionEnd::Item } else { ExpressionEnd::Semicolon };
     let outcome = conditions(cursor, &mut claim.conditions);
-    cursor.end = End::Semicolon;
+    cursor.end = ExpressionEnd::Semicolon;
     outcome?;
     if claim.kind == ClaimKind::Bracket {
         cursor.take(';');
@@ -51,7 +52,7 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
 /// Reads `= expr by expr`; an operand may be named `by`.
 fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
     equals(cursor)?;
-    let end = mem::replace(&mut cursor.end, End::By);
+    let end = mem::replace(&mut cursor.end, ExpressionEnd::By);
     let function = parse_expr(cursor);
     cursor.end = end;
     let function = function?;
@@ -129,7 +130,7 @@ fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parse
         return error(Kind::Claim, cursor.behind(), "there is no relation behind `when`", help);
     }
     loop {
-        let end = mem::replace(&mut cursor.end, End::Equals);
+        let end = mem::replace(&mut cursor.end, ExpressionEnd::Equals);
         let left = parse_expr(cursor);
         cursor.end = end;
         let left = left?;

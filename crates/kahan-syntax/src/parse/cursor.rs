@@ -13,7 +13,7 @@ pub(super) struct Cursor<'a> {
     tokens: &'a [Token],
     at: usize,
     /// The token that ends the current expression, besides `;`, `,` and closing brackets.
-    pub(super) end: End,
+    pub(super) end: ExpressionEnd,
     /// The name of the site index inside a family; any name but `i` is reported.
     pub(super) index: Option<&'a str>,
     pub(super) is_lifted: bool,
@@ -23,7 +23,7 @@ pub(super) struct Cursor<'a> {
 
 /// The tokens that end an expression, besides `;`, `,` and closing brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum ExpressionEnd {
     /// No other token.
     Semicolon,
     /// The first token of the next item, after the `when` of a bracket.
@@ -42,11 +42,22 @@ impl<'a> Cursor<'a> {
         let has_sites = tokens.windows(3).any(|three| {
             word(&three[0], "for") && three[1].kind == TokenKind::Identifier && word(&three[2], "in")
         });
-        Cursor { index: has_sites.then_some("i"), end: End::Semicolon, ..Cursor::of_formulas(tokens) }
+        Cursor {
+            index: has_sites.then_some("i"),
+            end: ExpressionEnd::Semicolon,
+            ..Cursor::of_formulas(tokens)
+        }
     }
 
     pub(super) fn of_formulas(tokens: &'a [Token]) -> Self {
-        Cursor { tokens, at: 0, end: End::Formula, index: None, is_lifted: false, names: OnceCell::new() }
+        Cursor {
+            tokens,
+            at: 0,
+            end: ExpressionEnd::Formula,
+            index: None,
+            is_lifted: false,
+            names: OnceCell::new(),
+        }
     }
 
     fn names(&self) -> &HashMap<&'a str, bool> {
@@ -158,7 +169,7 @@ impl<'a> Cursor<'a> {
     }
 
     pub(super) fn describe_next(&self) -> String {
-        let whole = if self.end == End::Formula { "formula" } else { "block" };
+        let whole = if self.end == ExpressionEnd::Formula { "formula" } else { "block" };
         self.peek(0).map_or_else(|| format!("the end of the {whole}"), |token| format!("`{}`", token.text))
     }
 
@@ -166,7 +177,7 @@ impl<'a> Cursor<'a> {
     /// `bracket P {`; in formulas only `x =`.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
-        if self.end == End::Formula {
+        if self.end == ExpressionEnd::Formula {
             return self.is_punctuation(ahead + 1, '=');
         }
         let equation = word.len() > 3 && word.ends_with("dot") && self.is_punctuation(ahead + 1, '=')

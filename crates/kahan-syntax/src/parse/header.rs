@@ -3,7 +3,7 @@
 //! Parameters are bare names; the macro adds types. Attributes stay tokens for `kahan-emit`.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Header, Name, Written};
+use crate::syntax::{Header, Name, WrittenTokens};
 use crate::token::{Span, Token, TokenKind};
 
 use super::Parsed;
@@ -55,15 +55,17 @@ fn header(cursor: &mut Cursor<'_>, lift: &mut Option<Span>, diagnostics: &mut Di
         cursor.advance();
         attributes.lines.extend(docs(cursor));
     }
-    let mut visibility = Written::default();
+    let mut visibility = WrittenTokens::default();
     if cursor.identifier(0) == Some("pub") {
         let start = cursor.here();
         cursor.advance();
         if cursor.is_open(0, '(') {
             cursor.skip_group();
         }
-        visibility =
-            Written { lines: vec![cursor.written_since(start.first)], span: Some(start.to(cursor.behind())) };
+        visibility = WrittenTokens {
+            lines: vec![cursor.written_since(start.first)],
+            span: Some(start.to(cursor.behind())),
+        };
         attributes.lines.extend(docs(cursor));
         if is_lift(cursor) {
             let wrong = "`lift` stands before the visibility";
@@ -193,7 +195,7 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
     }
 }
 
-fn attributes(cursor: &mut Cursor<'_>) -> Written {
+fn attributes(cursor: &mut Cursor<'_>) -> WrittenTokens {
     let (begin, mut lines) = (cursor.here(), docs(cursor));
     let mut span = None;
     while cursor.is_punctuation(0, '#') {
@@ -207,7 +209,7 @@ fn attributes(cursor: &mut Cursor<'_>) -> Written {
         lines.extend(docs(cursor));
         span = Some(begin.to(cursor.behind()));
     }
-    Written { lines, span }
+    WrittenTokens { lines, span }
 }
 
 fn docs(cursor: &Cursor<'_>) -> Vec<String> {

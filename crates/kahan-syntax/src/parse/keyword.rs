@@ -23,7 +23,7 @@ const SYNONYMS: [(&str, &str); 5] = [
 const PARAMETERS: [&str; 4] = ["parameter", "parameters", "param", "params"];
 
 /// Returns the keyword that `word` probably means, by a synonym or by its spelling.
-fn meant(word: &str) -> Option<&'static str> {
+fn probable_keyword(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase().replace('_', "");
     let synonym = SYNONYMS.iter().find(|(_, words)| words.split(' ').any(|known| known == word));
     // One wrong letter in a synonym, such as `poison` for `poisson`.
@@ -51,7 +51,7 @@ pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Opt
     if ahead == 2 {
         return Some(wrong(format!("did you mean `{} {} …`?", cursor.identifier(1)?, name.text)));
     }
-    let keyword = meant(word)?;
+    let keyword = probable_keyword(word)?;
     let Some(kind) = ClaimKind::of_keyword(keyword) else {
         let help = format!("did you mean `const {} = …;`?", name.text);
         block.constants.push(Constant { name, value: None });

@@ -6,7 +6,7 @@ use crate::spelling::{LIFTS, NOT_QUADRATIC, ON_TEXTS, fresh};
 use crate::syntax::{Expr, ExprKind};
 use crate::token::{Span, Token, TokenKind};
 
-use super::cursor::{Cursor, End};
+use super::cursor::{Cursor, ExpressionEnd};
 use super::{Parsed, error};
 
 /// Reports that no operand follows the operator or `=` just read.
@@ -191,11 +191,11 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
         // The code that reads the `=` reports comparisons.
-        TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
-        TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
+        TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == ExpressionEnd::Equals => Ok(operand),
+        TokenKind::Punctuation(_) if cursor.end == ExpressionEnd::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
-        TokenKind::Identifier if token.text == "by" && cursor.end == End::By => Ok(operand),
-        TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
+        TokenKind::Identifier if token.text == "by" && cursor.end == ExpressionEnd::By => Ok(operand),
+        TokenKind::Identifier if cursor.begins_item(0) && cursor.end == ExpressionEnd::Item => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => {
             let message = format!("a `;` is missing before `{}`", token.text);
             let help = format!("write `;` before `{}`", token.text);
@@ -204,7 +204,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         TokenKind::Identifier if is_statement(&token.text) || is_statement(name) => no_statement(span),
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
-                _ if cursor.end == End::Formula => {
+                _ if cursor.end == ExpressionEnd::Formula => {
                     "write `2*i` for a product, and `sin(i)` for a function of `i`".to_owned()
                 }
                 TokenKind::Open(_) => "write `*` before `(`".to_owned(),

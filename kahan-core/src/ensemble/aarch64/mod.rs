@@ -14,8 +14,8 @@ use crate::composition::Staged;
 use super::columns::Group;
 use super::lanes::{InLanes, LaneSweep, Lanes, NEGLIGIBLE_F32, NEGLIGIBLE_F64, OverLanes};
 use super::level::{Instructions, Level};
+use super::register_pair::RegisterPair;
 use super::sweep::sweep;
-use super::twice::Twice;
 
 use lanes::{F32x4, F32x4Fused, F64x2, F64x2Fused};
 
@@ -26,9 +26,9 @@ macro_rules! in_lanes {
 
             fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
                 match (level, W::IS_SMALL) {
-                    (Level::Neon, true) => work.run::<Twice<$fused>>(),
+                    (Level::Neon, true) => work.run::<RegisterPair<$fused>>(),
                     (Level::Neon, false) => work.run::<$fused>(),
-                    (_, true) => work.run::<Twice<$lanes>>(),
+                    (_, true) => work.run::<RegisterPair<$lanes>>(),
                     (_, false) => work.run::<$lanes>(),
                 }
             }

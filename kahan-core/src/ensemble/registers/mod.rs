@@ -10,7 +10,7 @@ use super::lanes::Square;
 
 /// A vector register with the comparisons and selections that
 /// [`Lanes`](crate::ensemble::lanes::Lanes) needs.
-pub(in crate::ensemble) trait Choosing: Copy {
+pub(in crate::ensemble) trait SelectLanes: Copy {
     type Float;
     type Mask: Copy;
     fn exceeds(a: Self, b: Self) -> Self::Mask;
@@ -21,7 +21,7 @@ pub(in crate::ensemble) trait Choosing: Copy {
 
 macro_rules! choosing {
     ($register:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
-        impl Choosing for $register {
+        impl SelectLanes for $register {
             type Float = $float;
             type Mask = $mask;
 
@@ -75,7 +75,7 @@ macro_rules! lanes {
         impl Lanes<$float> for $name {
             const WIDTH: usize = $lanes;
 
-            type Mask = <$register as Choosing>::Mask;
+            type Mask = <$register as SelectLanes>::Mask;
 
             #[inline(always)]
             fn load(entries: &[$float], place: usize) -> Self {
@@ -99,22 +99,22 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn exceeds(self, other: Self) -> Self::Mask {
-                <$register as Choosing>::exceeds(self.0, other.0)
+                <$register as SelectLanes>::exceeds(self.0, other.0)
             }
 
             #[inline(always)]
             fn any(mask: Self::Mask) -> bool {
-                <$register as Choosing>::any(mask)
+                <$register as SelectLanes>::any(mask)
             }
 
             #[inline(always)]
             fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
-                Self(<$register as Choosing>::choose(mask, yes.0, no.0))
+                Self(<$register as SelectLanes>::choose(mask, yes.0, no.0))
             }
 
             #[inline(always)]
             fn transposed(rows: Square<$float>) -> Square<$float> {
-                <$register as Choosing>::transposed(rows)
+                <$register as SelectLanes>::transposed(rows)
             }
         }
 

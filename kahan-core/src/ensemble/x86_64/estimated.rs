@@ -9,7 +9,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{One, Zero};
 
 use crate::ensemble::lanes::{Lanes, Square};
-use crate::ensemble::registers::{Choosing, lanes};
+use crate::ensemble::registers::{SelectLanes, lanes};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 

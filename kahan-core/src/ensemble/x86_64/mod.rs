@@ -17,8 +17,8 @@ use crate::composition::Staged;
 use super::columns::Group;
 use super::lanes::{InLanes, LaneSweep, Lanes, NEGLIGIBLE_F32, NEGLIGIBLE_F64, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
+use super::register_pair::RegisterPair;
 use super::sweep::sweep;
-use super::twice::Twice;
 
 use estimated::{F32x16Estimated, F64x8Estimated};
 use lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
@@ -38,7 +38,7 @@ macro_rules! dispatch_for_float {
                         // SAFETY: `is_available` found AVX2 and FMA in the guard above.
                         unsafe { work_on_avx2::<$avx2, _, W>(work) }
                     }
-                    _ if W::IS_SMALL => work.run::<Twice<$sse2>>(),
+                    _ if W::IS_SMALL => work.run::<RegisterPair<$sse2>>(),
                     _ => work.run::<$sse2>(),
                 }
             }
@@ -115,12 +115,12 @@ over_registers! {
 #[target_feature(enable = "avx2,fma")]
 fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output
 where
-    Twice<L>: Lanes<T>,
+    RegisterPair<L>: Lanes<T>,
 {
-    if W::IS_SMALL { work.run::<Twice<L>>() } else { work.run::<L>() }
+    if W::IS_SMALL { work.run::<RegisterPair<L>>() } else { work.run::<L>() }
 }
 
-/// Needs no [`Twice`]: one AVX-512 register has the lanes of two AVX2 registers.
+/// Needs no [`RegisterPair`]: one AVX-512 register has the lanes of two AVX2 registers.
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()

@@ -10,7 +10,7 @@ use crate::lattice::{LatticeMap, LatticeScalar};
 
 /// Consecutive parts of one length, one per lane.
 #[derive(Clone, Copy)]
-pub(super) struct Parts {
+pub(super) struct PartGroup {
     /// The first site of the first part, where its separator starts.
     pub(super) start: usize,
     /// The number of sites of each part, including its separator.
@@ -18,7 +18,7 @@ pub(super) struct Parts {
     pub(super) width: usize,
 }
 
-impl Parts {
+impl PartGroup {
     /// Gathers the states and parameters of all sites that the rows of both separators use, from R
     /// before the left separator to R after the right one.
     pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
@@ -93,8 +93,8 @@ impl Parts {
         lanes: &mut [T],
         level: Level,
     ) {
-        let from = Rows { numbers: &chain[self.start * block..], stride: self.length * block };
-        let to = Rows { numbers: lanes, stride: stride * self.width };
+        let from = StridedRows { numbers: &chain[self.start * block..], stride: self.length * block };
+        let to = StridedRows { numbers: lanes, stride: stride * self.width };
         T::run(Transposed { rows: self.width, columns: sites * block, from, to }, level);
     }
 
@@ -108,13 +108,13 @@ impl Parts {
     ) {
         let rows = (self.length - from) * block;
         let from = (self.start + from) * block;
-        let to = Rows { numbers: &mut chain[from..], stride: self.length * block };
-        let from = Rows { numbers: lanes, stride: self.width };
+        let to = StridedRows { numbers: &mut chain[from..], stride: self.length * block };
+        let from = StridedRows { numbers: lanes, stride: self.width };
         T::run(Transposed { rows, columns: self.width, from, to }, level);
     }
 }
 
-struct Rows<N> {
+struct StridedRows<N> {
     numbers: N,
     stride: usize,
 }
@@ -122,8 +122,8 @@ struct Rows<N> {
 struct Transposed<'a, T> {
     rows: usize,
     columns: usize,
-    from: Rows<&'a [T]>,
-    to: Rows<&'a mut [T]>,
+    from: StridedRows<&'a [T]>,
+    to: StridedRows<&'a mut [T]>,
 }
 
 const SIDE: usize = 4;

@@ -9,11 +9,11 @@ use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
 use crate::lattice::{LatticeMap, LatticeScalar, Sizes, Stencil};
 
-use super::first::First;
-use super::group::Parts;
+use super::first_pass::FirstPass;
+use super::group::PartGroup;
 use super::partition::Partition;
 use super::scratch::Scratch;
-use super::second::Second;
+use super::second_pass::SecondPass;
 
 /// Divides groups and their numbers among threads; `place` returns a group's offset.
 pub(super) fn divide<T: Send>(
@@ -49,13 +49,13 @@ fn join(first: impl FnOnce(), second: impl FnOnce()) {
 }
 
 pub(in crate::lattice) enum Pass<'a, M, T> {
-    First(First<'a, M, T>),
-    Second(Second<'a, M, T>),
+    First(FirstPass<'a, M, T>),
+    Second(SecondPass<'a, M, T>),
 }
 
 /// The kernels for chains of certain sizes: a single one, or a menu.
 pub(in crate::lattice) trait Kernels {
-    fn have(sizes: Sizes) -> bool;
+    fn supports(sizes: Sizes) -> bool;
 
     fn run<M, T>(pass: Pass<'_, M, T>, level: Level)
     where
@@ -63,7 +63,7 @@ pub(in crate::lattice) trait Kernels {
         T: LatticeScalar + InLanes;
 }
 
-pub(super) struct By<S, W>(pub(super) W, PhantomData<S>);
+pub(super) struct KernelCall<S, W>(pub(super) W, PhantomData<S>);
 
 impl<
     const B: usize,
@@ -76,14 +76,14 @@ impl<
     const WIDTH: usize,
 > Kernels for Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    fn have(_: Sizes) -> bool {
+    fn supports(_: Sizes) -> bool {
         true
     }
 
     fn run<M: LatticeMap<T>, T: LatticeScalar + InLanes>(pass: Pass<'_, M, T>, level: Level) {
         match pass {
-            Pass::First(first) => T::run(By::<Self, _>(first, PhantomData), level),
-            Pass::Second(second) => T::run(By::<Self, _>(second, PhantomData), level),
+            Pass::First(first) => T::run(KernelCall::<Self, _>(first, PhantomData), level),
+            Pass::Second(second) => T::run(KernelCall::<Self, _>(second, PhantomData), level),
         }
     }
 }
@@ -94,10 +94,10 @@ pub(super) fn batches(
     partition: &Partition,
     groups: Range<usize>,
     width: usize,
-) -> impl Iterator<Item = (usize, Parts)> {
+) -> impl Iterator<Item = (usize, PartGroup)> {
     groups.flat_map(move |group| {
         let (start, length, lanes) = (partition.start(group), partition.length(group), partition.lanes());
-        let parts = move |k| (group * lanes + k, Parts { start: start + k * length, length, width });
+        let parts = move |k| (group * lanes + k, PartGroup { start: start + k * length, length, width });
         (0..lanes).step_by(width).map(parts)
     })
 }

@@ -5,15 +5,15 @@
 //! from its solution. A step is refused if an entry far exceeds a pivot, which would lose digits.
 
 mod buffer;
-mod first;
+mod first_pass;
 mod group;
-mod joints;
 mod kernels;
 mod lines;
-mod menu;
 mod partition;
 mod scratch;
-mod second;
+mod second_pass;
+mod separators;
+mod stencil_menu;
 mod window;
 
 use std::vec;
@@ -26,16 +26,16 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-use first::First;
+use first_pass::FirstPass;
 pub(super) use kernels::Kernels;
 use kernels::{Pass, divide};
 pub use lines::{Gathered, SiteLine};
-pub use menu::Menu;
 pub(super) use partition::Partition;
 use scratch::Scratch;
-use second::Second;
+use second_pass::SecondPass;
+pub use stencil_menu::StencilMenu;
 
-pub(super) struct InParts<T> {
+pub(super) struct PartWorkspace<T> {
     partition: Partition,
     level: Level,
     scratch: Vec<Scratch<T>>,
@@ -46,7 +46,7 @@ pub(super) struct InParts<T> {
     reduced: Folded<T>,
 }
 
-pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
+pub(in crate::lattice) trait PartSolver<T>: Sized + Send + Sync + 'static {
     /// The number of parts per group; `None` for scalars without lanes.
     const LANES: Option<usize>;
 
@@ -61,9 +61,9 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
 }
 
 /// The parts of a scalar without lanes; has no values.
-pub(in crate::lattice) enum NoParts {}
+pub(in crate::lattice) enum NoPartSolver {}
 
-impl<T> Parted<T> for NoParts {
+impl<T> PartSolver<T> for NoPartSolver {
     const LANES: Option<usize> = None;
 
     fn new(_: Sizes, _: Partition, _: Boundary, _: Level) -> Option<Self> {
@@ -79,7 +79,7 @@ impl<T> Parted<T> for NoParts {
     }
 }
 
-impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
+impl<T: LatticeScalar + InLanes> PartSolver<T> for PartWorkspace<T> {
     const LANES: Option<usize> = Some(T::MOST);
 
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self> {
@@ -95,7 +95,7 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
             scratch: (0..threads.min(partition.groups()))
                 .map(|_| Scratch::new(sizes, &partition, level))
                 .collect(),
-            joints: vec![T::zero(); partition.parts() * joints::size(separator)],
+            joints: vec![T::zero(); partition.parts() * separators::size(separator)],
             kept: vec![T::zero(); kept],
             reduced: Folded::new(kept, boundary == Boundary::Periodic, 2 * separator - 1, 2 * separator - 1),
         })
@@ -117,12 +117,12 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
             kept[place * block..][..count * block].copy_from_slice(&state[first * block..][..count * block]);
         }
 
-        let size = partition.lanes() * joints::size(reach * block);
+        let size = partition.lanes() * separators::size(reach * block);
         divide(scratch, groups.clone(), joints, &|group| group * size, &|scratch, groups, joints| {
-            let first = First { partition, map, constants, state, groups, scratch, joints };
+            let first = FirstPass { partition, map, constants, state, groups, scratch, joints };
             M::Kernels::run(Pass::First(first), level);
         });
-        if joints::solve(partition, joints, reduced, map, constants, site, state).is_none() {
+        if separators::solve(partition, joints, reduced, map, constants, site, state).is_none() {
             return false;
         }
 
@@ -134,8 +134,18 @@ impl<T: LatticeScalar + InLanes> Parted<T> for InParts<T> {
             interiors,
             &|group| partition.start(group) * block,
             &|scratch, groups, state| {
-                let second =
-                    Second { partition, map, constants, twice, kept, gained, sites, groups, scratch, state };
+                let second = SecondPass {
+                    partition,
+                    map,
+                    constants,
+                    twice,
+                    kept,
+                    gained,
+                    sites,
+                    groups,
+                    scratch,
+                    state,
+                };
                 M::Kernels::run(Pass::Second(second), level);
             },
         );

@@ -8,7 +8,7 @@ mod parts;
 
 #[test]
 fn a_total_keeps_what_its_sum_lost() {
-    let mut total = super::sums::Total::zero();
+    let mut total = super::sums::CompensatedSum::zero();
     for term in [1.0_f64, 1e100, 1.0, -1e100] {
         total.add(&term);
     }

@@ -12,21 +12,21 @@ use num_traits::{One, Zero};
 
 use crate::SingularStep;
 use crate::field::linear::{components, eliminated_determinant, solve_in_place, vector};
-use crate::map::stable::Promised;
+use crate::map::stable::PromiseScalar;
 #[cfg(feature = "std")]
-use crate::map::stable::{Eliminated, eliminated_at_any_capacity};
+use crate::map::stable::{LongElimination, eliminated_at_any_capacity};
 use crate::scalar::bounded::{Bounded, Number, backward_error};
 #[cfg(feature = "std")]
-use crate::scalar::{Capacity, Long, level_row};
+use crate::scalar::{Capacity, LongNumber, level_row};
 use crate::step::error::Reason;
 
-use super::formulas::Values;
+use super::formulas::PostfixEvaluator;
 use super::{CoupledField, CoupledStep, Factors, zeros};
 
 const REFINEMENTS: usize = 2;
 
 /// The residual of a solution and its backward error.
-struct Rest<T, const N: usize> {
+struct Residual<T, const N: usize> {
     residual: [T; N],
     /// An upper bound of the backward error; infinite if unknown.
     bound: f64,
@@ -39,7 +39,7 @@ pub(super) fn promised<K, T, const N: usize, const P: usize, const M: usize, con
 ) -> Result<SVector<T, N>, SingularStep>
 where
     K: CoupledField<N, P, M, S>,
-    T: Promised,
+    T: PromiseScalar,
 {
     let backward = BackwardStep { step, x: components(x) };
     if const { T::IS_WIDEST } {
@@ -57,14 +57,14 @@ struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, co
 impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> BackwardStep<'_, K, T, N, P, M, S>
 where
     K: CoupledField<N, P, M, S>,
-    T: Promised,
+    T: PromiseScalar,
 {
     fn promise() -> f64 {
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
     /// Tries sparse elimination, then partial pivoting, with residuals by `rest` or wide numbers.
-    fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
+    fn promised(&self, rest: impl Fn(&[T; N]) -> Residual<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
             return Err(SingularStep::because(
@@ -93,7 +93,7 @@ where
     #[inline(never)]
     fn promised_by_pivoting(
         &self,
-        rest: &impl Fn(&[T; N]) -> Rest<T, N>,
+        rest: &impl Fn(&[T; N]) -> Residual<T, N>,
         least: &mut f64,
     ) -> Result<SVector<T, N>, SingularStep> {
         let solution = |b: [T; N]| {
@@ -108,9 +108,9 @@ where
         }
         #[cfg(feature = "std")]
         if let Some(next) = eliminated_at_any_capacity(
-            |capacity| self.eliminated(capacity).map(|exact| Eliminated::of(&exact)),
+            |capacity| self.eliminated(capacity).map(|exact| LongElimination::of(&exact)),
             |next| {
-                let Rest { bound, .. } = self.rest_in_wide(&from_fn(|i| next[i]));
+                let Residual { bound, .. } = self.rest_in_wide(&from_fn(|i| next[i]));
                 *least = bound.min(*least);
                 bound <= Self::promise()
             },
@@ -125,21 +125,21 @@ where
     /// Computes x̃ by elimination over long numbers of this capacity.
     #[cfg(feature = "std")]
     #[inline(never)]
-    fn eliminated(&self, capacity: Capacity) -> Option<[Long; N]> {
-        let long = |number: &T| Long::new(number.widen(), capacity);
+    fn eliminated(&self, capacity: Capacity) -> Option<[LongNumber; N]> {
+        let long = |number: &T| LongNumber::new(number.widen(), capacity);
         let (eps, parameters) =
             (long(&self.step.eps), from_fn::<_, P, _>(|k| long(&self.step.parameters[k])));
-        let x: [Long; N] = from_fn(|i| long(&self.x[i]));
-        let mut velocity = vector(from_fn::<_, N, _>(|_| Long::zero()));
-        for (entry, component) in velocity.iter_mut().zip(Values::of(K::FIELD, &parameters, &x)) {
+        let x: [LongNumber; N] = from_fn(|i| long(&self.x[i]));
+        let mut velocity = vector(from_fn::<_, N, _>(|_| LongNumber::zero()));
+        for (entry, component) in velocity.iter_mut().zip(PostfixEvaluator::of(K::FIELD, &parameters, &x)) {
             *entry = component;
         }
-        let mut matrix: SMatrix<Long, N, N> = zeros();
-        for ((i, j), slope) in K::COUPLINGS.pairs().zip(Values::of(K::SLOPES, &parameters, &x)) {
+        let mut matrix: SMatrix<LongNumber, N, N> = zeros();
+        for ((i, j), slope) in K::COUPLINGS.pairs().zip(PostfixEvaluator::of(K::SLOPES, &parameters, &x)) {
             matrix[(i, j)] = -(eps.clone() * slope);
         }
         for i in 0..N {
-            matrix[(i, i)] += Long::one();
+            matrix[(i, i)] += LongNumber::one();
             level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
         }
         solve_in_place(&mut matrix, &mut velocity)?;
@@ -185,20 +185,20 @@ where
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
-        rest: impl Fn(&[T; N]) -> Rest<T, N>,
+        rest: impl Fn(&[T; N]) -> Residual<T, N>,
         least: &mut f64,
     ) -> Option<SVector<T, N>> {
         let promise = Self::promise();
         let time_step = self.step.eps + self.step.eps;
         let velocity = solution(K::field(&self.step.parameters, self.x));
         let first: [T; N] = from_fn(|i| self.x[i] + time_step * velocity[i]);
-        let mut attempt = |rest: &dyn Fn(&[T; N]) -> Rest<T, N>| {
+        let mut attempt = |rest: &dyn Fn(&[T; N]) -> Residual<T, N>| {
             let mut next = first;
             for turn in 0..=REFINEMENTS {
                 if !next.iter().all(T::is_finite_number) {
                     return None;
                 }
-                let Rest { residual, bound } = rest(&next);
+                let Residual { residual, bound } = rest(&next);
                 *least = bound.min(*least);
                 if bound <= promise {
                     return Some(vector(next));
@@ -219,16 +219,21 @@ where
 
     #[cold]
     #[inline(never)]
-    fn rest_in_wide(&self, next: &[T; N]) -> Rest<T, N> {
+    fn rest_in_wide(&self, next: &[T; N]) -> Residual<T, N> {
         self.rest(next, T::widen, T::narrow)
     }
 
-    fn rest<V: Number>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
+    fn rest<V: Number>(
+        &self,
+        next: &[T; N],
+        embed: impl Fn(&T) -> V,
+        round: impl Fn(V) -> T,
+    ) -> Residual<T, N> {
         let mut sum = V::Magnitude::zero();
         let mut given = |number: &T| {
             let value = embed(number);
             sum = sum + value.size();
-            Bounded::<V>::given(value)
+            Bounded::<V>::from_input(value)
         };
         let eps = given(&self.step.eps);
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
@@ -236,13 +241,13 @@ where
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
         // left: 2f, then 2f + f′d. right: 2f, then 2f − f′x.
         let mut left = [Bounded::<V>::zero(); N];
-        for (left, component) in left.iter_mut().zip(Values::of(K::FIELD, &parameters, &x)) {
+        for (left, component) in left.iter_mut().zip(PostfixEvaluator::of(K::FIELD, &parameters, &x)) {
             *left = component + component;
         }
         let mut right = left;
         let mut diagonal = [Bounded::<V>::one(); N];
         let mut sizes = [V::Magnitude::zero(); N];
-        for ((i, j), slope) in K::COUPLINGS.pairs().zip(Values::of(K::SLOPES, &parameters, &x)) {
+        for ((i, j), slope) in K::COUPLINGS.pairs().zip(PostfixEvaluator::of(K::SLOPES, &parameters, &x)) {
             left[i] += slope * (next[j] - x[j]);
             right[i] -= slope * x[j];
             let entry = eps * slope;
@@ -260,6 +265,6 @@ where
             bound = bound.max(backward_error(residual.known(), sizes[i] + own, right, sum));
             round(residual.value())
         });
-        Rest { residual, bound }
+        Residual { residual, bound }
     }
 }

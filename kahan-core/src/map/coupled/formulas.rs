@@ -37,19 +37,19 @@ pub enum Postfix<'a> {
     Done,
 }
 
-pub(super) struct Values<'a, T> {
+pub(super) struct PostfixEvaluator<'a, T> {
     rest: core::slice::Iter<'a, Postfix<'a>>,
     parameters: &'a [T],
     x: &'a [T],
 }
 
-impl<'a, T> Values<'a, T> {
+impl<'a, T> PostfixEvaluator<'a, T> {
     pub(super) fn of(formulas: &'a [Postfix<'a>], parameters: &'a [T], x: &'a [T]) -> Self {
         Self { rest: formulas.iter(), parameters, x }
     }
 }
 
-impl<T: Scalar> Iterator for Values<'_, T> {
+impl<T: Scalar> Iterator for PostfixEvaluator<'_, T> {
     type Item = T;
 
     #[inline(never)]
@@ -89,7 +89,7 @@ impl<T: Scalar> Iterator for Values<'_, T> {
 #[cfg(test)]
 mod tests {
     use super::Postfix::*;
-    use super::Values;
+    use super::PostfixEvaluator;
     use crate::Constant;
 
     #[test]
@@ -118,6 +118,6 @@ mod tests {
             DivideInto,
             Done,
         ];
-        assert!(Values::of(&table, &[4.0], &[3.0, 5.0]).eq([-0.5, -16.5, 4.0 / 3.0]));
+        assert!(PostfixEvaluator::of(&table, &[4.0], &[3.0, 5.0]).eq([-0.5, -16.5, 4.0 / 3.0]));
     }
 }

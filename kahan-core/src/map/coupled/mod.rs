@@ -20,7 +20,7 @@ use crate::step::error::pole;
 use crate::{Dd, KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep, StepCost};
 
 use super::checked::checked_step;
-use super::stable::Promised;
+use super::stable::PromiseScalar;
 
 use backward::promised;
 pub use formulas::Postfix;
@@ -177,7 +177,7 @@ impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, con
         }
     }
 
-    fn promised_in<F: Promised>(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep> {
+    fn promised_in<F: PromiseScalar>(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let step = CoupledStep::new(*same::<[T; P], [F; P]>(&self.parameters), *same(&self.eps));
         let next = promised::<K, F, N, P, M, S>(&step, same(x))?;
         Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())

@@ -11,11 +11,11 @@
 //! | 4 | like 3, in the form N/D | increments that cancel against the state |
 //! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms too far apart for the other forms |
 //!
-//! [`stable_step`] selects the scalar, [`climb`] tries the levels in order (`rungs.rs`), and each
-//! level makes an [`Attempt`](attempt::Attempt), which runs the prepared step.
+//! [`stable_step`] selects the scalar, [`try_precisions`] tries the levels in order (`rungs.rs`), and each
+//! level makes a [`BoundedStep`](bounded_step::BoundedStep), which runs the prepared step.
 
-mod attempt;
-mod rungs;
+mod bounded_step;
+mod precisions;
 mod scalars;
 #[cfg(all(test, feature = "exact"))]
 mod tests;
@@ -31,10 +31,10 @@ use crate::{Dd, ExtendScalars, Pivot, SingularStep};
 
 use super::checked::checked_step;
 
-use rungs::{in_general_form, in_next_wider, in_own_precision, in_wide, second};
-pub(crate) use scalars::Promised;
+use precisions::{in_general_form, in_next_wider, in_own_precision, in_wide, second};
+pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
-pub(crate) use scalars::{Eliminated, eliminated_at_any_capacity};
+pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 
 /// Steps with the bound that T permits: 64 u for floats of this crate. Other scalars get a finite
 /// result of the fast step or of elimination.
@@ -49,11 +49,11 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     eps: &T,
 ) -> Result<SVector<T, N>, SingularStep> {
     if is::<T, f64>() {
-        climb::<f64, M, T, N>(map, x, eps)
+        try_precisions::<f64, M, T, N>(map, x, eps)
     } else if is::<T, f32>() {
-        climb::<f32, M, T, N>(map, x, eps)
+        try_precisions::<f32, M, T, N>(map, x, eps)
     } else if is::<T, Dd>() {
-        climb::<Dd, M, T, N>(map, x, eps)
+        try_precisions::<Dd, M, T, N>(map, x, eps)
     } else {
         checked_step(map, prepared, x, eps)
     }
@@ -64,7 +64,7 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
 /// A called function works in memory. It gets copies of the state and x̃, so that a loop's state
 /// and the x̃ of the first level can stay in registers.
 #[inline(always)]
-fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
+fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -73,7 +73,7 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     let (x, eps): (&SVector<F, N>, &F) = (same(x), same(eps));
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
-    } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::given(*eps)) {
+    } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
         // The limits are those of bounded numbers, which are narrower than those of floats. With
         // two limits compilers would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
@@ -84,7 +84,7 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
         next
     } else {
         let mut next: SVector<F, N> = vector(from_fn(|i| x[i]));
-        higher(&map, next, *eps, &mut next)?;
+        try_wider_precisions(&map, next, *eps, &mut next)?;
         vector(from_fn(|i| next[i]))
     };
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
@@ -93,7 +93,7 @@ fn climb<F: Promised, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
 /// Tries the levels after the first; writes x̃ to `next`.
 #[cold]
 #[inline(never)]
-fn higher<M: ExtendScalars<T, N>, T: Promised, const N: usize>(
+fn try_wider_precisions<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,

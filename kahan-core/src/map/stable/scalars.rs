@@ -4,17 +4,17 @@
 use std::vec::Vec;
 
 use crate::scalar::Wide;
-use crate::scalar::bounded::{Both, Number, PackedDouble, PackedSingle, Pair};
+use crate::scalar::bounded::{BoundedPair, Number, PackedDouble, PackedSingle, UnpackedPair};
 #[cfg(feature = "std")]
-use crate::scalar::{Capacity, Long};
+use crate::scalar::{Capacity, LongNumber};
 use crate::{Dd, Pivot};
 
-pub(crate) trait Promised: Number + Pivot {
+pub(crate) trait PromiseScalar: Number + Pivot {
     /// A value with its magnitude, in one register if possible.
-    type Packed: Pair<Self>;
+    type Packed: BoundedPair<Self>;
 
     /// The scalar of level 2; the widest scalar names itself.
-    type Wider: Promised;
+    type Wider: PromiseScalar;
     const IS_WIDEST: bool;
 
     /// The maximum number of variables for which level 1 uses this scalar.
@@ -27,7 +27,7 @@ pub(crate) trait Promised: Number + Pivot {
     fn narrow(value: Wide) -> Self;
 }
 
-impl Promised for f32 {
+impl PromiseScalar for f32 {
     type Packed = PackedSingle;
     type Wider = f64;
     const IS_WIDEST: bool = false;
@@ -54,7 +54,7 @@ impl Promised for f32 {
     }
 }
 
-impl Promised for f64 {
+impl PromiseScalar for f64 {
     type Packed = PackedDouble;
     type Wider = Dd;
     const IS_WIDEST: bool = false;
@@ -78,8 +78,8 @@ impl Promised for f64 {
     }
 }
 
-impl Promised for Dd {
-    type Packed = Both<Dd>;
+impl PromiseScalar for Dd {
+    type Packed = UnpackedPair<Dd>;
     type Wider = Self;
     const IS_WIDEST: bool = true;
 
@@ -103,7 +103,7 @@ impl Promised for Dd {
 
 /// x̃ computed by elimination over long numbers.
 #[cfg(feature = "std")]
-pub(crate) struct Eliminated<T> {
+pub(crate) struct LongElimination<T> {
     next: Vec<T>,
     /// Whether each component has an error of at most 8u, which implies the guaranteed bound.
     is_promised: bool,
@@ -112,12 +112,12 @@ pub(crate) struct Eliminated<T> {
 }
 
 #[cfg(feature = "std")]
-impl<T: Promised> Eliminated<T> {
-    pub(crate) fn of(exact: &[Long]) -> Self {
+impl<T: PromiseScalar> LongElimination<T> {
+    pub(crate) fn of(exact: &[LongNumber]) -> Self {
         let next: Vec<T> = exact.iter().map(|number| T::narrow(number.leading())).collect();
-        let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
+        let is_near = |(exact, next): (&LongNumber, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
         let is_promised = exact.iter().zip(&next).all(is_near);
-        let is_settled = Long::are_settled(exact.iter().zip(next.iter().map(T::is_finite_number)));
+        let is_settled = LongNumber::are_settled(exact.iter().zip(next.iter().map(T::is_finite_number)));
         Self { next, is_promised, is_settled }
     }
 }
@@ -125,11 +125,11 @@ impl<T: Promised> Eliminated<T> {
 /// Eliminates with growing capacity until x̃ is proved or `is_kept` accepts it; else `None`.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
-    eliminated: impl Fn(Capacity) -> Option<Eliminated<T>>,
+    eliminated: impl Fn(Capacity) -> Option<LongElimination<T>>,
     mut is_kept: impl FnMut(&[T]) -> bool,
 ) -> Option<Vec<T>> {
     for capacity in Capacity::ALL {
-        let Some(Eliminated { next, is_promised, is_settled }) = eliminated(capacity) else { continue };
+        let Some(LongElimination { next, is_promised, is_settled }) = eliminated(capacity) else { continue };
         if next.iter().all(T::is_finite_number) && (is_promised || is_kept(&next)) {
             return Some(next);
         }

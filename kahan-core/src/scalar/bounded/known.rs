@@ -3,25 +3,25 @@
 //! In: the residual of a row of A·x̃ = b, its right-hand side, and the magnitudes of its products,
 //! with error bounds. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
 
-use super::{Bounded, Limit, Magnitude, Number};
+use super::{Bounded, InputLimit, Magnitude, Number};
 
 /// The magnitude and error bound of a computed value v̂ of an exact value v.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Known<G> {
+pub(crate) struct KnownBounds<G> {
     /// |v̂|
     pub(crate) size: G,
     /// An upper bound of |v̂ − v|.
     pub(crate) error: G,
-    pub(crate) largest_input: Limit,
+    pub(crate) largest_input: InputLimit,
 }
 
 impl<V: Number> Bounded<V> {
-    pub(crate) fn known(&self) -> Known<V::Magnitude> {
-        Known { size: self.value().size(), error: self.error(), largest_input: self.largest_input() }
+    pub(crate) fn known(&self) -> KnownBounds<V::Magnitude> {
+        KnownBounds { size: self.value().size(), error: self.error(), largest_input: self.largest_input() }
     }
 }
 
-impl<G: Magnitude> Known<G> {
+impl<G: Magnitude> KnownBounds<G> {
     /// Returns a lower bound of |v| that allows for rounded sums; 0 unless the error is small.
     pub(crate) fn at_least(&self) -> G {
         if G::of(64.0) * self.error <= self.size { G::of(62.0 / 64.0) * self.size } else { G::zero() }
@@ -31,9 +31,9 @@ impl<G: Magnitude> Known<G> {
 /// Returns an upper bound of the backward error of a row; `products` is a lower bound of |A|·|x̃|.
 /// Infinite if nothing is known, for example if inputs up to `largest` may cause underflow.
 pub(crate) fn backward_error<G: Magnitude>(
-    residual: Known<G>,
+    residual: KnownBounds<G>,
     products: G,
-    right: Known<G>,
+    right: KnownBounds<G>,
     largest: G,
 ) -> f64 {
     let (error, size) = (residual.size + residual.error, products + right.at_least());
@@ -48,11 +48,11 @@ pub(crate) fn backward_error<G: Magnitude>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Known, backward_error};
-    use crate::scalar::bounded::Limit;
+    use super::{KnownBounds, backward_error};
+    use crate::scalar::bounded::InputLimit;
 
-    fn known(size: f64, error: f64) -> Known<f64> {
-        Known { size, error, largest_input: Limit::below(10) }
+    fn known(size: f64, error: f64) -> KnownBounds<f64> {
+        KnownBounds { size, error, largest_input: InputLimit::below(10) }
     }
 
     #[test]
@@ -70,10 +70,10 @@ mod tests {
         assert_eq!(backward_error(fine, 1.0, fine, 1023.0), 1.0 / (1.0 + 62.0 / 64.0));
         // Inputs of 2¹⁰ exceed the limit, in the residual or the right-hand side.
         assert_eq!(backward_error(fine, 1.0, fine, 1024.0), f64::INFINITY);
-        let refused = Known { largest_input: Limit::NONE, ..fine };
+        let refused = KnownBounds { largest_input: InputLimit::NONE, ..fine };
         assert_eq!(backward_error(refused, 1.0, fine, 0.0), f64::INFINITY);
         assert_eq!(backward_error(fine, 1.0, refused, 0.0), f64::INFINITY);
-        let any = Known { largest_input: Limit::ANY, ..fine };
+        let any = KnownBounds { largest_input: InputLimit::ANY, ..fine };
         assert!(backward_error(any, 1.0, any, 1e300).is_finite());
         // NaN establishes no bound.
         for not_a_number in [known(f64::NAN, 0.0), known(1.0, f64::NAN)] {

@@ -5,9 +5,9 @@ use super::number::{Magnitude, power_of_two};
 /// A limit on inputs: n allows magnitudes below 2ⁿ⁻¹, and 0 allows none. Compilers fold the
 /// integer, so that a step contains only one comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Limit(u32);
+pub(crate) struct InputLimit(u32);
 
-impl Limit {
+impl InputLimit {
     pub(crate) const NONE: Self = Self(0);
     /// Allows all inputs, as nothing underflows.
     pub(crate) const ANY: Self = Self(u32::MAX);

@@ -72,21 +72,21 @@ mod pair;
 mod rules;
 
 #[cfg(feature = "std")]
-pub(crate) use known::Known;
+pub(crate) use known::KnownBounds;
 pub(crate) use known::backward_error;
-pub(crate) use limit::Limit;
+pub(crate) use limit::InputLimit;
 use number::MOST_UNDERFLOWS;
 pub(crate) use number::{Magnitude, Number, Range, power_of_two};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use packed::{PackedDouble, PackedSingle};
-pub(crate) use pair::{Both, Pair};
+pub(crate) use pair::{BoundedPair, UnpackedPair};
 
 /// A double and its magnitude, for targets without packed registers.
 #[cfg(not(target_arch = "x86_64"))]
-pub(crate) type PackedDouble = Both<f64>;
+pub(crate) type PackedDouble = UnpackedPair<f64>;
 /// A float and its magnitude, for targets without packed registers.
 #[cfg(not(target_arch = "x86_64"))]
-pub(crate) type PackedSingle = Both<f32>;
+pub(crate) type PackedSingle = UnpackedPair<f32>;
 
 /// The factor on magnitudes in error bounds, for rounded magnitudes and for (1+u)ᵏ − 1 > k·u.
 /// Quotients are multiplied by it once more, because they are made of rounded values.
@@ -94,7 +94,7 @@ pub(crate) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounded<V: Number, P: Pair<V> = Both<V>> {
+pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
     /// v̂ and m
     pair: P,
     /// k
@@ -110,15 +110,15 @@ pub(crate) struct Bounded<V: Number, P: Pair<V> = Both<V>> {
     ratio: Option<V::Magnitude>,
 }
 
-impl<V: Number, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     #[inline(always)]
     fn of(pair: P) -> Self {
         Self { pair, roundings: 0, underflows: 0, inputs: 0, bits: 0, inverse: None, ratio: None }
     }
 
     #[inline(always)]
-    pub(crate) fn given(value: V) -> Self {
-        Self { inputs: 1, ..Self::of(Pair::new(value, value.size())) }
+    pub(crate) fn from_input(value: V) -> Self {
+        Self { inputs: 1, ..Self::of(BoundedPair::new(value, value.size())) }
     }
 
     /// Creates a literal, known at compile time; a rounded literal may underflow.
@@ -126,30 +126,30 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
-        let pair = Pair::new(value, value.size());
+        let pair = BoundedPair::new(value, value.size());
         Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
     }
 
     #[inline(always)]
-    pub(crate) fn largest_input(&self) -> Limit {
+    pub(crate) fn largest_input(&self) -> InputLimit {
         let Range { allowance, bits_of_products, .. } = V::RANGE;
         if allowance == 0.0 {
-            return Limit::ANY;
+            return InputLimit::ANY;
         }
         let most_roundings = const { (0.04 / V::UNIT) as u32 };
         let is_broken = self.roundings > most_roundings
             || self.underflows > MOST_UNDERFLOWS
             || self.bits > bits_of_products;
         if is_broken {
-            return Limit::NONE;
+            return InputLimit::NONE;
         }
-        Limit::below((bits_of_products - self.bits) / self.inputs.max(1))
+        InputLimit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
     /// Creates a value that has no bound and allows no input; with infinite m, 0·m would be NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
-        let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
+        let pair = BoundedPair::new(value, V::Magnitude::of(f64::INFINITY));
         Self { roundings: 1, bits: u32::MAX, ..Self::of(pair) }
     }
 
@@ -161,7 +161,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
     /// Replaces m by `change(m)`, which must be numerically equal.
     #[inline(always)]
     pub(crate) fn with_magnitude(self, change: impl FnOnce(V::Magnitude) -> V::Magnitude) -> Self {
-        Self { pair: Pair::new(self.value(), change(self.magnitude())), ..self }
+        Self { pair: BoundedPair::new(self.value(), change(self.magnitude())), ..self }
     }
 
     #[inline(always)]

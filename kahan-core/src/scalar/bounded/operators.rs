@@ -7,10 +7,10 @@ use num_traits::{One, Zero};
 use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
-use super::pair::Pair;
+use super::pair::BoundedPair;
 use super::{Bounded, Number};
 
-impl<V: Number, P: Pair<V>> PartialEq for Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> PartialEq for Bounded<V, P> {
     fn eq(&self, other: &Self) -> bool {
         self.value() == other.value()
             && self.magnitude() == other.magnitude()
@@ -18,7 +18,7 @@ impl<V: Number, P: Pair<V>> PartialEq for Bounded<V, P> {
     }
 }
 
-impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> Scalar for Bounded<V, P> {
     /// Integers that the number and `f64` represent are exact; other literals are rounded once.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
@@ -62,7 +62,7 @@ impl<V: Number, P: Pair<V>> Scalar for Bounded<V, P> {
     }
 }
 
-operators!([V: Number, P: Pair<V>] Bounded<V, P>: Self::plus, Self::minus, Self::times, Self::divided);
+operators!([V: Number, P: BoundedPair<V>] Bounded<V, P>: Self::plus, Self::minus, Self::times, Self::divided);
 
 /// Defines operations that are inlined or called, depending on `V::IS_CALLED`.
 macro_rules! inlined_or_called {
@@ -79,7 +79,7 @@ macro_rules! inlined_or_called {
     )* };
 }
 
-impl<V: Number, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     inlined_or_called! {
         plus, called_sum = sum(other) -> Self;
         minus, called_difference = difference(other) -> Self;
@@ -97,7 +97,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
     }
 }
 
-impl<V: Number, P: Pair<V>> Neg for Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> Neg for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -106,7 +106,7 @@ impl<V: Number, P: Pair<V>> Neg for Bounded<V, P> {
     }
 }
 
-impl<V: Number, P: Pair<V>> Zero for Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> Zero for Bounded<V, P> {
     #[inline(always)]
     fn zero() -> Self {
         Self::literal(V::zero(), 0)
@@ -117,7 +117,7 @@ impl<V: Number, P: Pair<V>> Zero for Bounded<V, P> {
     }
 }
 
-impl<V: Number, P: Pair<V>> One for Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> One for Bounded<V, P> {
     #[inline(always)]
     fn one() -> Self {
         Self::literal(V::one(), 0)

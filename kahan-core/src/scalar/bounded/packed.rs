@@ -8,7 +8,7 @@ use core::arch::x86_64::{
 #[cfg(all(feature = "std", target_feature = "fma"))]
 use core::arch::x86_64::{_mm_fmadd_pd, _mm_fmadd_ps};
 
-use super::pair::Pair;
+use super::pair::BoundedPair;
 
 macro_rules! machine {
     ($expression:expr) => {
@@ -36,7 +36,7 @@ macro_rules! packed {
         #[derive(Clone, Copy, Debug)]
         pub(crate) struct $name($register);
 
-        impl Pair<$float> for $name {
+        impl BoundedPair<$float> for $name {
             #[inline(always)]
             fn new($value: $float, $magnitude: $float) -> Self {
                 Self(machine!($new))

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 use super::number::Number;
 
 /// A value v̂ with its magnitude m, and the operations on both.
-pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
+pub(crate) trait BoundedPair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
     fn magnitude(self) -> V::Magnitude;
@@ -25,12 +25,12 @@ pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
 
 /// A pair stored as two numbers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Both<V: Number> {
+pub(crate) struct UnpackedPair<V: Number> {
     value: V,
     magnitude: V::Magnitude,
 }
 
-impl<V: Number> Pair<V> for Both<V> {
+impl<V: Number> BoundedPair<V> for UnpackedPair<V> {
     #[inline(always)]
     fn new(value: V, magnitude: V::Magnitude) -> Self {
         Self { value, magnitude }

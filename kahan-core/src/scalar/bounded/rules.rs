@@ -2,9 +2,9 @@
 
 use num_traits::Zero;
 
-use super::{Bounded, Magnitude, Number, Pair, SLACK};
+use super::{Bounded, BoundedPair, Magnitude, Number, SLACK};
 
-impl<V: Number, P: Pair<V>> Bounded<V, P> {
+impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(crate) fn sum(self, other: Self) -> Self {
         self.added(other, self.pair.plus(other.pair))
@@ -60,7 +60,13 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
             Some(radius) => {
                 let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);
                 let roundings = u32::from(!radius.is_zero());
-                Self { pair: Pair::new(value, magnitude), roundings, inverse: None, ratio: None, ..self }
+                Self {
+                    pair: BoundedPair::new(value, magnitude),
+                    roundings,
+                    inverse: None,
+                    ratio: None,
+                    ..self
+                }
             }
         }
     }
@@ -90,7 +96,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
             }
         };
         let quotient = Self {
-            pair: Pair::new(value, magnitude),
+            pair: BoundedPair::new(value, magnitude),
             roundings: self.roundings.max(divisor.roundings).saturating_add(1),
             underflows: self.underflows.saturating_add(divisor.underflows).saturating_add(1),
             inputs: self.inputs.saturating_add(divisor.inputs),
@@ -110,7 +116,7 @@ impl<V: Number, P: Pair<V>> Bounded<V, P> {
             underflows: self.underflows.saturating_add(1),
             inputs: self.inputs,
             bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
-            ..Self::of(Pair::new(value, value.size()))
+            ..Self::of(BoundedPair::new(value, value.size()))
         }
     }
 

@@ -79,9 +79,9 @@ capacities! { Few: Wide; More: More; Most: Most; }
 /// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) 64-bit digits; exact zeros use no heap
 /// memory. Results have the smaller capacity of the operands.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Long(Option<Number>);
+pub(crate) struct LongNumber(Option<Number>);
 
-impl Long {
+impl LongNumber {
     pub(crate) const MOST_DIGITS: usize = Most::MOST_DIGITS;
 
     pub(crate) fn new(number: Wide, capacity: Capacity) -> Self {
@@ -161,7 +161,7 @@ impl Long {
 
 /// Scales a row of a linear system by a power of two so that its largest entry is near 1. The
 /// largest entry of a column is then a good pivot.
-pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut Long>, right: &mut Long) {
+pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());
     let Some(power) = largest.filter(|size| !size.is_unknown()).map(|size| size.exponent).max() else {
@@ -172,9 +172,9 @@ pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut Long>, right: &mut
     }
 }
 
-operators!([] Long: Self::plus, |a: Self, b: Self| a.plus(-b), Self::times, Self::over);
+operators!([] LongNumber: Self::plus, |a: Self, b: Self| a.plus(-b), Self::times, Self::over);
 
-impl core::ops::Neg for Long {
+impl core::ops::Neg for LongNumber {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -182,7 +182,7 @@ impl core::ops::Neg for Long {
     }
 }
 
-impl Zero for Long {
+impl Zero for LongNumber {
     fn zero() -> Self {
         Self(None)
     }
@@ -192,13 +192,13 @@ impl Zero for Long {
     }
 }
 
-impl One for Long {
+impl One for LongNumber {
     fn one() -> Self {
         Self::of(Most::one().into())
     }
 }
 
-impl Scalar for Long {
+impl Scalar for LongNumber {
     fn constant(c: &Constant<'_>) -> Self {
         Self::of(Number::Most(Box::new(c.to_digits())))
     }

@@ -21,7 +21,7 @@ mod tests;
 use num_traits::Zero;
 
 #[cfg(feature = "std")]
-pub(crate) use long::{Capacity, Long, level_row};
+pub(crate) use long::{Capacity, LongNumber, level_row};
 pub(crate) use size::Size;
 
 use rows::{DigitRow, leading, size_of};

@@ -42,7 +42,7 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
 /// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
 /// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ (78 + 4ξ for
-/// [`Precise`](crate::special::Precise)) are summed; an asymptotic expansion sums the remaining
+/// [`Float256`](crate::special::Float256)) are summed; an asymptotic expansion sums the remaining
 /// terms in full precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if ξ ≤ 0, where the
 /// series diverges, or εx = 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {

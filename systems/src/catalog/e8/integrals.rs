@@ -17,7 +17,7 @@ pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
 ///
 /// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// Terms up to N + j ≈ 22 (78 for [`Precise`](crate::special::Precise)) are summed; an asymptotic
+/// Terms up to N + j ≈ 22 (78 for [`Float256`](crate::special::Float256)) are summed; an asymptotic
 /// expansion sums the remaining terms in full precision. For x < 0 this takes about 1/(2ε|x|)
 /// terms. Fails if εx = 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {

@@ -58,7 +58,7 @@ impl<T: Real> Quadrature<T> {
         require(!xi.is_zero(), "xi != 0")?;
         let radius = sphere_radius(point);
         let c = y * x.power_real(&-*xi);
-        let turning = Turning { xi, radius: &radius, c: &c };
+        let turning = TurningFunction { xi, radius: &radius, c: &c };
         if xi.is_positive() {
             // z² decreases with x > 0, so its zero lies between the point's x and r.
             let largest = turning.zero(x, radius);
@@ -77,7 +77,7 @@ impl<T: Real> Quadrature<T> {
 
     /// Returns the point with this x and z ≥ 0; NaN beyond a turning point.
     pub fn point(&self, x: &T) -> SVector<T, 3> {
-        let turning = Turning { xi: &self.xi, radius: &self.radius, c: &self.c };
+        let turning = TurningFunction { xi: &self.xi, radius: &self.radius, c: &self.c };
         let y = self.c * x.power_real(&self.xi);
         vector![*x, y, turning.height_square(x).sqrt()]
     }
@@ -117,13 +117,13 @@ impl<T: Real> Quadrature<T> {
 }
 
 /// The function z² = r² − x² − c²x^{2ξ} of x.
-struct Turning<'a, T> {
+struct TurningFunction<'a, T> {
     xi: &'a T,
     radius: &'a T,
     c: &'a T,
 }
 
-impl<T: Real> Turning<'_, T> {
+impl<T: Real> TurningFunction<'_, T> {
     fn height_square(&self, x: &T) -> T {
         let y = *self.c * x.power_real(self.xi);
         self.radius.square() - x.square() - y.square()

@@ -50,7 +50,7 @@ struct Block {
 
 /// The blocks in order of solution, independent of the writer.
 #[derive(PartialEq)]
-pub(in crate::plan) struct Arrangement(Vec<Block>);
+pub(in crate::plan) struct BlockOrder(Vec<Block>);
 
 impl<'a> Blocks<'a> {
     pub(in crate::plan) fn of(field: &'a Field) -> Self {
@@ -92,17 +92,17 @@ impl<'a> Blocks<'a> {
     }
 
     /// Eliminates independent states by pivots, others by minors; `None` if a block is too large.
-    pub(in crate::plan) fn eliminating(&self) -> Option<Arrangement> {
+    pub(in crate::plan) fn eliminating(&self) -> Option<BlockOrder> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
             self.block(&block, independent, |rows| rows).filter(|block| block.operations() <= MOST_OPERATIONS)
         };
-        self.solved().map(block).collect::<Option<_>>().map(Arrangement)
+        self.solved().map(block).collect::<Option<_>>().map(BlockOrder)
     }
 
     /// Solves each block by minors, with at most `operations` operations, in up to `orders` row
     /// orders.
-    pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
+    pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
             let in_order = |mut rows: Vec<Vec<Polynomial>>| {
@@ -112,9 +112,9 @@ impl<'a> Blocks<'a> {
             let block = |block: Vec<usize>| {
                 self.block(&block, Vec::new(), in_order).filter(|block| block.operations() <= most)
             };
-            self.solved().map(block).collect::<Option<_>>().map(Arrangement)
+            self.solved().map(block).collect::<Option<_>>().map(BlockOrder)
         };
-        let mut distinct: Vec<Arrangement> = Vec::new();
+        let mut distinct: Vec<BlockOrder> = Vec::new();
         for next in (0..orders).filter_map(arrangement) {
             if !distinct.contains(&next) {
                 distinct.push(next);

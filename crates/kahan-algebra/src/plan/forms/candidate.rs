@@ -3,8 +3,8 @@
 use kahan_syntax::table::distinct;
 
 use crate::plan::step::split::{derived_constants, split};
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::{DERIVED, Goal};
+use crate::plan::writing::nesting::{DERIVED, FormGoal};
+use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 
@@ -73,5 +73,5 @@ fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let cost = kernel.cost();
     // A negated numerator costs nothing: it is subtracted in the last operation.
     let operations = cost.operations() - negated.len() + DERIVED * derived;
-    Goal::Early.price(operations, cost.critical_path)
+    FormGoal::Early.price(operations, cost.critical_path)
 }

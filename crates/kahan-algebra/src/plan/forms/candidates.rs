@@ -5,19 +5,19 @@ use kahan_syntax::table::sorted_by_key;
 
 use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
-use crate::kept::Kept;
 use crate::poly::Polynomial;
 use crate::rational_function::RationalFunction;
+use crate::subexpressions::FieldWithSubexpressions;
 
 use crate::plan::forms::blocks::Blocks;
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::factored_map::FactoredMap;
 use crate::plan::forms::minors::{Determinants, determinants};
 use crate::plan::forms::products;
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::numerators::{Power, Products};
-use crate::plan::writing::writer::{Entry, Writer};
+use crate::plan::writing::plan_draft::Signed;
+use crate::plan::writing::writer::{MatrixEntry, Writer};
 
 struct WithDenominator {
     writer: Writer,
@@ -60,7 +60,7 @@ impl Forms<'_> {
 /// code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
-    kept: Option<&Kept>,
+    kept: Option<&FieldWithSubexpressions>,
     map: Option<&'a RationalMap>,
 ) -> Option<Forms<'a>> {
     if let Some(kept) = kept {
@@ -112,7 +112,7 @@ fn terms(field: &Field) -> usize {
 impl WithDenominator {
     fn price(&mut self) -> u64 {
         let draft = &mut self.writer.draft;
-        Goal::Early.price(draft.size_of(self.denominator.node), draft.ready(self.denominator.node))
+        FormGoal::Early.price(draft.size_of(self.denominator.node), draft.ready(self.denominator.node))
     }
 }
 
@@ -149,12 +149,12 @@ impl FactoredMap<'_> {
         let mut starts = Vec::new();
         let polynomial = &self.map.reduced.denominator;
         let mut writer = empty.clone();
-        let denominator = writer.write_scaled(polynomial, Goal::Early);
+        let denominator = writer.write_scaled(polynomial, FormGoal::Early);
         starts.push(WithDenominator { writer, denominator, numerators: None });
         if self.denominator.factors.len() > 1 {
             let mut writer = empty.clone();
             let mut products = Products::new();
-            products.push(&mut writer, &self.denominator, Goal::Early);
+            products.push(&mut writer, &self.denominator, FormGoal::Early);
             let denominator = products.finish(&mut writer).remove(0);
             writer.remember_scaled(polynomial, denominator);
             starts.push(WithDenominator { writer, denominator, numerators: None });
@@ -184,7 +184,7 @@ impl FactoredMap<'_> {
             // With gathered coefficients the written denominator is shorter than the determinant.
             if map_is_unscaled(self.map) && empty.scaling.folds {
                 let mut writer = empty.clone();
-                let denominator = writer.write_scaled(&self.map.reduced.denominator, Goal::Early);
+                let denominator = writer.write_scaled(&self.map.reduced.denominator, FormGoal::Early);
                 let Determinants { numerators, .. } = self.expanded(&mut writer, &matrix, last);
                 starts.push(WithDenominator { writer, denominator, numerators: Some(numerators) });
             }
@@ -197,9 +197,9 @@ impl FactoredMap<'_> {
         let eps = Polynomial::variable(self.field.symbols.epsilon());
         let row = |(row, component): (&Vec<Polynomial>, &RationalFunction)| {
             let right = &eps * component.numerator();
-            row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
+            row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
-        let mut rows: Vec<Vec<Entry>> = matrix.iter().zip(&self.field.components).map(row).collect();
+        let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
         // A cyclic permutation of three rows is even.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)

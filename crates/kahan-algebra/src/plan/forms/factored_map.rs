@@ -7,10 +7,10 @@ use crate::kahan::RationalMap;
 use crate::poly::{Monomial, Polynomial};
 
 use crate::plan::forms::candidate::Candidate;
-use crate::plan::writing::draft::Signed;
 use crate::plan::writing::factors::{Factored, factored};
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::numerators::{Power, Products};
+use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::Writer;
 
 pub(in crate::plan) struct FactoredMap<'a> {
@@ -82,7 +82,7 @@ impl<'a> FactoredMap<'a> {
         [short, long]: [Power; 2],
     ) -> Option<Candidate> {
         let mut writer = self.empty.last()?.clone();
-        let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
+        let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, FormGoal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
         // Divides in sequence: compilers pack two parallel divisions into a slower vector division.
         let both = writer.draft.builder.divide(reciprocal, partner.node);

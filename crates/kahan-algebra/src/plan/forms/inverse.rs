@@ -12,9 +12,9 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::factored_map::FactoredMap;
 use crate::plan::step::recurrence::least_recurrence;
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::numerators::Power;
+use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::scaling::{is_power_of_two, over_eps};
 use crate::plan::writing::writer::Writer;
 
@@ -39,7 +39,7 @@ impl FactoredMap<'_> {
             let (denominator, c) = self.divided(&self.map.reduced.denominator, power);
             for empty in &self.empty {
                 let mut writer = empty.clone();
-                let written = writer.write_scaled(&denominator, Goal::Early);
+                let written = writer.write_scaled(&denominator, FormGoal::Early);
                 forms.extend(over_power(power, writer, written, &c));
                 if self.has_sums_of_constants(&denominator) {
                     let mut writer = empty.clone();
@@ -68,7 +68,7 @@ impl FactoredMap<'_> {
             (states.mul(&prepared), Rational::one())
         });
         let gathered = Polynomial::from_terms(terms.collect::<Vec<_>>());
-        writer.write(&gathered, Goal::Early)
+        writer.write(&gathered, FormGoal::Early)
     }
 
     /// Returns x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) from the written denominator d/εᵏ and the dividend c.

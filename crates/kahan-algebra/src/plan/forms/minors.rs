@@ -6,8 +6,8 @@ use kahan_syntax::table::{Table, sorted_by_key};
 
 use crate::poly::Polynomial;
 
-use crate::plan::writing::draft::{Draft, Signed};
-use crate::plan::writing::writer::{Entry, Writer};
+use crate::plan::writing::plan_draft::{PlanDraft, Signed};
+use crate::plan::writing::writer::{MatrixEntry, Writer};
 
 /// det A, and for each column the determinant with that column replaced by the right-hand side.
 pub(in crate::plan) struct Determinants {
@@ -16,7 +16,7 @@ pub(in crate::plan) struct Determinants {
 }
 
 /// Computes the determinants of A with the right-hand side appended; the last row is expanded last.
-pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determinants {
+pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<MatrixEntry>]) -> Determinants {
     let n = rows.len();
     let mut minors: Table<u64, Signed> = Table::new();
     for (k, row) in rows.iter().enumerate() {
@@ -37,13 +37,13 @@ pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) ->
     Determinants { denominator: minor(n), numerators: numerators.collect() }
 }
 
-fn single(draft: &Draft, row: &[Entry]) -> Table<u64, Signed> {
+fn single(draft: &PlanDraft, row: &[MatrixEntry]) -> Table<u64, Signed> {
     let entries = row.iter().enumerate().map(|(column, entry)| (1 << column, entry.written));
     entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
 }
 
 /// Returns the 2×2 minors of two rows, reusing existing operations.
-fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, Signed> {
+fn pairs(writer: &mut Writer, first: &[MatrixEntry], second: &[MatrixEntry]) -> Table<u64, Signed> {
     let mut minors = Table::new();
     for j in 1..first.len() {
         for i in 0..j {
@@ -68,19 +68,19 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, S
 }
 
 /// Returns ab − cd, if all four polynomials are known.
-fn minor_of(a: &Entry, b: &Entry, c: &Entry, d: &Entry) -> Option<Polynomial> {
+fn minor_of(a: &MatrixEntry, b: &MatrixEntry, c: &MatrixEntry, d: &MatrixEntry) -> Option<Polynomial> {
     let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
     Some(&(a? * b?) - &(c? * d?))
 }
 
-fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
+fn times(draft: &mut PlanDraft, a: Signed, b: Signed) -> Signed {
     Signed { node: draft.multiply(a.node, b.node), negative: a.negative != b.negative }
 }
 
-fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Table<u64, Signed> {
+fn expanded(draft: &mut PlanDraft, minors: &Table<u64, Signed>, row: &[MatrixEntry]) -> Table<u64, Signed> {
     let mut terms: Table<u64, Vec<Signed>> = Table::new();
     for (&chosen, minor) in minors.iter() {
-        for (column, Entry { written: entry, .. }) in row.iter().enumerate() {
+        for (column, MatrixEntry { written: entry, .. }) in row.iter().enumerate() {
             if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
                 continue;
             }

@@ -8,17 +8,17 @@ use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
 use crate::kahan::{dense, matrix_of, pattern};
-use crate::kept::Kept;
 use crate::poly::Polynomial;
+use crate::subexpressions::FieldWithSubexpressions;
 
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, operations};
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::writer::{Entry, Writer};
+use crate::plan::writing::plan_draft::Signed;
+use crate::plan::writing::writer::{MatrixEntry, Writer};
 
 /// Returns one form for each choice of the row expanded last; none if there are too many
 /// operations.
-pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> {
+pub(in crate::plan) fn candidates(field: &Field, kept: &FieldWithSubexpressions) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();
     let (values, slopes) = kept.jacobian(&field.symbols);
@@ -34,8 +34,8 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> 
     let candidate = |turn: usize| {
         let mut writer = Writer::empty(field).swap_remove(0);
         let nodes = writer.draft.builder.include(&plan);
-        let entry = |node| Entry { polynomial: None, written: Signed::plus(node) };
-        let mut rows: Vec<Vec<Entry>> =
+        let entry = |node| MatrixEntry { polynomial: None, written: Signed::plus(node) };
+        let mut rows: Vec<Vec<MatrixEntry>> =
             nodes.chunks(n + 1).map(|row| row.iter().copied().map(entry).collect()).collect();
         // An odd permutation of rows changes all signs, which cancel in the quotients.
         rows.rotate_left(turn);

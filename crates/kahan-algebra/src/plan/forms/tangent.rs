@@ -13,7 +13,7 @@ use crate::field::Field;
 use crate::symbols::Symbol;
 
 use crate::plan::accuracy::Accuracy;
-use crate::plan::forms::blocks::{Arrangement, Blocks};
+use crate::plan::forms::blocks::{BlockOrder, Blocks};
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
@@ -30,7 +30,7 @@ pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);
     let empty = Writer::empty(variational);
-    let cheapest = |arrangements: &[Arrangement], turns: usize| {
+    let cheapest = |arrangements: &[BlockOrder], turns: usize| {
         let forms = empty.iter().flat_map(|empty| {
             arrangements.iter().flat_map(|arrangement| blocks.candidates(empty, arrangement, turns))
         });

@@ -67,15 +67,15 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// Returns the best choice found by [`Self::descended`] from several starts: the initial one;
+    /// Returns the best choice found by [`Self::locally_improved`] from several starts: the initial one;
     /// each constant reversed, separately or in addition; and everything reversed that a negated
     /// result depends on. A constant in several sums pays off only if all of them change together.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
-        let mut best = self.descended(none.clone());
+        let mut best = self.locally_improved(none.clone());
         let mut cost = self.signs(&best).cost;
         let mut compare = |turned: Vec<bool>, best: &mut Vec<bool>| {
-            let other = self.descended(turned);
+            let other = self.locally_improved(turned);
             let other_cost = self.signs(&other).cost;
             if other_cost < cost {
                 (*best, cost) = (other, other_cost);
@@ -112,7 +112,7 @@ impl<'a> Search<'a> {
     }
 
     /// Reverses single choices as long as the cost falls.
-    fn descended(&self, mut reversed: Vec<bool>) -> Vec<bool> {
+    fn locally_improved(&self, mut reversed: Vec<bool>) -> Vec<bool> {
         let mut best = self.signs(&reversed);
         for _ in 0..ROUNDS {
             let before = best.cost;

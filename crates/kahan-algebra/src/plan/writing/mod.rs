@@ -6,9 +6,9 @@
 //! - `writer` writes a polynomial into a `draft`, which tracks when each value is ready, and reuses
 //!   existing operations.
 
-pub(in crate::plan) mod draft;
 pub(in crate::plan) mod factors;
 pub(in crate::plan) mod nesting;
 pub(in crate::plan) mod numerators;
+pub(in crate::plan) mod plan_draft;
 pub(in crate::plan) mod scaling;
 pub(in crate::plan) mod writer;

@@ -26,19 +26,19 @@ const COMPARED: usize = 12;
 const MOST_LOOKED_AT: usize = 1_000_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::plan) enum Goal {
+pub(in crate::plan) enum FormGoal {
     /// Early readiness, for the denominator: all other operations wait for it.
     Early,
     /// Few operations, for numerators: they are computed during the division.
     Few,
 }
 
-impl Goal {
+impl FormGoal {
     /// Returns the price to minimise; under `Early` a cycle costs as much as an operation.
     pub(in crate::plan) fn price(self, operations: usize, ready: u32) -> u64 {
         match self {
-            Goal::Early => 16 * operations as u64 + 16 * u64::from(ready),
-            Goal::Few => 16 * operations as u64 + u64::from(ready),
+            FormGoal::Early => 16 * operations as u64 + 16 * u64::from(ready),
+            FormGoal::Few => 16 * operations as u64 + u64::from(ready),
         }
     }
 }
@@ -53,12 +53,12 @@ pub(in crate::plan) enum Summand {
 struct Estimate {
     operations: usize,
     summands: Vec<u32>,
-    form: Form,
+    form: SumForm,
 }
 
 /// The chosen form of a polynomial; its summands are made on demand.
 #[derive(Debug)]
-enum Form {
+enum SumForm {
     Flat,
     /// A product v·q, and the remaining terms with their own estimate.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
@@ -66,21 +66,21 @@ enum Form {
 }
 
 #[derive(Debug, Default)]
-struct Known {
+struct EstimateCache {
     polynomials: Numbered<Rc<Polynomial>>,
     estimates: Vec<Rc<Estimate>>,
 }
 
 #[derive(Debug)]
 pub(in crate::plan) struct Nesting {
-    goal: Goal,
+    goal: FormGoal,
     scaling: Scaling,
-    known: RefCell<Known>,
+    known: RefCell<EstimateCache>,
     looked_at: Cell<usize>,
 }
 
 impl Nesting {
-    pub(in crate::plan) fn new(goal: Goal, scaling: Scaling) -> Self {
+    pub(in crate::plan) fn new(goal: FormGoal, scaling: Scaling) -> Self {
         Nesting { goal, scaling, known: RefCell::default(), looked_at: Cell::new(0) }
     }
 
@@ -89,15 +89,15 @@ impl Nesting {
         let mut next = Some((Rc::clone(polynomial), self.estimate(polynomial)));
         while let Some((polynomial, estimate)) = next {
             next = match &estimate.form {
-                Form::Nested(product, rest) => {
+                SumForm::Nested(product, rest) => {
                     summands.push(product.clone());
                     rest.clone()
                 }
-                Form::Grouped(own) => {
+                SumForm::Grouped(own) => {
                     summands.extend_from_slice(own);
                     None
                 }
-                Form::Flat => {
+                SumForm::Flat => {
                     summands.extend(terms_of(&polynomial));
                     None
                 }
@@ -165,7 +165,7 @@ impl Nesting {
 
     /// Estimates the sum term by term, with all state-independent terms as one prepared summand.
     fn flat(&self, polynomial: &Polynomial) -> Estimate {
-        let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: Form::Flat };
+        let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: SumForm::Flat };
         let mut has_fixed = false;
         for (monomial, coefficient) in polynomial.terms() {
             let (operations, ready) = self.term(monomial, coefficient);
@@ -209,13 +209,13 @@ impl Nesting {
         let (product, mut operations, ready) = self.product(variable, quotient);
         let mut summands = vec![ready];
         if rest.is_zero() {
-            return Estimate { operations, summands, form: Form::Nested(product, None) };
+            return Estimate { operations, summands, form: SumForm::Nested(product, None) };
         }
         let rest = Rc::new(rest);
         let own = self.estimate(&rest);
         operations += own.operations + 1;
         summands.extend_from_slice(&own.summands);
-        Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
+        Estimate { operations, summands, form: SumForm::Nested(product, Some((rest, own))) }
     }
 
     fn grouped(&self, polynomial: &Polynomial) -> Estimate {
@@ -229,7 +229,7 @@ impl Nesting {
             operations += count + 1;
             summands.push(ready);
         }
-        Estimate { operations, summands, form: Form::Grouped(own) }
+        Estimate { operations, summands, form: SumForm::Grouped(own) }
     }
 
     /// Returns variable · quotient as a summand, its number of operations, and the cycle when it is
@@ -297,7 +297,7 @@ mod tests {
         let field = crate::read(&crate::lexer::lex(&text).tokens).system().expect("a system").field;
         let scaling = scalings(&field).swap_remove(0);
 
-        let nesting = Nesting::new(Goal::Few, scaling);
+        let nesting = Nesting::new(FormGoal::Few, scaling);
         let summands = nesting.best(&polynomial);
         let looked_at = nesting.looked_at.get();
         assert!(looked_at > MOST_LOOKED_AT, "{looked_at}");

@@ -4,9 +4,9 @@
 use crate::poly::{Polynomial, Variable};
 
 use crate::plan::Node;
-use crate::plan::writing::draft::Signed;
 use crate::plan::writing::factors::Factored;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::FormGoal;
+use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::scaling::over_eps;
 use crate::plan::writing::writer::Writer;
 
@@ -53,7 +53,7 @@ impl Products {
         Products { lists: Vec::new() }
     }
 
-    pub(in crate::plan) fn push(&mut self, writer: &mut Writer, product: &Factored, goal: Goal) {
+    pub(in crate::plan) fn push(&mut self, writer: &mut Writer, product: &Factored, goal: FormGoal) {
         let (nodes, negative) = writer.factors_of_term(&product.monomial, &product.coefficient);
         let mut list = Factors { nodes, negative };
         for (factor, exponent) in &product.factors {

@@ -20,7 +20,7 @@ const LATE: u32 = 2 * DIVIDE;
 
 /// The kind of symbol that absorbs powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::plan) enum First {
+pub(in crate::plan) enum ScalingPriority {
     /// States first, for fields whose parameters occur in some terms only.
     States,
     /// Parameters first: εa₁ is prepared, so x needs no scaling.
@@ -34,13 +34,13 @@ pub(in crate::plan) struct Scaling {
     /// The number of unscaled symbols: states, parameters, ε and second states.
     offset: u16,
     epsilon: Variable,
-    first: First,
+    first: ScalingPriority,
     /// Whether all constants of a term are multiplied into one prepared constant, rounded twice.
     pub(in crate::plan) folds: bool,
 }
 
 impl Scaling {
-    pub(in crate::plan) fn new(field: &Field, first: First) -> Self {
+    pub(in crate::plan) fn new(field: &Field, first: ScalingPriority) -> Self {
         let symbols = &field.symbols;
         let (states, parameters) = (symbols.states.len(), symbols.parameters.len());
         let offset = u16::try_from(2 * states + parameters + 1).expect("symbols are numbered by 16 bits");
@@ -126,8 +126,8 @@ impl Scaling {
         let variables = monomial.powers().iter().map(|(variable, _)| *variable);
         let parameters = variables.filter(|v| !is_state(*v) && *v != self.epsilon && *v != INVERSE_STEP);
         let order: Vec<Variable> = match self.first {
-            First::States => states.chain(parameters).collect(),
-            First::Parameters => parameters.chain(states).collect(),
+            ScalingPriority::States => states.chain(parameters).collect(),
+            ScalingPriority::Parameters => parameters.chain(states).collect(),
         };
         for variable in order {
             let exponent = monomial.exponent(variable);
@@ -171,9 +171,9 @@ pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
-        vec![scaling(First::States)]
+        vec![scaling(ScalingPriority::States)]
     } else {
-        vec![scaling(First::Parameters), scaling(First::States)]
+        vec![scaling(ScalingPriority::Parameters), scaling(ScalingPriority::States)]
     }
 }
 

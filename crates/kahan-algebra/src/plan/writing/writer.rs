@@ -15,8 +15,8 @@ use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 
 use crate::plan::Node;
-use crate::plan::writing::draft::{Draft, Signed};
-use crate::plan::writing::nesting::{Goal, Nesting, Summand};
+use crate::plan::writing::nesting::{FormGoal, Nesting, Summand};
+use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
@@ -28,7 +28,7 @@ const SHARED: usize = 3;
 
 /// A matrix entry: its operation, and its polynomial over scaled symbols if known.
 #[derive(Clone, Debug)]
-pub(in crate::plan) struct Entry {
+pub(in crate::plan) struct MatrixEntry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
     pub(in crate::plan) written: Signed,
 }
@@ -36,7 +36,7 @@ pub(in crate::plan) struct Entry {
 /// A draft that remembers the polynomial that each operation computes.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Writer {
-    pub(in crate::plan) draft: Draft,
+    pub(in crate::plan) draft: PlanDraft,
     pub(in crate::plan) scaling: Scaling,
     /// The remembered polynomials, with positive leading coefficients, in order of creation.
     made: Numbered<Rc<Polynomial>>,
@@ -45,7 +45,7 @@ pub(in crate::plan) struct Writer {
     put: Vec<(Variable, Node)>,
     /// The gathered coefficients: sums of constants, each prepared as one constant.
     coefficients: Vec<Polynomial>,
-    /// The chosen forms for `Goal::Early` and `Goal::Few`.
+    /// The chosen forms for `FormGoal::Early` and `FormGoal::Few`.
     nestings: Rc<[Nesting; 2]>,
 }
 
@@ -56,9 +56,10 @@ impl Writer {
     }
 
     fn new(scaling: Scaling) -> Self {
-        let nestings = Rc::new([Goal::Early, Goal::Few].map(|goal| Nesting::new(goal, scaling.clone())));
+        let nestings =
+            Rc::new([FormGoal::Early, FormGoal::Few].map(|goal| Nesting::new(goal, scaling.clone())));
         Writer {
-            draft: Draft::new(&scaling),
+            draft: PlanDraft::new(&scaling),
             scaling,
             made: Numbered::default(),
             steps: Vec::new(),
@@ -111,7 +112,7 @@ impl Writer {
         self.put.push((symbol, node));
     }
 
-    pub(in crate::plan) fn write(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+    pub(in crate::plan) fn write(&mut self, polynomial: &Polynomial, goal: FormGoal) -> Signed {
         let (sign, positive) = normalised(polynomial);
         if let Some(number) = self.made.find(&positive) {
             return self.steps[number].flipped(sign);
@@ -122,7 +123,7 @@ impl Writer {
     }
 
     /// Writes a polynomial in unscaled symbols and ε, with the first distribution of powers of ε.
-    pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+    pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: FormGoal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
     }
@@ -134,10 +135,10 @@ impl Writer {
     }
 
     /// Writes a matrix entry with the first distribution of powers of ε.
-    pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: Goal) -> Entry {
+    pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: FormGoal) -> MatrixEntry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
-        Entry { polynomial: Some(polynomial), written }
+        MatrixEntry { polynomial: Some(polynomial), written }
     }
 
     pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
@@ -162,7 +163,7 @@ impl Writer {
         }
     }
 
-    fn write_new(&mut self, polynomial: &Rc<Polynomial>, goal: Goal) -> Signed {
+    fn write_new(&mut self, polynomial: &Rc<Polynomial>, goal: FormGoal) -> Signed {
         if let Some(gathered) = self.gathered(polynomial) {
             return self.write(&gathered, goal);
         }
@@ -176,7 +177,7 @@ impl Writer {
         }
         if !common.is_one() || !content.is_one() {
             let inner = polynomial.div_monomial(&common).expect("all terms have it").primitive_part();
-            if goal == Goal::Few && inner.len() <= SHARED && self.has_constant(&common) {
+            if goal == FormGoal::Few && inner.len() <= SHARED && self.has_constant(&common) {
                 let write = |writer: &mut Self, is_product: &bool| match is_product {
                     true => writer.multiple(&common, &content, &inner, goal),
                     false => writer.write_flat(polynomial),
@@ -185,7 +186,7 @@ impl Writer {
             }
             return self.multiple(&common, &content, &inner, goal);
         }
-        if goal == Goal::Few
+        if goal == FormGoal::Few
             && polynomial.len() <= REUSED
             && let Some(written) = self.write_reusing(polynomial)
         {
@@ -204,9 +205,9 @@ impl Writer {
         self.draft.signed_sum(&terms)
     }
 
-    fn write_nested(&mut self, polynomial: &Rc<Polynomial>, goal: Goal) -> Signed {
+    fn write_nested(&mut self, polynomial: &Rc<Polynomial>, goal: FormGoal) -> Signed {
         let nestings = Rc::clone(&self.nestings);
-        let nesting = &nestings[usize::from(goal == Goal::Few)];
+        let nesting = &nestings[usize::from(goal == FormGoal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
         // Writes low degrees first, since their products may be factors of others.
@@ -236,7 +237,7 @@ impl Writer {
         monomial: &Monomial,
         coefficient: &Rational,
         inner: &Polynomial,
-        goal: Goal,
+        goal: FormGoal,
     ) -> Signed {
         let written = self.write(inner, goal);
         let product = self.term(monomial, coefficient, Some(written.node));

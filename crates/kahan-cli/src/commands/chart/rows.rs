@@ -4,7 +4,7 @@ use std::path::Path;
 
 use kahan_study::{Axis, Range};
 
-use crate::printing::{Refusal, joined};
+use crate::printing::{UsageError, joined};
 use crate::reading::{self, named, number, over};
 
 /// The rows of a file to draw, and the column that they show.
@@ -20,7 +20,7 @@ const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
     /// Returns the axes and the mean of each cell, row by row from below; NaN for empty cells.
-    pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), Refusal> {
+    pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), UsageError> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();
         let names: Vec<&str> = self.over.iter().map(name).collect();
@@ -45,7 +45,7 @@ impl<'a> Rows<'a> {
             let values: Vec<f64> = rows.iter().map(|row| columns[axis][*row]).collect();
             let name = names[axis];
             let range = Range::around(&values).ok_or_else(|| {
-                Refusal::new(format!(
+                UsageError::new(format!(
                     "--over {name}: the values of `{name}` are not equally spaced; give cells, as in --over {name}=-1:1:/60"
                 ))
             })?;
@@ -56,7 +56,7 @@ impl<'a> Rows<'a> {
         let count = counts.iter().try_fold(1_usize, |count, own| count.checked_mul(*own));
         let count = count.filter(|count| *count <= MOST_DRAWN).ok_or_else(|| {
             let counts = joined(&counts, " times ");
-            Refusal::new(format!(
+            UsageError::new(format!(
                 "--over: {counts} cells are too many, and at most {MOST_DRAWN} are drawn; give fewer, as in --over {}=-1:1:/600",
                 names[0]
             ))
@@ -74,7 +74,7 @@ impl<'a> Rows<'a> {
             let places = [cell % counts[0], cell / counts[0]];
             let at = ranges.iter().zip(places);
             let at = at.map(|(axis, place)| format!("{} = {}", axis.name, axis.range.value(place)));
-            return Err(Refusal::new(format!(
+            return Err(UsageError::new(format!(
                 "--over: {} rows have {}; choose among them by another column, as in --where order=2, or give cells, as in \
                  --over {}=-1:1:/60, which show the mean of their rows",
                 cells[cell].rows,
@@ -86,10 +86,10 @@ impl<'a> Rows<'a> {
     }
 
     /// Returns the refusal of a file in which no row satisfies the conditions.
-    fn no_rows(&self, chosen: &[(&str, f64)], columns: &[Vec<f64>]) -> Refusal {
+    fn no_rows(&self, chosen: &[(&str, f64)], columns: &[Vec<f64>]) -> UsageError {
         const MOST: usize = 8;
         let there = chosen.iter().zip(columns).find(|((_, value), column)| !column.contains(value));
-        Refusal::new(match there {
+        UsageError::new(match there {
             None => format!("--from: no row of {} is chosen", self.from.display()),
             Some(((name, value), column)) => {
                 let mut values = column.clone();
@@ -103,7 +103,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-fn choice(given: &str) -> Result<(&str, f64), Refusal> {
+fn choice(given: &str) -> Result<(&str, f64), UsageError> {
     let (name, value) = named(given, "--where", "order=2")?;
     Ok((name, number(value, "--where")?.to_f64()))
 }

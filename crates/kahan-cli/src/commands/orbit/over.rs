@@ -5,11 +5,11 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::{Axis, End, Ending, Exact, Kept, Study, StudyError};
+use kahan_study::{Axis, End, Ending, Exact, StoredColumn, Study, StudyError};
 use serde_json::json;
 
 use super::{Orbit, Question};
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, UsageError};
 use crate::reading;
 
 struct Combinations<'a> {
@@ -21,7 +21,7 @@ struct Combinations<'a> {
 }
 
 impl Orbit {
-    pub(super) fn over(&self) -> Result<Answer, Refusal> {
+    pub(super) fn over(&self) -> Result<Answer, UsageError> {
         let axes: Vec<Axis> = self.over.iter().map(|text| reading::over(text)).collect::<Result<_, _>>()?;
         let (study, starts, eps) = self.start.starts_over(&axes)?;
         let known = [study.coordinates(), study.parameters(), &["eps".to_owned()]].concat();
@@ -67,7 +67,7 @@ impl Orbit {
             let (start, index) = (index / all.count, index % all.count);
             let values = all.values(index);
             let cells = values.iter().map(|value| self.cell(value));
-            let place = [Kept::Integer(vec![start as i64])].into_iter().chain(cells).collect();
+            let place = [StoredColumn::Integer(vec![start as i64])].into_iter().chain(cells).collect();
             (place, (&starts[start], index, values))
         });
         self.write(head, &names, orbits, |(start, index, values), table, watch| {
@@ -84,10 +84,10 @@ impl Orbit {
         })
     }
 
-    fn cell(&self, value: &Rational) -> Kept {
+    fn cell(&self, value: &Rational) -> StoredColumn {
         match self.scalar {
-            ScalarKind::Exact => Kept::Exact(vec![Exact::Number(value.into())]),
-            _ => Kept::F64(vec![value.to_f64()]),
+            ScalarKind::Exact => StoredColumn::Exact(vec![Exact::Number(value.into())]),
+            _ => StoredColumn::F64(vec![value.to_f64()]),
         }
     }
 }

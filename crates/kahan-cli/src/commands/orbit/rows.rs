@@ -3,11 +3,11 @@
 //! In: metadata, and orbits that write their own rows. Out: the table, and an answer with the
 //! reasons why orbits ended. The method of a step is deliberately absent.
 
-use kahan_study::{Ending, Kept};
+use kahan_study::{Ending, StoredColumn};
 use serde_json::{Map, Value, json};
 
 use super::{Orbit, is_array};
-use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
+use crate::printing::{Answer, Format, OutputStream, ProgressDisplay, Table, UsageError, WriteError, warn};
 use crate::reading::option;
 
 impl Orbit {
@@ -17,20 +17,20 @@ impl Orbit {
         &self,
         head: Value,
         places: &[String],
-        orbits: impl ExactSizeIterator<Item = (Vec<Kept>, O)>,
-        fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
-    ) -> Result<Answer, Refusal> {
+        orbits: impl ExactSizeIterator<Item = (Vec<StoredColumn>, O)>,
+        fill: impl FnMut(O, &mut Table, &ProgressDisplay) -> Result<Ending, WriteError>,
+    ) -> Result<Answer, UsageError> {
         let Value::Object(mut head) = head else { unreachable!("a head is an object") };
         let columns = head["columns"].as_array_mut().expect("columns have names");
         let names: Vec<String> = columns.iter().filter_map(Value::as_str).map(str::to_owned).collect();
         columns.splice(0..0, places.iter().map(|place| json!(kahan_study::free_name(&names, place))));
         let file = self.out.as_deref().filter(|path| !is_array(path));
-        let sink = file.map_or_else(|| Ok(Sink::standard()), Sink::table)?;
+        let sink = file.map_or_else(|| Ok(OutputStream::standard()), OutputStream::table)?;
         let stops = match self.write_into(sink, &head, orbits, fill) {
             Ok(stops) => stops,
             // If the reader goes away, the table ends without an error.
-            Err(Broken::ReaderGone) => Vec::new(),
-            Err(Broken::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
+            Err(WriteError::ReaderGone) => Vec::new(),
+            Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
         };
         // With rows in a file, the answer is the object that describes them.
         let answer = match file {
@@ -49,13 +49,14 @@ impl Orbit {
 
     fn write_into<O>(
         &self,
-        sink: Sink,
+        sink: OutputStream,
         head: &Map<String, Value>,
-        orbits: impl ExactSizeIterator<Item = (Vec<Kept>, O)>,
-        mut fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
-    ) -> Result<Vec<Ending>, Broken> {
+        orbits: impl ExactSizeIterator<Item = (Vec<StoredColumn>, O)>,
+        mut fill: impl FnMut(O, &mut Table, &ProgressDisplay) -> Result<Ending, WriteError>,
+    ) -> Result<Vec<Ending>, WriteError> {
         let steps = self.before.transient.saturating_add(self.steps);
-        let prompt = Prompt::beside_rows(!sink.is_standard(), steps.saturating_mul(orbits.len() as u64));
+        let prompt =
+            ProgressDisplay::beside_rows(!sink.is_standard(), steps.saturating_mul(orbits.len() as u64));
         let format = if self.json && sink.is_standard() { Format::Json } else { Format::Csv };
         let mut table = Table::begin(sink, format, head)?;
         let mut stops = Vec::new();

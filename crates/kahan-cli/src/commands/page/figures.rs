@@ -4,35 +4,35 @@ use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::hilbert::default_degree;
 use kahan_draw::Drawing;
 use kahan_draw::answer;
-use kahan_draw::picture::{Chart, Look, Visits, chart};
+use kahan_draw::picture::{Chart, OrbitExtent, PictureOptions, chart};
 use kahan_study::trade::Trade;
 use kahan_study::{
-    Answer, Axis, Discover, Form, Observe, Over, Poles, Question, Range, Shade, Show, ShownOrbit, Study,
-    StudyError,
+    Answer, Axis, ColourColumn, Discover, Observe, Over, Poles, Question, Range, Show, ShowForm, ShownOrbit,
+    Study, StudyError,
 };
 use maud::{Markup, html};
 
-use super::super::line::Line;
-use super::super::look::usual as picture_sheet;
+use super::super::command_line::CommandLine;
+use super::super::image_options::usual as picture_sheet;
 use super::super::picture::Picture;
-use super::super::picture::shown::{Drawn, Shown, What};
-use super::super::picture::starts::{At, Spread};
-use crate::printing::{Prompt, Refusal};
+use super::super::picture::request::{NotedPicture, PictureContent, PictureRequest};
+use super::super::picture::starts::{StartSpec, StartSpread};
+use crate::printing::{ProgressDisplay, UsageError};
 
 pub(super) struct Field {
     pub(super) words: Vec<String>,
     pub(super) study: Study,
 }
 
-pub(super) struct Asked {
-    line: Line,
+pub(super) struct AnsweredQuestion {
+    line: CommandLine,
     pub(super) answer: Result<Answer, StudyError>,
 }
 
-impl Asked {
+impl AnsweredQuestion {
     pub(super) fn of(field: &Field, question: Question) -> Self {
-        let answer = field.study.ask(&question, &Prompt::stages());
-        Asked { line: Line::asking(&field.words, &question), answer }
+        let answer = field.study.ask(&question, &ProgressDisplay::stages());
+        AnsweredQuestion { line: CommandLine::asking(&field.words, &question), answer }
     }
 
     /// Returns the answer or the refusal, above the command line.
@@ -40,7 +40,7 @@ impl Asked {
         html! {
             @match &self.answer {
                 Ok(answer) => (answer::html(answer).expect("pages ask what they show")),
-                Err(why) => p.missing { "Left out: " (Refusal::from(why.clone()).message()) },
+                Err(why) => p.missing { "Left out: " (UsageError::from(why.clone()).message()) },
             }
             (command(&self.line))
         }
@@ -68,9 +68,9 @@ const HEIGHTS: f64 = 0.06;
 const TRADE: f64 = 0.25;
 
 impl Subject<'_> {
-    fn one_orbit(&self, steps: u64) -> Shown {
+    fn one_orbit(&self, steps: u64) -> PictureRequest {
         let ShownOrbit { eps, start, .. } = self.shown;
-        Shown::portrait(eps.clone(), vec![At::Point(start.clone())], steps)
+        PictureRequest::portrait(eps.clone(), vec![StartSpec::Point(start.clone())], steps)
     }
 
     /// Returns a share of the available time in seconds, rounded to tenths.
@@ -79,22 +79,26 @@ impl Subject<'_> {
     }
 
     pub(super) fn formulas(&self) -> Markup {
-        let asked = Show { form: Form::Latex, jacobian: false };
-        Asked::of(self.generic, Question::Show(asked)).html()
+        let asked = Show { form: ShowForm::Latex, jacobian: false };
+        AnsweredQuestion::of(self.generic, Question::Show(asked)).html()
     }
 
-    pub(super) fn search(&self) -> Asked {
+    pub(super) fn search(&self) -> AnsweredQuestion {
         // With a fixed degree the result does not depend on the speed of the machine.
         let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
-        Asked::of(self.generic, Question::Discover(asked))
+        AnsweredQuestion::of(self.generic, Question::Discover(asked))
     }
 
     pub(super) fn growth(&self) -> Markup {
         let poles = Poles { seconds: self.share(POLES), ..Poles::default() };
-        let heights = Shown { what: What::Heights, seconds: self.share(HEIGHTS), ..self.one_orbit(400) };
+        let heights = PictureRequest {
+            what: PictureContent::Heights,
+            seconds: self.share(HEIGHTS),
+            ..self.one_orbit(400)
+        };
         html! {
-            (Asked::of(self.generic, Question::Poles(poles)).html())
+            (AnsweredQuestion::of(self.generic, Question::Poles(poles)).html())
             (self.picture("heights", "Heights of an exact orbit", &heights, |_| html! {
                 "The logarithmic height of a fraction is about 2.3 times the number of its digits. Heights that grow like a power "
                 "of n are drawn over log n, and those that grow exponentially over n: either way they come near a straight line."
@@ -105,14 +109,15 @@ impl Subject<'_> {
     pub(super) fn orbits(&self) -> Markup {
         let portrait = self.many_orbits(if self.variables.len() == 1 { 200 } else { 4000 });
         let first = &self.variables[0];
-        let time = Shown { axes: vec!["t".to_owned(), first.clone()], lines: true, ..self.one_orbit(400) };
+        let time =
+            PictureRequest { axes: vec!["t".to_owned(), first.clone()], lines: true, ..self.one_orbit(400) };
         html! {
             (self.picture("portrait", "Orbits", &portrait, |_| html! { "Orbits from " (STARTS) " first points." }))
             (self.picture("time", &format!("{first} over time"), &time, |_| html! { "The first orbit; a step takes the time 2ε." }))
             @if self.variables.len() > 2 {
                 @let plane = self.plane();
                 @let steps = self.crossing_steps();
-                @let section = Shown { what: What::section(&plane, steps), ..self.many_orbits(steps) };
+                @let section = PictureRequest { what: PictureContent::section(&plane, steps), ..self.many_orbits(steps) };
                 (self.picture("section", "A section", &section, |visits| html! {
                     "Where the orbits cross " code { (plane) " = 0" } " upwards. " (crossings(visits, self.variables.len()))
                 }))
@@ -122,7 +127,7 @@ impl Subject<'_> {
 
     pub(super) fn dynamics(&self) -> Markup {
         let asked = Observe::new(self.shown.eps.clone(), self.shown.start.clone(), self.steps());
-        Asked::of(self.kept, Question::Observe(asked)).html()
+        AnsweredQuestion::of(self.kept, Question::Observe(asked)).html()
     }
 
     pub(super) fn chart(&self) -> Markup {
@@ -138,20 +143,20 @@ impl Subject<'_> {
             let range = range.expect("printed numbers make a range");
             Axis { name: name.to_owned(), range }.into()
         });
-        let shade = Shade::named("fli").expect("an observable");
+        let shade = ColourColumn::named("fli").expect("an observable");
         let observe = Observe::new(eps.clone(), start.clone(), 1000);
         let observe = Question::Observe(Observe { observe: vec![shade.observable], ..observe });
         let asked = Over::new(observe, axes.into());
-        let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
+        let found = asked.ask(&self.valued.study, &ProgressDisplay::new((cells * cells) as u64, "orbits"));
         let drawn = found.map(|found| {
             let words = html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
                 "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
             };
-            (chart(&Chart::of(&asked, &found, &shade), &Look::on(picture_sheet())).drawing, Vec::new(), words)
+            (chart(&Chart::of(&asked, &found, &shade), &PictureOptions::on(picture_sheet())).drawing, Vec::new(), words)
         });
-        let line = Line::asking(&self.valued.words, &Question::Over(asked));
-        figure("chart", "A chart of stability", &line, drawn.map_err(Refusal::from))
+        let line = CommandLine::asking(&self.valued.words, &Question::Over(asked));
+        figure("chart", "A chart of stability", &line, drawn.map_err(UsageError::from))
     }
 
     /// Returns the cheapest integrator settings over the horizon of the figures.
@@ -161,19 +166,25 @@ impl Subject<'_> {
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
         let asked = Trade::new(self.shown.start.clone(), horizon.expect("a printed number is one"));
         let asked = Trade { seconds: self.share(TRADE), ..asked };
-        let asked = Asked::of(self.kept, Question::Trade(asked));
-        Asked { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
+        let asked = AnsweredQuestion::of(self.kept, Question::Trade(asked));
+        AnsweredQuestion { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
     }
 
-    fn picture(&self, id: &str, title: &str, asked: &Shown, words: impl Fn(&[Visits]) -> Markup) -> Markup {
-        let drawn = asked.drawn(&self.valued.study).and_then(|Drawn { picture, notes }| {
+    fn picture(
+        &self,
+        id: &str,
+        title: &str,
+        asked: &PictureRequest,
+        words: impl Fn(&[OrbitExtent]) -> Markup,
+    ) -> Markup {
+        let drawn = asked.drawn(&self.valued.study).and_then(|NotedPicture { picture, notes }| {
             if picture.points == 0 {
-                return Err(Refusal::new("there is nothing to be seen: no orbit comes there."));
+                return Err(UsageError::new("there is nothing to be seen: no orbit comes there."));
             }
             Ok((picture.drawing, notes, words(&picture.visits)))
         });
-        let asked = Shown { out: format!("{id}.svg").into(), ..asked.clone() };
-        let line = Picture::options(&asked, Line::new("picture", &self.valued.words));
+        let asked = PictureRequest { out: format!("{id}.svg").into(), ..asked.clone() };
+        let line = Picture::options(&asked, CommandLine::new("picture", &self.valued.words));
         figure(id, title, &line, drawn)
     }
 
@@ -199,16 +210,16 @@ impl Subject<'_> {
     }
 
     /// Asks for orbits from points between the start and the middle of the start's orbit.
-    fn many_orbits(&self, steps: u64) -> Shown {
+    fn many_orbits(&self, steps: u64) -> PictureRequest {
         let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
             let (start, middle) = (start.to_f64(), 0.5 * (low + high));
             let near = between(start + 0.6 * (middle - start), high - low);
             Rational::parse(&near).expect("a printed number is one")
         });
-        let at = vec![At::Line(start.clone(), nearer.collect())];
-        let spread = Spread { count: Some(STARTS), ..Spread::default() };
-        Shown { spread, seconds: SECONDS, ..Shown::portrait(eps.clone(), at, steps) }
+        let at = vec![StartSpec::Line(start.clone(), nearer.collect())];
+        let spread = StartSpread { count: Some(STARTS), ..StartSpread::default() };
+        PictureRequest { spread, seconds: SECONDS, ..PictureRequest::portrait(eps.clone(), at, steps) }
     }
 
     /// Returns the plane through the middle of the third variable, or of the most varying one if
@@ -237,9 +248,9 @@ impl Subject<'_> {
 }
 
 /// A drawing with notes and an explanation, or a refusal.
-pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), Refusal>;
+pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), UsageError>;
 
-pub(super) fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Markup {
+pub(super) fn figure(id: &str, title: &str, line: &CommandLine, drawn: Figure) -> Markup {
     html! {
         figure.single id=(id) {
             h3 { (title) }
@@ -258,17 +269,18 @@ pub(super) fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Marku
     }
 }
 
-pub(super) fn command(line: &Line) -> Markup {
+pub(super) fn command(line: &CommandLine) -> Markup {
     html! { pre.command tabindex="0" { code { (line) } } }
 }
 
 /// Explains a section by the number and the places of its crossings.
-fn crossings(orbits: &[Visits], variables: usize) -> Markup {
+fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
     /// The mean number of visits from which points count as repeated.
     const OFTEN: usize = 10;
 
-    let of = |chosen: fn(&Visits) -> bool| orbits.iter().filter(|visits| chosen(visits)).collect::<Vec<_>>();
+    let of =
+        |chosen: fn(&OrbitExtent) -> bool| orbits.iter().filter(|visits| chosen(visits)).collect::<Vec<_>>();
     let none = of(|visits| visits.points == 0).len();
     let seldom = of(|visits| (1..PATTERN).contains(&visits.points)).len();
     let again = of(|visits| visits.points >= PATTERN && visits.points >= OFTEN * visits.places.max(1));

@@ -2,20 +2,20 @@
 //! the page contains that starting point, so that each command chooses the same lift.
 
 use kahan_draw::answer;
-use kahan_draw::picture::{Look, relations};
+use kahan_draw::picture::{PictureOptions, relations};
 use maud::{Markup, html};
 
-use super::super::line::Line;
-use super::super::look::usual;
+use super::super::command_line::CommandLine;
+use super::super::image_options::usual;
 use super::figures::{Subject, figure};
 use super::{Page, with_values};
-use crate::printing::{Refusal, joined};
+use crate::printing::{UsageError, joined};
 use crate::reading::{Block, Source};
 
 impl Page {
     /// Returns the source and its block. The text of a lifted field gets the start along whose
     /// orbit the lift was chosen.
-    pub(super) fn begun(&self, block: &Block) -> Result<(Source, Block), Refusal> {
+    pub(super) fn with_chosen_start(&self, block: &Block) -> Result<(Source, Block), UsageError> {
         let as_given = (self.source.clone(), block.clone());
         let study = self.source.study_of_block(block, self.at.as_deref())?;
         if study.lift().is_none_or(|lift| lift.order() == 0) {
@@ -43,11 +43,11 @@ impl Subject<'_> {
         let (eps, start) = (&self.shown.eps, joined(&self.shown.start, ","));
         let found = match self.valued.study.lift_found(Some(eps.to_f64())) {
             Ok(found) => found.expect("the field was lifted"),
-            Err(why) => return html! { p.missing { "Left out: " (Refusal::from(why).message()) } },
+            Err(why) => return html! { p.missing { "Left out: " (UsageError::from(why).message()) } },
         };
-        let line = Line::new("lift", &self.valued.words).with("--eps", eps).with("--at", start);
-        let drawn = relations(&found, &Look::on(usual()));
-        let drawn = drawn.ok_or_else(|| Refusal::new("there is no orbit to follow.")).map(|picture| {
+        let line = CommandLine::new("lift", &self.valued.words).with("--eps", eps).with("--at", start);
+        let drawn = relations(&found, &PictureOptions::on(usual()));
+        let drawn = drawn.ok_or_else(|| UsageError::new("there is no orbit to follow.")).map(|picture| {
             let words = html! {
                 "The error of each relation along the first orbit. What is kept or bounded stays level; a drift is a line that rises "
                 "like log t, and what grows at a rate is a straight line."

@@ -6,12 +6,12 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_study::Study;
 
-use crate::printing::{Refusal, joined};
+use crate::printing::{UsageError, joined};
 use crate::reading::{is_number_file, point, points};
 
 /// The value of an `--at`.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum At {
+pub(crate) enum StartSpec {
     /// A point.
     Point(Vec<Rational>),
     /// The two ends of a line.
@@ -20,50 +20,50 @@ pub(crate) enum At {
 
 /// The number and the distribution of first points for each `--at`.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Spread {
+pub(crate) struct StartSpread {
     /// The number of points; `None` for the given point only.
     pub(crate) count: Option<usize>,
     pub(crate) radius: Rational,
     pub(crate) seed: u64,
 }
 
-impl Default for Spread {
+impl Default for StartSpread {
     fn default() -> Self {
-        Spread { count: None, radius: Rational::new(1, 10), seed: 1 }
+        StartSpread { count: None, radius: Rational::new(1, 10), seed: 1 }
     }
 }
 
-impl At {
+impl StartSpec {
     /// Reads the value of an `--at`; a file gives a point for each row.
-    pub(super) fn read(at: &str, spread: &Spread, study: &Study) -> Result<Vec<Self>, Refusal> {
+    pub(super) fn read(at: &str, spread: &StartSpread, study: &Study) -> Result<Vec<Self>, UsageError> {
         // Paths of files may contain dots.
         match at.split_once("..").filter(|_| !is_number_file(at)) {
-            Some(_) if spread.count.is_none() => Err(Refusal::new(format!(
+            Some(_) if spread.count.is_none() => Err(UsageError::new(format!(
                 "--at {at} is a line; say by --starts how many first points it has"
             ))),
-            Some((from, to)) => Ok(vec![At::Line(point(Some(from), study)?, point(Some(to), study)?)]),
-            None => Ok(points(Some(at), study)?.into_iter().map(At::Point).collect()),
+            Some((from, to)) => Ok(vec![StartSpec::Line(point(Some(from), study)?, point(Some(to), study)?)]),
+            None => Ok(points(Some(at), study)?.into_iter().map(StartSpec::Point).collect()),
         }
     }
 }
 
-impl fmt::Display for At {
+impl fmt::Display for StartSpec {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            At::Point(point) => f.write_str(&joined(point, ",")),
-            At::Line(from, to) => write!(f, "{}..{}", joined(from, ","), joined(to, ",")),
+            StartSpec::Point(point) => f.write_str(&joined(point, ",")),
+            StartSpec::Line(from, to) => write!(f, "{}..{}", joined(from, ","), joined(to, ",")),
         }
     }
 }
 
-impl Spread {
+impl StartSpread {
     /// Returns all first points, in the order of `at`.
-    pub(super) fn starts(&self, at: &[At]) -> Vec<Vec<Rational>> {
+    pub(super) fn starts(&self, at: &[StartSpec]) -> Vec<Vec<Rational>> {
         let mut random = SplitMix64::new(self.seed);
         let starts = at.iter().flat_map(|at| match (at, self.count) {
-            (At::Point(point), None) => vec![point.clone()],
-            (At::Point(middle), Some(count)) => self.around(middle, count, &mut random),
-            (At::Line(from, to), count) => along(from, to, count.unwrap_or(1)),
+            (StartSpec::Point(point), None) => vec![point.clone()],
+            (StartSpec::Point(middle), Some(count)) => self.around(middle, count, &mut random),
+            (StartSpec::Line(from, to), count) => points_on_line(from, to, count.unwrap_or(1)),
         });
         starts.collect()
     }
@@ -84,7 +84,7 @@ impl Spread {
 }
 
 /// Returns equidistant points on a line, ends included; for a count of 1 the first end.
-fn along(from: &[Rational], to: &[Rational], count: usize) -> Vec<Vec<Rational>> {
+fn points_on_line(from: &[Rational], to: &[Rational], count: usize) -> Vec<Vec<Rational>> {
     let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
     let start = |i: usize| {
         let part = Rational::from(i as i64).checked_div(&parts).expect("there is a part");

@@ -5,7 +5,7 @@ use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_algebra::plan::{Input, LARGEST_SIZE, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
-use kahan_study::{Costs, Listing, Planned};
+use kahan_study::{FunctionCost, Listing, ShownPlans};
 
 use crate::printing::page::{Page, paragraph};
 
@@ -13,7 +13,7 @@ const NAMES: usize = 23;
 const COLUMNS: [(&str, usize); 6] =
     [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7)];
 
-pub(super) fn text(planned: &Planned) -> String {
+pub(super) fn text(planned: &ShownPlans) -> String {
     let mut page = Page::default();
     page.line(&format!("{}: the plans of the generated code", planned.system));
     page.line("");
@@ -60,7 +60,7 @@ pub(super) fn text(planned: &Planned) -> String {
     page.text
 }
 
-fn label(planned: &Planned, name: &str) -> String {
+fn label(planned: &ShownPlans, name: &str) -> String {
     let step = planned.derived.step();
     let counted = match name {
         "prepared constants" => step,
@@ -129,8 +129,10 @@ fn notes() -> Vec<String> {
     ]
 }
 
-fn cells(costs: &Costs) -> [String; 6] {
-    let Costs { additions, multiplications, multiply_adds, divisions, operations, chain_cycles, .. } = *costs;
+fn cells(costs: &FunctionCost) -> [String; 6] {
+    let FunctionCost {
+        additions, multiplications, multiply_adds, divisions, operations, chain_cycles, ..
+    } = *costs;
     let chain_cycles = chain_cycles.map(|cycles| cycles as usize);
     [additions, multiplications, multiply_adds, divisions, operations, chain_cycles]
         .map(|count| count.map_or_else(|| "-".to_owned(), |count| count.to_string()))

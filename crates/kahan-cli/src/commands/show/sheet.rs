@@ -5,11 +5,11 @@ use kahan_algebra::render::Notation;
 use kahan_draw::document::JACOBIAN;
 use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
-use kahan_study::{ClaimShown, Sheet};
+use kahan_study::{ClaimShown, FormulaSheet};
 
 use crate::printing::page::{Page, aligned, column, matrix, singletons};
 
-pub(super) fn text(sheet: &Sheet) -> String {
+pub(super) fn text(sheet: &FormulaSheet) -> String {
     let name = &sheet.system;
     let mut page = Page::default();
     page.line(&sheet.title.map_or_else(|| name.clone(), |title| format!("{name}: {title}")));
@@ -65,7 +65,7 @@ fn claim(claim: &ClaimShown) -> String {
     format!("{}{comment}", claim.statement)
 }
 
-pub(super) fn latex(sheet: &Sheet) -> String {
+pub(super) fn latex(sheet: &FormulaSheet) -> String {
     let equations = |accent: &str, right: &[String]| {
         let states = sheet.variables.iter().map(|state| format!("{accent} {{{}}}", Latex.name(state)));
         let rows = states.zip(right).map(|(left, value)| breaking::equation(&left, value, PAGE_WIDTH));

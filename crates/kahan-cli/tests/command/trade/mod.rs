@@ -6,7 +6,7 @@ mod edges;
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, ThroughF64};
-use kahan_study::reference::{Limits, Reference, Trajectory};
+use kahan_study::reference::{Reference, Trajectory, TrajectoryLimits};
 use kahan_systems::E6;
 use serde_json::Value;
 
@@ -87,7 +87,7 @@ fn error_of(setting: &Value, horizon: f64) -> f64 {
     let start = ["1", "1/2", "1/3"].map(|text| Rational::parse(text).expect("a number").to_big());
     let asked =
         Trajectory { command: "e6", parameters: &[], start: &start, end: 1.01 * horizon, allowed: 1e-24 };
-    let reference = Reference::of(&E6, &asked, &Limits::default()).expect("a reference");
+    let reference = Reference::of(&E6, &asked, &TrajectoryLimits::default()).expect("a reference");
     let (eps, steps) = (eps_of(setting, horizon), number(setting, "steps") as usize);
     let order = number(setting, "order") as u32;
     let composition = Composition::of_order(order).expect("2, 4, 6 or 8");

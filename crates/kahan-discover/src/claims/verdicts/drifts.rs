@@ -9,21 +9,21 @@ pub(super) const ENDS: &str = "By the drifts, each step adds a constant to one f
     integrals are constant on it: nothing can be missing, and the search ended.";
 
 /// A function with a constant increment along orbits.
-struct Even {
+struct ConstantIncrement {
     function: String,
     step: String,
     is_atom: bool,
 }
 
-impl Even {
+impl ConstantIncrement {
     fn of(drift: &Drift) -> Option<Self> {
         match &drift.kind {
-            DriftKind::Sum(Constant { text, .. }) => Some(Even {
+            DriftKind::Sum(Constant { text, .. }) => Some(ConstantIncrement {
                 function: drift.claim.name.text.clone(),
                 step: text.clone(),
                 is_atom: text.chars().all(char::is_alphanumeric),
             }),
-            DriftKind::Multiple(Constant { text, .. }) => Some(Even {
+            DriftKind::Multiple(Constant { text, .. }) => Some(ConstantIncrement {
                 function: format!("log|{}|", drift.claim.name.text),
                 step: format!("log|{text}|"),
                 is_atom: true,
@@ -34,15 +34,15 @@ impl Even {
 
     /// Writes for example `F1/(2*eps)`.
     fn quotient(&self) -> String {
-        let Even { function, step, is_atom } = self;
+        let ConstantIncrement { function, step, is_atom } = self;
         if *is_atom { format!("{function}/{step}") } else { format!("{function}/({step})") }
     }
 }
 
 /// Writes the sentence on drifts that change by a constant or a constant factor in every step.
 pub(super) fn drifts(report: &Report) -> Option<String> {
-    let even: Vec<Even> = report.drifts.iter().filter_map(Even::of).collect();
-    let (Even { function, step, is_atom }, others) = even.split_first()?;
+    let even: Vec<ConstantIncrement> = report.drifts.iter().filter_map(ConstantIncrement::of).collect();
+    let (ConstantIncrement { function, step, is_atom }, others) = even.split_first()?;
     if others.is_empty() {
         let is_name = |name: &&str| report.variables.iter().chain(&report.parameters).any(|own| own == name);
         let steps = ["n", "k", "m"].into_iter().find(|name| !is_name(name)).unwrap_or("N");
@@ -58,7 +58,7 @@ pub(super) fn drifts(report: &Report) -> Option<String> {
         ));
     }
     let all: Vec<String> =
-        even.iter().map(|Even { function, step, .. }| format!("{step} to {function}")).collect();
+        even.iter().map(|ConstantIncrement { function, step, .. }| format!("{step} to {function}")).collect();
     let constants = others.iter().map(|other| match other.step == *step {
         true => format!("{function} - {}", other.function),
         false => format!("{} - {}", even[0].quotient(), other.quotient()),

@@ -113,13 +113,13 @@ impl Product {
             let found = factored(polynomial);
             product.content = &product.content * &found.content;
             for (factor, exponent) in found.factors {
-                product.take(factor, exponent);
+                product.add_factor(factor, exponent);
             }
         }
         product
     }
 
-    fn take(&mut self, factor: Polynomial, exponent: u32) {
+    fn add_factor(&mut self, factor: Polynomial, exponent: u32) {
         if let (1, Some((monomial, _))) = (factor.len(), factor.leading_term()) {
             self.front = self.front.mul(&monomial.pow(exponent));
             return;

@@ -1,7 +1,7 @@
 //! The gradients of a basis's coefficients with respect to the start of an orbit, modulo a prime.
 
 use crate::maps::map::ModularMap;
-use crate::maps::stepping::Stepping;
+use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 use crate::orbits::relations::monomial_gradient;

@@ -19,8 +19,8 @@ use kahan_algebra::render::{Notation, Text, push_term};
 
 use crate::deadline::Deadline;
 use crate::maps::map::ModularMap;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;

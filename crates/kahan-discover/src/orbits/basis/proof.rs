@@ -13,8 +13,8 @@ use kahan_algebra::prove::points_needed;
 use kahan_algebra::rational::Rational;
 
 use crate::deadline::Deadline;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
-use crate::maps::stepping::Stepping;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 

@@ -10,8 +10,8 @@ use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
 use crate::deadline::Deadline;
 use crate::maps::map::{ModularMap, Term};
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
-use crate::maps::stepping::Stepping;
 use crate::modular::modulus::Modulus;
 
 /// The range of primes. An orbit has about p/3 steps and fails by chance at a rate of about 3/p.

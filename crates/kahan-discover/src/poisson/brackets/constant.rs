@@ -12,8 +12,8 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::upper_index;
 
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
-use crate::maps::stepping::Stepping;
 use crate::poisson::hamiltonian::Hamiltonian;
 
 use super::polynomial::{PoissonTensor, Tensor};

@@ -19,8 +19,8 @@ use kahan_algebra::system::upper_index;
 use crate::deadline::Deadline;
 use crate::densities::darboux::random_step;
 use crate::maps::map::ModularMap;
+use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
-use crate::maps::stepping::Stepping;
 use crate::modular::grading::{Grading, reconstruct_graded};
 use crate::modular::matrix::{Echelon, SPARE};
 use crate::modular::modulus::Modulus;
@@ -48,7 +48,7 @@ const MOST_TENSORS: usize = 4;
 
 /// The monomials and the entries above the diagonal; the coefficient of monomial m in entry k has
 /// the index m·pairs + k.
-struct Shape {
+struct TensorMonomials {
     monomials: Monomials,
     pairs: Vec<(usize, usize)>,
 }
@@ -150,7 +150,7 @@ pub(crate) fn polynomial_tensors(
     let mut found: Vec<Candidate> = Vec::new();
     let mut dimension = 0;
     for degree in 0..=highest.min(if is_known { HIGHEST_BESIDE } else { HIGHEST_DEGREE }) {
-        let shape = Shape::new(n, degree);
+        let shape = TensorMonomials::new(n, degree);
         if shape.len() > if degree > 2 { MOST_COEFFICIENTS } else { MOST_QUADRATIC_COEFFICIENTS } {
             break;
         }
@@ -188,7 +188,7 @@ pub(crate) fn polynomial_tensors(
         };
         (Reverse(candidate.rank), class, terms)
     });
-    let chosen = chosen(map.modulus(), found);
+    let chosen = select_by_rank(map.modulus(), found);
     // Reconstructions by basis element; several sums may share an element.
     let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
     let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
@@ -196,7 +196,7 @@ pub(crate) fn polynomial_tensors(
             Source::Known(tensor) => return Some(tensor),
             Source::Sum(degree, parts) => (degree, parts),
         };
-        let shape = Shape::new(n, degree);
+        let shape = TensorMonomials::new(n, degree);
         let mut entries = vec![Polynomial::zero(); shape.pairs.len()];
         for part in parts {
             let known = known_parts.iter().find(|(known, _)| *known == part).map(|(_, own)| own.clone());
@@ -221,7 +221,7 @@ pub(crate) fn polynomial_tensors(
 }
 
 /// Chooses four brackets: independent ones of the highest rank, then the first of each lower rank.
-fn chosen(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
+fn select_by_rank(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
     let (mut chosen, others): (Vec<Candidate>, Vec<Candidate>) =
@@ -243,10 +243,10 @@ fn above(matrix: &[Vec<u64>]) -> impl Iterator<Item = u64> {
     matrix.iter().enumerate().flat_map(|(i, row)| row[i + 1..].iter().copied())
 }
 
-impl Shape {
+impl TensorMonomials {
     fn new(n: usize, degree: u32) -> Self {
         let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect();
-        Shape { monomials: Monomials::new(n, degree), pairs }
+        TensorMonomials { monomials: Monomials::new(n, degree), pairs }
     }
 
     fn len(&self) -> usize {
@@ -435,7 +435,7 @@ struct Place {
 }
 
 impl Place {
-    fn at(shape: &Shape, modulus: &Modulus, point: &[u64]) -> Self {
+    fn at(shape: &TensorMonomials, modulus: &Modulus, point: &[u64]) -> Self {
         Place {
             values: shape.monomials.values(modulus, point),
             slopes: monomial_gradients(modulus, &shape.monomials, point),

@@ -107,7 +107,7 @@ fn the_first_doubling_of_the_roessler_system_is_known_to_six_digits() {
     let first = flow_cycle(at, &[-3.5, 1.0, 0.03], 0.03, 100).expect("a cycle");
     let turns = refined(at, first).0.map(|cycle| {
         let branch = flow_branch(map, &cycle, [2.75, 2.9], 2, |_| ControlFlow::Continue(()));
-        assert_eq!((branch.turns.len(), branch.turns[0].change), (1, Change::ThroughMinusOne));
+        assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::ThroughMinusOne));
         branch.turns[0].parameter
     });
     // Reference: shooting with DOP853, tolerance 1e-13, and Brent's method for the multiplier.
@@ -145,7 +145,7 @@ fn folds_and_pairs_on_the_circle_are_where_formulas_say() {
             [by_eps, torus(Dual::coordinate(b, 0), value(0.25), value(eps))]
         };
         let branch = flow_branch(map, &cycle, [0.6, 0.4], 4, |_| ControlFlow::Continue(()));
-        assert_eq!((branch.turns.len(), branch.turns[0].change), (1, Change::ThroughCircle));
+        assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::ThroughCircle));
         branch.turns[0].parameter
     });
     let found = Extrapolated::of(&pairs, Extrapolated::EVEN);
@@ -155,7 +155,7 @@ fn folds_and_pairs_on_the_circle_are_where_formulas_say() {
         [by_eps, torus(value(0.6), Dual::coordinate(p, 0), value(eps))]
     };
     let branch = flow_branch(map, &cycles[0], [0.25, -0.25], 20, |_| ControlFlow::Continue(()));
-    assert_eq!((branch.turns.len(), branch.turns[0].change), (1, Change::Fold), "{:?}", branch.turns);
+    assert_eq!((branch.turns.len(), branch.turns[0].change), (1, BranchChange::Fold), "{:?}", branch.turns);
     // A map and its field have equal steady states.
     assert!(branch.turns[0].parameter.abs() < 1e-7, "{:?}", branch.turns);
     let last = branch.points.last().expect("points");

@@ -1,14 +1,14 @@
 //! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
 //!
-//! For each order it tries increasing numbers of steps in plain `f64` (a [ladder](Search::ladder)).
-//! An independent orbit in `Dd` then confirms the flow ([`vouch`](super::vouch)), and
+//! For each order it tries increasing numbers of steps in plain `f64` (a [ladder](Search::refine_steps)).
+//! An independent orbit in `Dd` then confirms the flow ([`confirm`](super::confirm)), and
 //! [`Search::refine`] minimises the cost.
 
 use kahan_core::Composition;
 
-use super::{Precision, Rules, Scheme, Search, Setting, Trials};
+use super::{Precision, Scheme, Search, SearchParameters, Setting, Trials};
 
-pub(super) const COUNTED: Rules = Rules {
+pub(super) const COUNTED: SearchParameters = SearchParameters {
     enough: 0.85,
     aim: 0.97,
     surplus: 1.0,
@@ -52,13 +52,13 @@ impl<L: Trials> Search<L> {
     pub(in crate::scene) fn run(&mut self, coarsest: u64, others: &[Scheme]) -> Verdict {
         // High orders come first, because an accepted setting ends other ladders early.
         for composition in Composition::BEST.into_iter().rev() {
-            self.climb(composition, coarsest, others);
+            self.refine_order(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
                 // Finer steps would only add rounding errors.
                 break;
             }
         }
-        if self.is_vouched_for() {
+        if self.is_confirmed() {
             for scheme in [&[PLAIN], others].concat() {
                 for composition in Composition::BEST.into_iter().rev() {
                     self.refine(scheme.composed(composition));
@@ -72,7 +72,7 @@ impl<L: Trials> Search<L> {
         }
         let least_error = self.tried.iter().map(|trial| trial.error).fold(f64::INFINITY, f64::min);
         match self.best() {
-            Some(best) if self.is_vouched_for() => {
+            Some(best) if self.is_confirmed() => {
                 let error = (best.error + least_error).min(self.tolerance);
                 Verdict::Choice(Setting { error, ..best })
             }
@@ -82,22 +82,22 @@ impl<L: Trials> Search<L> {
 
     /// Runs the ladder of an order in plain `f64`, and in the other schemes if rounding errors
     /// matter. If a setting meets the tolerance, confirms the flow.
-    fn climb(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
-        let climb = self.ladder(PLAIN.composed(composition), coarsest);
+    fn refine_order(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
+        let climb = self.refine_steps(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
             self.is_rough = true;
             let from = self.smooth(composition, coarsest);
             for other in others {
-                self.rungs(other.composed(composition), from, MORE_RUNGS);
+                self.refine_at_most(other.composed(composition), from, MORE_RUNGS);
             }
         }
-        if self.best().is_some() && !self.is_vouched_for() {
-            self.vouch();
+        if self.best().is_some() && !self.is_confirmed() {
+            self.confirm();
         }
     }
 
     /// Returns whether an orbit in `Dd`, with independent rounding errors, agrees with the flow.
-    fn is_vouched_for(&self) -> bool {
+    fn is_confirmed(&self) -> bool {
         let vouches = |trial: &Setting| VOUCHING * trial.error <= self.tolerance;
         self.tried.iter().any(|trial| trial.scheme.precision == Precision::DoubleDouble && vouches(trial))
     }

@@ -2,19 +2,19 @@
 //!
 //! In: [`Trials`], which return the error of a setting and the price of a step: counted operations
 //! ([`Scene::choose`](crate::Scene::choose)) or measured nanoseconds (`kahan trade`). Out: the
-//! cheapest setting whose measured error meets the tolerance. A [ladder](Search::ladder) tries
+//! cheapest setting whose measured error meets the tolerance. A [ladder](Search::refine_steps) tries
 //! increasing numbers of steps; [`refine`](Search::refine) searches between the last failure and
 //! the first success. The law error ∝ ε^order only proposes trials.
 
 mod choose;
-mod ladder;
+mod confirmation;
+mod refinement;
 #[cfg(test)]
 mod tests;
-mod vouch;
 
 use super::{Precision, Scheme, Setting};
 
-pub use ladder::Climb;
+pub use refinement::RefinementResult;
 
 pub(super) use choose::{OF_DOUBLE, OTHERS, PLAIN, VOUCHING, Verdict, WIDE};
 
@@ -53,7 +53,7 @@ pub trait Trials {
 
 /// The parameters of a search.
 #[derive(Clone, Copy, Debug)]
-pub struct Rules {
+pub struct SearchParameters {
     /// The fraction of the tolerance up to which an error is accepted.
     pub enough: f64,
     /// The fraction of the largest accepted error that [`Search::refine`] aims at.
@@ -74,16 +74,16 @@ pub struct Rules {
 pub struct Search<L> {
     trials: L,
     tolerance: f64,
-    rules: Rules,
+    rules: SearchParameters,
     tried: Vec<Setting>,
     /// Whether a ladder, or the flow, met rounding errors.
     is_rough: bool,
 }
 
 impl<L: Trials> Search<L> {
-    /// Prepares a search for a setting with an error of at most [`Rules::enough`] · `tolerance`.
+    /// Prepares a search for a setting with an error of at most [`SearchParameters::enough`] · `tolerance`.
     #[must_use]
-    pub const fn new(trials: L, tolerance: f64, rules: Rules) -> Self {
+    pub const fn new(trials: L, tolerance: f64, rules: SearchParameters) -> Self {
         Self { trials, tolerance, rules, tried: Vec::new(), is_rough: false }
     }
 
@@ -190,7 +190,7 @@ impl<L: Trials> Search<L> {
             let last = self.tried.iter().filter(fails).filter(cheaper).max_by_key(|trial| trial.steps);
             let Some(last) = last.copied() else { return };
             let low = last.steps as f64;
-            let Rules { enough, aim, surplus, .. } = self.rules;
+            let SearchParameters { enough, aim, surplus, .. } = self.rules;
             let guess = match surplus * Self::by_law(&last, aim * enough * self.tolerance) {
                 guess if guess.is_finite() => guess,
                 _ => (low * dearest).sqrt(),

@@ -45,7 +45,8 @@ const PRICES: [fn(u32) -> f64; 2] = [
     |order| 0.7 + f64::from(order).powi(2),
 ];
 
-const SHOWN: Rules = Rules { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: 0.3 };
+const SHOWN: SearchParameters =
+    SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: 0.3 };
 
 fn plain() -> impl Iterator<Item = Scheme> {
     Composition::BEST.into_iter().rev().map(|composition| PLAIN.composed(composition))
@@ -66,7 +67,7 @@ fn the_choice_is_as_cheap_as_any_under_either_price_and_either_rules() {
             for rules in [COUNTED, SHOWN] {
                 let mut search = Search::new(Law { price_of_order, count: 0 }, tolerance, rules);
                 for scheme in plain() {
-                    search.ladder(scheme, 10);
+                    search.refine_steps(scheme, 10);
                 }
                 for scheme in plain() {
                     search.refine(scheme);
@@ -86,7 +87,7 @@ fn the_choice_is_as_cheap_as_any_under_either_price_and_either_rules() {
 #[test]
 fn ladders_that_are_shown_leave_out_no_rung() {
     let mut search = Search::new(Law { price_of_order: PRICES[0], count: 0 }, 1e-9, SHOWN);
-    search.ladder(PLAIN.composed(Composition::BEST[1]), 3);
+    search.refine_steps(PLAIN.composed(Composition::BEST[1]), 3);
     let steps: Vec<u64> = search.tried.iter().map(|trial| trial.steps).collect();
     assert!(steps.len() > 5);
     assert!(steps.iter().enumerate().all(|(rung, steps)| *steps == 3 << rung), "{steps:?}");
@@ -95,7 +96,7 @@ fn ladders_that_are_shown_leave_out_no_rung() {
 #[test]
 fn ladders_end_where_roundings_end_them() {
     let mut search = Search::new(Law { price_of_order: PRICES[0], count: 0 }, 1e-17, SHOWN);
-    let climb = search.ladder(PLAIN.composed(Composition::BEST[3]), 3);
+    let climb = search.refine_steps(PLAIN.composed(Composition::BEST[3]), 3);
     assert!(climb.has_felt_roundings() && climb.has_stalled(), "{climb:?}");
     assert!(search.has_tried(WIDE.composed(Composition::BEST[3])), "what shows that it is roundings");
 }
@@ -103,7 +104,7 @@ fn ladders_end_where_roundings_end_them() {
 #[test]
 fn nothing_is_refined_where_nothing_serves() {
     let mut search = Search::new(Law { price_of_order: PRICES[0], count: 0 }, 1e-17, SHOWN);
-    search.ladder(PLAIN, 3);
+    search.refine_steps(PLAIN, 3);
     let count = search.trials().count;
     search.refine(PLAIN);
     assert_eq!(search.trials().count, count);

@@ -4,9 +4,9 @@ use super::Assembler;
 
 /// A general-purpose register, by number; 31 is the stack pointer as a base, otherwise zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct General(u8);
+pub(crate) struct GeneralRegister(u8);
 
-impl General {
+impl GeneralRegister {
     /// The argument registers of a function, in order.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
     /// Caller-saved registers free for other uses.
@@ -53,7 +53,7 @@ pub(crate) struct Label(usize);
 /// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
-pub(crate) struct Forward(usize);
+pub(crate) struct ForwardJump(usize);
 
 /// cbz, cbnz, and b.cond with a condition and its opposite.
 const IF_ZERO: u32 = 0xb400_0000;
@@ -64,32 +64,39 @@ const UNLESS_BELOW: u32 = 0x5400_0002;
 const ALWAYS: u32 = 0x1400_0000;
 
 impl Assembler {
-    pub(crate) fn move_general(&mut self, to: General, from: General) {
+    pub(crate) fn move_general(&mut self, to: GeneralRegister, from: GeneralRegister) {
         self.word(0xaa00_03e0 | from.number() << 16 | to.number());
     }
 
-    pub(crate) fn clear(&mut self, to: General) {
+    pub(crate) fn clear(&mut self, to: GeneralRegister) {
         self.word(0xd280_0000 | to.number());
     }
 
-    pub(crate) fn add_general(&mut self, to: General, from: General) {
+    pub(crate) fn add_general(&mut self, to: GeneralRegister, from: GeneralRegister) {
         self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
     }
 
     /// Adds an unsigned 12-bit immediate.
-    pub(crate) fn add_immediate(&mut self, to: General, number: i32) {
+    pub(crate) fn add_immediate(&mut self, to: GeneralRegister, number: i32) {
         let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
         let number = number.expect("the bytes of a register") << 10;
         self.word(0x9100_0000 | number | to.number() << 5 | to.number());
     }
 
-    pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
+    pub(crate) fn load_general(&mut self, to: GeneralRegister, base: GeneralRegister, offset: i32) {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
     /// Loads or stores `size` bytes at base + offset. The first word has a 12-bit immediate offset,
     /// in units of `size` bytes; the second takes the offset from a register.
-    pub(super) fn access(&mut self, words: [u32; 2], register: u32, base: General, offset: i32, size: usize) {
+    pub(super) fn access(
+        &mut self,
+        words: [u32; 2],
+        register: u32,
+        base: GeneralRegister,
+        offset: i32,
+        size: usize,
+    ) {
         let [near, far] = words;
         let offset = u32::try_from(offset).expect("entries stand behind the beginning of their array");
         let size = size as u32;
@@ -97,20 +104,26 @@ impl Assembler {
             return self.word(near | (offset / size) << 10 | base.number() << 5 | register);
         }
         // movz and movk
-        self.word(0xd280_0000 | (offset & 0xffff) << 5 | General::BEYOND.number());
+        self.word(0xd280_0000 | (offset & 0xffff) << 5 | GeneralRegister::BEYOND.number());
         if offset >> 16 != 0 {
-            self.word(0xf2a0_0000 | (offset >> 16) << 5 | General::BEYOND.number());
+            self.word(0xf2a0_0000 | (offset >> 16) << 5 | GeneralRegister::BEYOND.number());
         }
-        self.indexed(far, register, base, General::BEYOND);
+        self.indexed(far, register, base, GeneralRegister::BEYOND);
     }
 
-    pub(super) fn indexed(&mut self, word: u32, register: u32, base: General, index: General) {
+    pub(super) fn indexed(
+        &mut self,
+        word: u32,
+        register: u32,
+        base: GeneralRegister,
+        index: GeneralRegister,
+    ) {
         self.word(word | index.number() << 16 | base.number() << 5 | register);
     }
 
     /// adrp: the page address of a pool entry, to be patched.
     pub(super) fn page_of_pool(&mut self) {
-        self.word(0x9000_0000 | General::BEYOND.number());
+        self.word(0x9000_0000 | GeneralRegister::BEYOND.number());
     }
 
     /// stp x29, x30 and mov x29, sp: saves the frame record in `bytes` bytes of the stack.
@@ -167,19 +180,19 @@ impl Assembler {
     }
 
     /// Jumps forward if `count` is zero, to a target given later by [`bind`](Self::bind).
-    pub(crate) fn skip_if_zero(&mut self, count: General) -> Forward {
-        Forward(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
+    pub(crate) fn skip_if_zero(&mut self, count: GeneralRegister) -> ForwardJump {
+        ForwardJump(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
     }
 
     /// Decrements `count` and jumps if it is not zero then.
-    pub(crate) fn count_down(&mut self, count: General, Label(to): Label) {
+    pub(crate) fn count_down(&mut self, count: GeneralRegister, Label(to): Label) {
         self.word(0xd100_0400 | count.number() << 5 | count.number());
         let place = self.jump(IF_NOT_ZERO | count.number(), IF_ZERO | count.number());
         set_target(&mut self.bytes, place, to);
     }
 
     /// Jumps if a < b, unsigned.
-    pub(crate) fn repeat_below(&mut self, a: General, b: General, Label(to): Label) {
+    pub(crate) fn repeat_below(&mut self, a: GeneralRegister, b: GeneralRegister, Label(to): Label) {
         self.word(0xeb00_001f | b.number() << 16 | a.number() << 5);
         let place = self.jump(IF_BELOW, UNLESS_BELOW);
         set_target(&mut self.bytes, place, to);
@@ -200,7 +213,7 @@ impl Assembler {
         self.bytes.len() - 4
     }
 
-    pub(crate) fn bind(&mut self, Forward(place): Forward) {
+    pub(crate) fn bind(&mut self, ForwardJump(place): ForwardJump) {
         let target = self.bytes.len();
         set_target(&mut self.bytes, place, target);
     }

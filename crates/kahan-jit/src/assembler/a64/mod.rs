@@ -10,13 +10,13 @@ mod general;
 #[cfg(test)]
 mod tests;
 
-use super::operands::{self, Element, Form, Vector, Width};
+use super::operands::{self, Element, OperandForm, Vector, Width};
 use super::pool::{Entry, Pool};
-use super::{Binary, Fused, Needs, Order, PAGE};
+use super::{Binary, FrameNeeds, Fused, FusedOrder, PAGE};
 
-pub(crate) use general::General;
+pub(crate) use general::GeneralRegister;
 
-pub(crate) type Memory = operands::Memory<General>;
+pub(crate) type Memory = operands::Memory<GeneralRegister>;
 type Source = operands::Source<Memory>;
 
 /// Holds intermediate results.
@@ -32,7 +32,7 @@ const REACH: usize = 1 << 20;
 #[derive(Debug)]
 pub(crate) struct Assembler {
     bytes: Vec<u8>,
-    form: Form,
+    form: OperandForm,
     pool: Pool,
     /// Whether jumps and the pool may be out of the range of a single instruction.
     is_long: bool,
@@ -49,21 +49,21 @@ fn number(Vector(index): Vector) -> u32 {
 }
 
 impl Assembler {
-    pub(crate) fn new(form: Form) -> Self {
+    pub(crate) fn new(form: OperandForm) -> Self {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form), is_long: false }
     }
 
-    pub(crate) fn form(&self) -> Form {
+    pub(crate) fn form(&self) -> OperandForm {
         self.form
     }
 
     /// Begins a function: saves registers and reserves stack slots.
-    pub(crate) fn open(&mut self, needs: &Needs) {
+    pub(crate) fn open(&mut self, needs: &FrameNeeds) {
         /// The most bytes that one machine instruction takes, with its pool entry.
         const LONGEST: usize = 12 * 4 + 16;
 
         self.is_long = needs.instructions >= REACH / LONGEST - PAGE / 4;
-        let saved = Saved::of(needs);
+        let saved = SavedRegisters::of(needs);
         if saved.bytes() > 0 {
             self.begin_frame(saved.bytes());
             saved.each(|pair, first, offset| self.store_pair(pair, first, offset));
@@ -75,8 +75,8 @@ impl Assembler {
     }
 
     /// Ends a function; `needs` must equal those of `open`.
-    pub(crate) fn close(&mut self, needs: &Needs) {
-        let saved = Saved::of(needs);
+    pub(crate) fn close(&mut self, needs: &FrameNeeds) {
+        let saved = SavedRegisters::of(needs);
         if saved.bytes() > 0 {
             if needs.stack > 0 {
                 self.restore_stack();
@@ -171,12 +171,12 @@ impl Assembler {
     }
 
     /// Writes a fused multiply-add into `to`, which is one of its operands.
-    pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
+    pub(crate) fn fused(&mut self, operator: Fused, order: FusedOrder, to: Vector, b: Vector, c: Source) {
         let c = self.in_register(c);
         let (x, y, addend) = match order {
-            Order::D132 => (to, c, b),
-            Order::D213 => (b, to, c),
-            Order::D231 => (b, c, to),
+            FusedOrder::D132 => (to, c, b),
+            FusedOrder::D213 => (b, to, c),
+            FusedOrder::D231 => (b, c, to),
         };
         if self.is_scalar() {
             // fmadd, fnmsub, fmsub
@@ -238,7 +238,7 @@ impl Assembler {
             Memory::Pool(entry) if self.is_long => {
                 self.pool.note_use(self.bytes.len(), entry);
                 self.page_of_pool();
-                self.word(near | load | General::BEYOND.number() << 5 | number(register));
+                self.word(near | load | GeneralRegister::BEYOND.number() << 5 | number(register));
             }
             Memory::Pool(entry) => {
                 self.pool.note_use(self.bytes.len(), entry);
@@ -282,29 +282,29 @@ impl Assembler {
 
 /// The registers that a function saves, in pairs above the frame record.
 #[derive(Clone, Copy)]
-struct Saved {
+struct SavedRegisters {
     vectors: u32,
     uses_pointers: bool,
     has_frame: bool,
 }
 
-impl Saved {
-    fn of(needs: &Needs) -> Self {
+impl SavedRegisters {
+    fn of(needs: &FrameNeeds) -> Self {
         let vectors = u32::from(needs.vectors.saturating_sub(FIRST_SAVED).div_ceil(2));
         let uses_pointers = needs.uses_pointers;
-        Saved { vectors, uses_pointers, has_frame: needs.stack > 0 || vectors > 0 || uses_pointers }
+        SavedRegisters { vectors, uses_pointers, has_frame: needs.stack > 0 || vectors > 0 || uses_pointers }
     }
 
     /// The bytes of the saved registers and the frame record; 0 if nothing is saved.
     fn bytes(self) -> u32 {
-        let pointers = if self.uses_pointers { General::SAVED.len() as u32 } else { 0 };
+        let pointers = if self.uses_pointers { GeneralRegister::SAVED.len() as u32 } else { 0 };
         if self.has_frame { 16 * (1 + self.vectors) + 8 * pointers } else { 0 }
     }
 
     /// Calls `pair` with the kind, first register and stack offset of each saved pair.
     fn each(self, mut pair: impl FnMut(general::Pair, u32, u32)) {
         let vectors = (0..self.vectors).map(|k| (general::Pair::Vectors, 8 + 2 * k));
-        let pointers = General::SAVED.into_iter().step_by(2).filter(|_| self.uses_pointers);
+        let pointers = GeneralRegister::SAVED.into_iter().step_by(2).filter(|_| self.uses_pointers);
         let pointers = pointers.map(|register| (general::Pair::General, register.number()));
         for (k, (kind, first)) in (1..).zip(vectors.chain(pointers)) {
             pair(kind, first, 16 * k);

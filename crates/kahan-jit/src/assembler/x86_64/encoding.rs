@@ -3,7 +3,7 @@
 //! VEX prefixes of two or three bytes address 16 registers; EVEX prefixes address 32, of up to 512
 //! bits. Operand bytes hold three bits of a register number, the prefix the others, inverted.
 
-use super::{Assembler, Element, Form, General, Memory, Source, Vector, Width};
+use super::{Assembler, Element, GeneralRegister, Memory, OperandForm, Source, Vector, Width};
 
 /// The prefix fields and opcode of an instruction.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +23,7 @@ pub(super) struct Opcode {
 
 impl Opcode {
     /// An instruction with scalar and vector forms.
-    pub(super) fn of(form: Form, opcode: u8) -> Self {
+    pub(super) fn of(form: OperandForm, opcode: u8) -> Self {
         let prefix = match (form.width, form.element) {
             (Width::Scalar, Element::Single) => 2,
             (Width::Scalar, Element::Double) => 3,
@@ -33,7 +33,7 @@ impl Opcode {
     }
 
     /// An instruction with vector forms only; scalars use the 128-bit form.
-    pub(super) fn packed(form: Form, opcode: u8) -> Self {
+    pub(super) fn packed(form: OperandForm, opcode: u8) -> Self {
         let is_wide = form.element == Element::Double;
         let length = match form.width {
             Width::Scalar | Width::Bits128 => 0,
@@ -44,18 +44,18 @@ impl Opcode {
     }
 
     /// A fused multiply-add; the scalar opcode is the next one.
-    pub(super) fn fused(form: Form, opcode: u8) -> Self {
+    pub(super) fn fused(form: OperandForm, opcode: u8) -> Self {
         let opcode = opcode + u8::from(form.width == Width::Scalar);
         Opcode { map: 2, prefix: 1, ..Self::packed(form, opcode) }
     }
 
     /// xor. AVX-512F has only the integer form.
-    pub(super) fn exclusive_or(form: Form) -> Self {
+    pub(super) fn exclusive_or(form: OperandForm) -> Self {
         Opcode { other: Some((1, 0xef)), ..Self::packed(form, 0x57) }
     }
 
     /// Converts from `from` to the other element type.
-    pub(super) fn convert(from: Form) -> Self {
+    pub(super) fn convert(from: OperandForm) -> Self {
         Self::of(from, 0x5a)
     }
 }
@@ -123,7 +123,7 @@ impl Assembler {
                 }
             }
             Source::Memory(Memory::Indexed { base, index }) => {
-                assert!(index != General::Rsp, "this register is no index");
+                assert!(index != GeneralRegister::Rsp, "this register is no index");
                 // An explicit offset of 0, because some bases require an offset.
                 let index = (index as u8 & 7) << 3;
                 if may_be_short {

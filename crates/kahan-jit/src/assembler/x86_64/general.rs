@@ -4,7 +4,7 @@ use super::{Assembler, Memory, Source};
 
 /// A general-purpose register, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum General {
+pub(crate) enum GeneralRegister {
     Rax,
     Rcx,
     Rdx,
@@ -23,7 +23,7 @@ pub(crate) enum General {
     R15,
 }
 
-impl General {
+impl GeneralRegister {
     /// The argument registers of a function, in order.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
     /// Caller-saved registers free for other uses.
@@ -51,65 +51,65 @@ pub(crate) struct Label(usize);
 /// A forward jump whose target is not known yet.
 #[derive(Debug)]
 #[must_use]
-pub(crate) struct Forward(usize);
+pub(crate) struct ForwardJump(usize);
 
 impl Assembler {
     /// Writes an instruction on two 64-bit registers, or on one and an opcode extension.
-    fn on_registers(&mut self, opcode: u8, register: u8, other: General) {
+    fn on_registers(&mut self, opcode: u8, register: u8, other: GeneralRegister) {
         let other = other as u8;
         let prefix = 0x48 | register >> 3 << 2 | other >> 3;
         self.bytes.extend([prefix, opcode, 0xc0 | (register & 7) << 3 | other & 7]);
     }
 
-    pub(crate) fn move_general(&mut self, to: General, from: General) {
+    pub(crate) fn move_general(&mut self, to: GeneralRegister, from: GeneralRegister) {
         self.on_registers(0x89, from as u8, to);
     }
 
-    pub(crate) fn add_general(&mut self, to: General, from: General) {
+    pub(crate) fn add_general(&mut self, to: GeneralRegister, from: GeneralRegister) {
         self.on_registers(0x01, from as u8, to);
     }
 
-    pub(crate) fn add_immediate(&mut self, to: General, number: i32) {
+    pub(crate) fn add_immediate(&mut self, to: GeneralRegister, number: i32) {
         self.on_registers(0x81, 0, to);
         self.bytes.extend(number.to_le_bytes());
     }
 
-    pub(super) fn and_immediate(&mut self, to: General, number: i32) {
+    pub(super) fn and_immediate(&mut self, to: GeneralRegister, number: i32) {
         self.on_registers(0x81, 4, to);
         self.bytes.extend(number.to_le_bytes());
     }
 
-    pub(crate) fn clear(&mut self, to: General) {
+    pub(crate) fn clear(&mut self, to: GeneralRegister) {
         self.and_immediate(to, 0);
     }
 
-    pub(super) fn compare(&mut self, a: General, b: General) {
+    pub(super) fn compare(&mut self, a: GeneralRegister, b: GeneralRegister) {
         self.on_registers(0x39, b as u8, a);
     }
 
-    pub(super) fn test(&mut self, a: General) {
+    pub(super) fn test(&mut self, a: GeneralRegister) {
         self.on_registers(0x85, a as u8, a);
     }
 
-    pub(super) fn decrement(&mut self, a: General) {
+    pub(super) fn decrement(&mut self, a: GeneralRegister) {
         self.on_registers(0xff, 1, a);
     }
 
-    pub(crate) fn load_general(&mut self, to: General, base: General, offset: i32) {
+    pub(crate) fn load_general(&mut self, to: GeneralRegister, base: GeneralRegister, offset: i32) {
         let register = to as u8;
         self.bytes.extend([0x48 | register >> 3 << 2 | base as u8 >> 3, 0x8b]);
         self.operands(register, Source::Memory(Memory::At { base, offset }), true);
     }
 
-    pub(super) fn push(&mut self, a: General) {
+    pub(super) fn push(&mut self, a: GeneralRegister) {
         self.short(0x50, a);
     }
 
-    pub(super) fn pop(&mut self, a: General) {
+    pub(super) fn pop(&mut self, a: GeneralRegister) {
         self.short(0x58, a);
     }
 
-    fn short(&mut self, opcode: u8, a: General) {
+    fn short(&mut self, opcode: u8, a: GeneralRegister) {
         let number = a as u8;
         if number >= 8 {
             self.bytes.push(0x41);
@@ -133,35 +133,35 @@ impl Assembler {
     }
 
     /// Jumps forward if `count` is zero, to a target given later by [`bind`](Self::bind).
-    pub(crate) fn skip_if_zero(&mut self, count: General) -> Forward {
+    pub(crate) fn skip_if_zero(&mut self, count: GeneralRegister) -> ForwardJump {
         self.test(count);
         self.jump_if_forward(Condition::Zero)
     }
 
     /// Decrements `count` and jumps if it is not zero then.
-    pub(crate) fn count_down(&mut self, count: General, to: Label) {
+    pub(crate) fn count_down(&mut self, count: GeneralRegister, to: Label) {
         self.decrement(count);
         self.jump_if(Condition::NotZero, to);
     }
 
     /// Jumps if a < b, unsigned.
-    pub(crate) fn repeat_below(&mut self, a: General, b: General, to: Label) {
+    pub(crate) fn repeat_below(&mut self, a: GeneralRegister, b: GeneralRegister, to: Label) {
         self.compare(a, b);
         self.jump_if(Condition::Below, to);
     }
 
     pub(super) fn jump_if(&mut self, condition: Condition, to: Label) {
-        let Forward(after) = self.jump_if_forward(condition);
+        let ForwardJump(after) = self.jump_if_forward(condition);
         self.set_target(after, to.0);
     }
 
     /// Jumps forward on a condition, to a target given later by [`bind`](Self::bind).
-    pub(super) fn jump_if_forward(&mut self, condition: Condition) -> Forward {
+    pub(super) fn jump_if_forward(&mut self, condition: Condition) -> ForwardJump {
         self.bytes.extend([0x0f, 0x80 | condition as u8, 0, 0, 0, 0]);
-        Forward(self.bytes.len())
+        ForwardJump(self.bytes.len())
     }
 
-    pub(crate) fn bind(&mut self, Forward(after): Forward) {
+    pub(crate) fn bind(&mut self, ForwardJump(after): ForwardJump) {
         self.set_target(after, self.bytes.len());
     }
 

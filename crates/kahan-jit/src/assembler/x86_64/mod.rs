@@ -8,14 +8,14 @@ mod general;
 #[cfg(test)]
 mod tests;
 
-use super::operands::{self, Element, Form, Vector, Width};
+use super::operands::{self, Element, OperandForm, Vector, Width};
 use super::pool::{Entry, Pool};
-use super::{Binary, Fused, Needs, Order, PAGE};
+use super::{Binary, FrameNeeds, Fused, FusedOrder, PAGE};
 use encoding::Opcode;
 
-pub(crate) use general::General;
+pub(crate) use general::GeneralRegister;
 
-pub(crate) type Memory = operands::Memory<General>;
+pub(crate) type Memory = operands::Memory<GeneralRegister>;
 type Source = operands::Source<Memory>;
 
 impl Vector {
@@ -26,51 +26,51 @@ impl Vector {
 #[derive(Debug)]
 pub(crate) struct Assembler {
     bytes: Vec<u8>,
-    form: Form,
+    form: OperandForm,
     pool: Pool,
 }
 
 impl Assembler {
-    pub(crate) fn new(form: Form) -> Self {
+    pub(crate) fn new(form: OperandForm) -> Self {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
     }
 
-    pub(crate) fn form(&self) -> Form {
+    pub(crate) fn form(&self) -> OperandForm {
         self.form
     }
 
     /// Begins a function: saves registers and reserves stack slots.
-    pub(crate) fn open(&mut self, needs: &Needs) {
+    pub(crate) fn open(&mut self, needs: &FrameNeeds) {
         /// Slots of every width start on a cache line.
         const LINE: i32 = 64;
         const LENGTH: usize = 8;
 
         assert!(needs.vectors <= 32, "there are so many registers");
         self.bytes.reserve(needs.instructions * LENGTH);
-        self.push(General::Rbp);
-        self.move_general(General::Rbp, General::Rsp);
+        self.push(GeneralRegister::Rbp);
+        self.move_general(GeneralRegister::Rbp, GeneralRegister::Rsp);
         if needs.uses_pointers {
-            General::SAVED.into_iter().for_each(|register| self.push(register));
+            GeneralRegister::SAVED.into_iter().for_each(|register| self.push(register));
         }
         if needs.stack > 0 {
-            self.and_immediate(General::Rsp, -LINE);
+            self.and_immediate(GeneralRegister::Rsp, -LINE);
             for touched in (0..needs.stack).step_by(PAGE) {
-                self.add_immediate(General::Rsp, -(PAGE.min(needs.stack - touched) as i32));
+                self.add_immediate(GeneralRegister::Rsp, -(PAGE.min(needs.stack - touched) as i32));
                 self.touch_stack();
             }
-            self.and_immediate(General::Rsp, -LINE);
+            self.and_immediate(GeneralRegister::Rsp, -LINE);
         }
     }
 
     /// Ends a function; `needs` must equal those of `open`.
-    pub(crate) fn close(&mut self, needs: &Needs) {
+    pub(crate) fn close(&mut self, needs: &FrameNeeds) {
         if needs.uses_pointers {
-            for (index, register) in (1..).zip(General::SAVED) {
-                self.load_general(register, General::Rbp, -8 * index);
+            for (index, register) in (1..).zip(GeneralRegister::SAVED) {
+                self.load_general(register, GeneralRegister::Rbp, -8 * index);
             }
         }
-        self.move_general(General::Rsp, General::Rbp);
-        self.pop(General::Rbp);
+        self.move_general(GeneralRegister::Rsp, GeneralRegister::Rbp);
+        self.pop(GeneralRegister::Rbp);
         self.zero_upper();
         self.ret();
     }
@@ -90,11 +90,11 @@ impl Assembler {
     }
 
     /// Writes a fused multiply-add into `to`, which is one of its operands.
-    pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
+    pub(crate) fn fused(&mut self, operator: Fused, order: FusedOrder, to: Vector, b: Vector, c: Source) {
         let order = match order {
-            Order::D132 => 0x98,
-            Order::D213 => 0xa8,
-            Order::D231 => 0xb8,
+            FusedOrder::D132 => 0x98,
+            FusedOrder::D213 => 0xa8,
+            FusedOrder::D231 => 0xb8,
         };
         let operator = match operator {
             Fused::MultiplyAdd => 0,
@@ -124,7 +124,7 @@ impl Assembler {
         // Scalar conversions copy the upper bits from an extra operand, which vector ones lack.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
-        let single = Form { element: Element::Single, ..self.form };
+        let single = OperandForm { element: Element::Single, ..self.form };
         self.vector(Opcode::convert(self.form), to, rest, Source::Register(from));
         self.vector(Opcode::convert(single), to, rest_of_single, Source::Register(to));
     }

@@ -5,11 +5,14 @@ use iced_x86::{
 };
 
 use super::general::Condition;
-use super::{Assembler, Binary, Element, Form, Fused, General, Memory, Needs, Order, Source, Vector, Width};
+use super::{
+    Assembler, Binary, Element, FrameNeeds, Fused, FusedOrder, GeneralRegister, Memory, OperandForm, Source,
+    Vector, Width,
+};
 
-const FORMS: [Form; 8] = {
-    const fn form(element: Element, width: Width) -> Form {
-        Form { element, width }
+const FORMS: [OperandForm; 8] = {
+    const fn form(element: Element, width: Width) -> OperandForm {
+        OperandForm { element, width }
     }
     [
         form(Element::Single, Width::Scalar),
@@ -23,30 +26,30 @@ const FORMS: [Form; 8] = {
     ]
 };
 
-const GENERAL: [(General, Register); 16] = [
-    (General::Rax, Register::RAX),
-    (General::Rcx, Register::RCX),
-    (General::Rdx, Register::RDX),
-    (General::Rbx, Register::RBX),
-    (General::Rsp, Register::RSP),
-    (General::Rbp, Register::RBP),
-    (General::Rsi, Register::RSI),
-    (General::Rdi, Register::RDI),
-    (General::R8, Register::R8),
-    (General::R9, Register::R9),
-    (General::R10, Register::R10),
-    (General::R11, Register::R11),
-    (General::R12, Register::R12),
-    (General::R13, Register::R13),
-    (General::R14, Register::R14),
-    (General::R15, Register::R15),
+const GENERAL: [(GeneralRegister, Register); 16] = [
+    (GeneralRegister::Rax, Register::RAX),
+    (GeneralRegister::Rcx, Register::RCX),
+    (GeneralRegister::Rdx, Register::RDX),
+    (GeneralRegister::Rbx, Register::RBX),
+    (GeneralRegister::Rsp, Register::RSP),
+    (GeneralRegister::Rbp, Register::RBP),
+    (GeneralRegister::Rsi, Register::RSI),
+    (GeneralRegister::Rdi, Register::RDI),
+    (GeneralRegister::R8, Register::R8),
+    (GeneralRegister::R9, Register::R9),
+    (GeneralRegister::R10, Register::R10),
+    (GeneralRegister::R11, Register::R11),
+    (GeneralRegister::R12, Register::R12),
+    (GeneralRegister::R13, Register::R13),
+    (GeneralRegister::R14, Register::R14),
+    (GeneralRegister::R15, Register::R15),
 ];
 
 /// Offsets that take zero, one and four bytes.
 const OFFSETS: [i32; 9] = [0, 1, -1, 127, -128, 128, -129, 0x1234_5678, i32::MIN];
 
 /// Decodes code of exactly one instruction.
-fn decoded(write: impl FnOnce(&mut Assembler), form: Form) -> Instruction {
+fn decoded(write: impl FnOnce(&mut Assembler), form: OperandForm) -> Instruction {
     let mut assembler = Assembler::new(form);
     write(&mut assembler);
     let length = assembler.bytes.len();
@@ -68,7 +71,7 @@ fn assert_is_plain(instruction: &Instruction) {
 }
 
 /// Returns the decoder's name of a vector register.
-fn vector(form: Form, Vector(number): Vector) -> Register {
+fn vector(form: OperandForm, Vector(number): Vector) -> Register {
     let first = match form.width {
         Width::Scalar | Width::Bits128 => Register::XMM0,
         Width::Bits256 => Register::YMM0,
@@ -77,7 +80,7 @@ fn vector(form: Form, Vector(number): Vector) -> Register {
     first + u32::from(number)
 }
 
-fn suffix(form: Form) -> &'static str {
+fn suffix(form: OperandForm) -> &'static str {
     match (form.width, form.element) {
         (Width::Scalar, Element::Single) => "ss",
         (Width::Scalar, Element::Double) => "sd",
@@ -90,7 +93,7 @@ fn assert_mnemonic(instruction: &Instruction, expected: &str) {
     assert_eq!(format!("{:?}", instruction.mnemonic()).to_lowercase(), expected, "{instruction:?}");
 }
 
-fn assert_registers(instruction: &Instruction, form: Form, expected: &[Vector]) {
+fn assert_registers(instruction: &Instruction, form: OperandForm, expected: &[Vector]) {
     for (place, &register) in (0..).zip(expected) {
         assert_eq!(instruction.op_kind(place), OpKind::Register, "{instruction:?}");
         assert_eq!(instruction.op_register(place), vector(form, register), "{instruction:?}");
@@ -100,7 +103,7 @@ fn assert_registers(instruction: &Instruction, form: Form, expected: &[Vector]) 
 fn assert_memory(instruction: &Instruction, place: u32, bytes: usize, memory: Memory) {
     assert_eq!(instruction.op_kind(place), OpKind::Memory, "{instruction:?}");
     assert_eq!(instruction.memory_size().size(), bytes, "{instruction:?}");
-    let register = |general: General| GENERAL[general as usize].1;
+    let register = |general: GeneralRegister| GENERAL[general as usize].1;
     let (base, index, offset) = match memory {
         Memory::At { base, offset } => (register(base), Register::None, i64::from(offset)),
         Memory::Indexed { base, index } => (register(base), register(index), 0),
@@ -115,7 +118,7 @@ fn assert_memory(instruction: &Instruction, place: u32, bytes: usize, memory: Me
 /// Yields every memory operand with a base.
 fn places() -> impl Iterator<Item = Memory> {
     let at = |(base, _)| OFFSETS.map(|offset| Memory::At { base, offset });
-    let indices = GENERAL.into_iter().filter(|(index, _)| *index != General::Rsp);
+    let indices = GENERAL.into_iter().filter(|(index, _)| *index != GeneralRegister::Rsp);
     let indexed = indices.flat_map(|(index, _)| GENERAL.map(|(base, _)| Memory::Indexed { base, index }));
     GENERAL.into_iter().flat_map(at).chain(indexed)
 }
@@ -130,7 +133,12 @@ fn triples() -> impl Iterator<Item = [Vector; 3]> {
 }
 
 /// Checks an instruction with three operands, the last in a register or in memory.
-fn check(name: &str, form: Form, bytes: usize, write: impl Fn(&mut Assembler, Vector, Vector, Source)) {
+fn check(
+    name: &str,
+    form: OperandForm,
+    bytes: usize,
+    write: impl Fn(&mut Assembler, Vector, Vector, Source),
+) {
     for [to, a, b] in triples() {
         let instruction = decoded(|assembler| write(assembler, to, a, Source::Register(b)), form);
         // AVX-512F mnemonics of bitwise and copy instructions end with the element.
@@ -150,7 +158,7 @@ fn check(name: &str, form: Form, bytes: usize, write: impl Fn(&mut Assembler, Ve
 }
 
 /// Returns the expected mnemonic; AVX-512F has only integer forms of xor.
-fn named(name: &str, form: Form, is_evex: bool) -> String {
+fn named(name: &str, form: OperandForm, is_evex: bool) -> String {
     match (name, form.element) {
         ("vxor", Element::Single) if is_evex => "vpxord".to_owned(),
         ("vxor", Element::Double) if is_evex => "vpxorq".to_owned(),
@@ -186,7 +194,7 @@ fn fused_operations_are_what_was_asked_for() {
         ("vfmsub", Fused::MultiplySubtract),
         ("vfnmadd", Fused::SubtractProduct),
     ];
-    let orders = [("132", Order::D132), ("213", Order::D213), ("231", Order::D231)];
+    let orders = [("132", FusedOrder::D132), ("213", FusedOrder::D213), ("231", FusedOrder::D231)];
     for form in FORMS {
         for (name, operator) in operators {
             for (digits, order) in orders {
@@ -205,7 +213,7 @@ fn numbers_are_moved_as_was_asked_for() {
         let moved = if is_scalar { "vmov" } else { "vmovu" };
         for [to, from, _] in triples() {
             let instruction = decoded(|assembler| assembler.copy(to, from), form);
-            let whole = Form { width: form.width.max(Width::Bits128), ..form };
+            let whole = OperandForm { width: form.width.max(Width::Bits128), ..form };
             assert_mnemonic(&instruction, &format!("vmova{}", suffix(whole)));
             assert_registers(&instruction, form, &[to, from]);
         }
@@ -238,7 +246,7 @@ fn numbers_are_rounded_to_single_precision_and_taken_back() {
             Width::Bits512 => Width::Bits256,
             _ => Width::Bits128,
         };
-        let half = Form { width: half, ..form };
+        let half = OperandForm { width: half, ..form };
         for [to, from, _] in triples() {
             let mut assembler = Assembler::new(form);
             assembler.round_to_single(to, from);
@@ -265,10 +273,10 @@ fn numbers_are_rounded_to_single_precision_and_taken_back() {
 
 /// Decodes each operation of a form, with registers from both ends of the range.
 #[cfg(target_arch = "x86_64")]
-fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction> {
+fn all_operations(form: OperandForm, registers: u8, has_fused: bool) -> Vec<Instruction> {
     let mut assembler = Assembler::new(form);
     let ends = [Vector(0), Vector(7), Vector(15), Vector(registers - 1)];
-    let memory = Memory::At { base: General::Rdi, offset: 256 };
+    let memory = Memory::At { base: GeneralRegister::Rdi, offset: 256 };
     for to in ends {
         for a in ends {
             for b in ends.map(Source::Register).into_iter().chain([Source::Memory(memory)]) {
@@ -285,7 +293,7 @@ fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction
                 }
                 for operator in [Fused::MultiplyAdd, Fused::MultiplySubtract, Fused::SubtractProduct] {
                     if has_fused {
-                        assembler.fused(operator, Order::D231, to, a, b);
+                        assembler.fused(operator, FusedOrder::D231, to, a, b);
                     }
                 }
             }
@@ -371,7 +379,7 @@ fn the_pool_begins_with_a_cache_line() {
 #[test]
 fn offsets_are_as_short_as_they_can_be() {
     let length = |offset: i32, register: u8| {
-        let place = Memory::At { base: General::Rdi, offset };
+        let place = Memory::At { base: GeneralRegister::Rdi, offset };
         decoded(|assembler| assembler.load(Vector(register), place), FORMS[5]).len()
     };
     for offset in OFFSETS {
@@ -457,7 +465,7 @@ fn jumps_lead_where_they_are_bound() {
 fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
     for (stack, uses_pointers) in [(0, false), (9000, false), (8, true)] {
         let mut assembler = Assembler::new(FORMS[7]);
-        let needs = Needs { stack, uses_pointers, vectors: 32, instructions: 3 };
+        let needs = FrameNeeds { stack, uses_pointers, vectors: 32, instructions: 3 };
         assembler.open(&needs);
         let beginning = assembler.bytes.len();
         assembler.close(&needs);
@@ -467,7 +475,7 @@ fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
             those.map(Instruction::op0_register).collect()
         };
         let saved = if uses_pointers {
-            General::SAVED.map(|register| GENERAL[register as usize].1).to_vec()
+            GeneralRegister::SAVED.map(|register| GENERAL[register as usize].1).to_vec()
         } else {
             vec![]
         };
@@ -481,7 +489,7 @@ fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
 
 #[test]
 fn rounds_are_counted_and_repeated() {
-    let [a, b, ..] = General::ARGUMENTS;
+    let [a, b, ..] = GeneralRegister::ARGUMENTS;
     let mut assembler = Assembler::new(FORMS[0]);
     let again = assembler.label();
     let end = assembler.skip_if_zero(a);
@@ -496,9 +504,10 @@ fn rounds_are_counted_and_repeated() {
 
 #[test]
 fn registers_of_addresses_have_one_use_each() {
-    let all = General::ARGUMENTS.into_iter().chain(General::SPARE).chain(General::POINTERS);
+    let all =
+        GeneralRegister::ARGUMENTS.into_iter().chain(GeneralRegister::SPARE).chain(GeneralRegister::POINTERS);
     let mut numbers: Vec<u8> =
-        all.chain([General::STACK, General::Rbp]).map(|general| general as u8).collect();
+        all.chain([GeneralRegister::STACK, GeneralRegister::Rbp]).map(|general| general as u8).collect();
     numbers.sort_unstable();
     assert_eq!(numbers, (0..16).collect::<Vec<u8>>());
     assert_eq!(Assembler::new(FORMS[3]).form(), FORMS[3]);

@@ -12,8 +12,8 @@ use std::fmt::Debug;
 use kahan_program::Node;
 
 use crate::{
-    Called, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
-    Program, Refusal, Shape, Sweep,
+    CalledFunction, CompileError, ComposedOrbit, Constants, Float, Function, Input, Instruction,
+    InstructionSet, LaneCount, Orbit, Program, Shape, Sweep,
 };
 
 use super::draw::{Draw, constant, literal, push, state};
@@ -103,10 +103,10 @@ impl Source<'_> {
             10 | 11 => Instruction::MultiplyAdd(operand(), operand(), operand()),
             12 => Instruction::MultiplySubtract(operand(), operand(), operand()),
             13 => Instruction::SubtractProduct(operand(), operand(), operand()),
-            14 => call(Called::Copy, operand()),
-            15 => Instruction::Call(Called::Maximum, operand(), operand()),
-            16 => Instruction::Call(Called::Minimum, operand(), operand()),
-            _ => call(Called::RoundToSingle, operand()),
+            14 => call(CalledFunction::Copy, operand()),
+            15 => Instruction::Call(CalledFunction::Maximum, operand(), operand()),
+            16 => Instruction::Call(CalledFunction::Minimum, operand(), operand()),
+            _ => call(CalledFunction::RoundToSingle, operand()),
         }
     }
 
@@ -190,7 +190,7 @@ impl Case {
         false
     }
 
-    fn run<T: Float + num_traits::Float + Debug>(&self) -> Result<(), Refusal> {
+    fn run<T: Float + num_traits::Float + Debug>(&self) -> Result<(), CompileError> {
         match self.routine {
             Routine::Function => self.function::<T>(),
             Routine::Orbit => self.orbit::<T>(),
@@ -224,7 +224,7 @@ impl Case {
         }
     }
 
-    fn function<T: Float + num_traits::Float + Debug>(&self) -> Result<(), Refusal> {
+    fn function<T: Float + num_traits::Float + Debug>(&self) -> Result<(), CompileError> {
         let function = Function::<T>::compile(&self.program, self.shape)?;
         let (mut draw, width) = (Draw(self.seed), self.shape.width::<T>());
         let states: Guarded<T> = self.numbers(&mut draw, self.states() * width);
@@ -239,7 +239,7 @@ impl Case {
         Ok(())
     }
 
-    fn orbit<T: Float + num_traits::Float + Debug>(&self) -> Result<(), Refusal> {
+    fn orbit<T: Float + num_traits::Float + Debug>(&self) -> Result<(), CompileError> {
         const STEPS: u64 = 3;
 
         let orbit = Orbit::<T>::compile(&self.program, self.shape)?;
@@ -265,7 +265,7 @@ impl Case {
         Ok(())
     }
 
-    fn composed_orbit<T: Float + num_traits::Float + Debug>(&self) -> Result<(), Refusal> {
+    fn composed_orbit<T: Float + num_traits::Float + Debug>(&self) -> Result<(), CompileError> {
         const STEPS: u64 = 2;
 
         let orbit = ComposedOrbit::<T>::compile(&self.program, self.shape)?;
@@ -287,7 +287,7 @@ impl Case {
         Ok(())
     }
 
-    fn sweep<T: Float + num_traits::Float + Debug>(&self, of: Constants) -> Result<(), Refusal> {
+    fn sweep<T: Float + num_traits::Float + Debug>(&self, of: Constants) -> Result<(), CompileError> {
         const STEPS: u64 = 2;
         const MOST_COLUMNS: usize = 256;
 

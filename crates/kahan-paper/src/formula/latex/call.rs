@@ -1,7 +1,7 @@
 //! Calls in LaTeX: functions, derivatives, points of the map and matrix entries.
 
 use super::super::Formula;
-use kahan_algebra::render::Level;
+use kahan_algebra::render::Precedence;
 
 use super::{at_least, enclosed, name, write};
 
@@ -29,7 +29,11 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
             format!("\\left.{}\\right|_{{\\text{{map }}{}}}", over("\\widetilde", inner), write(system).0)
         }
         ("d", [inner, Formula::Name(variable)]) => {
-            format!("\\frac{{\\partial {}}}{{\\partial {}}}", at_least(inner, Level::Product), name(variable))
+            format!(
+                "\\frac{{\\partial {}}}{{\\partial {}}}",
+                at_least(inner, Precedence::Product),
+                name(variable)
+            )
         }
         ("on", [inner, ..]) => {
             format!("\\left.{}\\right|_{{{}}}", write(inner).0, enclosed(&written[1..].join(", ")))
@@ -46,7 +50,7 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
             write(index).0,
             write(from).0,
             write(to).0,
-            at_least(term, Level::Product)
+            at_least(term, Precedence::Product)
         ),
         ("f" | "A" | "b" | "J", [indices @ .., _]) => {
             let system = indices.iter().take(1).any(|first| matches!(first, Formula::Name(_)));

@@ -69,7 +69,7 @@ pub(super) fn claims() -> Vec<Claim> {
         read(THROUGH_BRANCHES, |id, place, statement| {
             let claim = claim(id, place, statement);
             let branch = BRANCHES.iter().find(|(solution, _)| solution.system == claim.system);
-            claim.given(&branch.map_or_else(String::new, |(solution, _)| solution.definitions()))
+            claim.given_definitions(&branch.map_or_else(String::new, |(solution, _)| solution.definitions()))
         }),
         read(TAU, solved),
         read(OF_VALUES, |id, place, statement| claim(id, place, statement).spelling(VALUES)),

@@ -13,7 +13,7 @@ use super::terms::Terms;
 /// that det A is nearly 0: a pole of the map, or a removable singularity.
 const LARGEST_GROWTH: f64 = 1024.0;
 
-pub(super) struct Back<'a, T: RuntimeFloat> {
+pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
     /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
     /// `None` if coefficients depend on ε: dual numbers then differentiate the whole stage.
@@ -24,7 +24,7 @@ pub(super) struct Back<'a, T: RuntimeFloat> {
     room: Vec<T>,
 }
 
-impl<'a, T: RuntimeFloat> Back<'a, T> {
+impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
     pub(super) fn of(at: &'a MapAt<T>) -> Self {
         let kahan = at.composed(Composition::KAHAN);
         let composition = at.composition;
@@ -37,7 +37,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         let terms = || Terms::of(&at.map, solver.entries().len(), solver.places());
         let terms = (!at.map.field().system().field.depends_on_eps()).then(terms);
         let slopes = [(); 2].map(|()| vec![T::zero(); solver.entries().len()]);
-        Back { distinct: distinct.collect(), terms, solver, slopes, room: Vec::new() }
+        BackwardPass { distinct: distinct.collect(), terms, solver, slopes, room: Vec::new() }
     }
 
     pub(super) fn stages(&self) -> usize {
@@ -74,7 +74,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
     }
 
     fn take_stage(&mut self, stage: usize, [x, next]: [&[T]; 2], gradient: &mut Gradient<T>) {
-        let Back { distinct, terms, solver, slopes: [before, behind], room: mu } = self;
+        let BackwardPass { distinct, terms, solver, slopes: [before, behind], room: mu } = self;
         let Some(terms) = terms else { return self.take_by_duals(stage, x, gradient) };
         let (map, gamma) = &distinct[stage];
         let eps = map.eps();

@@ -33,7 +33,7 @@ use crate::dimension::Argument;
 use crate::follow::pause;
 use crate::{DimensionError, End, Follow, Followed, MapAt, RuntimeFloat};
 
-use back::Back;
+use back::BackwardPass;
 
 /// The derivatives of a scalar with respect to start, parameters and ε of an orbit; made by
 /// [`MapAt::gradient`].
@@ -104,7 +104,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         }
         let rows = (weights.len() / n) as u64;
         let steps = rows.saturating_sub(1).saturating_mul(every.get());
-        let mut back = Back::of(self);
+        let mut back = BackwardPass::of(self);
         let length = (steps / back.stages() as u64).isqrt().max(1);
         let (checkpoints, end) = match end {
             End::Complete => self.checkpoints(&mut x, [steps, length], &mut watch)?,

@@ -1,24 +1,24 @@
 //! The last point of an orbit.
 
-use kahan_core::observe::{Burst, Grouped, Observer, Observers, Resumed};
+use kahan_core::observe::{Burst, Grouped, Observer, Observers, SparseObserver};
 
-use super::super::observable::{About, Of, Seen};
-use crate::observed::Observing;
+use super::super::observable::{ColumnScope, ObservableInfo, ObservedValue};
+use crate::observed::ObservationRequest;
 use crate::{MachineFloat, MapAt};
 
-pub(super) const ABOUT: About =
-    About::new("final", Of::Variables, &[("final_{}", "value after the last step")]);
+pub(super) const ABOUT: ObservableInfo =
+    ObservableInfo::new("final", ColumnScope::Variables, &[("final_{}", "value after the last step")]);
 
 pub(super) struct Last<T>(Vec<T>);
 
 pub(super) type Own<'a, T> = Last<T>;
 
-pub(super) fn observer<T: MachineFloat>(_: &MapAt<T>, _: &Observing<'_>) -> Last<T> {
+pub(super) fn observer<T: MachineFloat>(_: &MapAt<T>, _: &ObservationRequest<'_>) -> Last<T> {
     Last(Vec::new())
 }
 
-pub(super) fn seen<T: MachineFloat>(own: Last<T>) -> Seen {
-    Seen::Point(own.report().iter().map(T::approximate).collect())
+pub(super) fn seen<T: MachineFloat>(own: Last<T>) -> ObservedValue {
+    ObservedValue::Point(own.report().iter().map(T::approximate).collect())
 }
 
 impl<T: MachineFloat> Observer<T> for Last<T> {
@@ -40,7 +40,7 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
         }
     }
 
-    fn resumed(&mut self) -> Option<&mut dyn Resumed<T>> {
+    fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
         Some(self)
     }
 
@@ -50,7 +50,7 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
     }
 }
 
-impl<T: MachineFloat> Resumed<T> for Last<T> {
+impl<T: MachineFloat> SparseObserver<T> for Last<T> {
     fn vectors(&mut self) -> usize {
         0
     }

@@ -10,13 +10,13 @@ use kahan_discover::Watch;
 use kahan_runtime::{ChainAt, End, Follow, Lattice};
 use serde::Serialize;
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::named::{Names, by_name};
 use crate::numbers::ScalarKind;
 use crate::rows::{Column, Ending, Rows};
 
-use super::paces::Paces;
-use super::points::{Course, Halt, Points, Why, moment};
+use super::points::{EarlyEnd, EndReason, OrbitPoints, OrbitRows, moment};
+use super::row_schedule::RowSchedule;
 use super::{columns, is_none, names};
 
 /// A chain with its map and state.
@@ -73,7 +73,7 @@ pub struct ChainHead {
 impl Chain {
     /// Returns the metadata of an orbit.
     #[must_use]
-    pub fn head(&self, Paces { transient, steps, every }: Paces) -> ChainHead {
+    pub fn head(&self, RowSchedule { transient, steps, every }: RowSchedule) -> ChainHead {
         let Chain { name, lattice, sites, eps, parameters, .. } = self;
         let range = |array: &String| [format!("{array}_min"), format!("{array}_max")];
         let states = match &self.variables[..] {
@@ -103,19 +103,19 @@ impl Chain {
     /// the work by [`ControlFlow::Break`].
     pub fn rows(
         &mut self,
-        paces: Paces,
+        paces: RowSchedule,
         range: Range<u64>,
         rows: &mut dyn Rows,
         see: &mut dyn FnMut(&[f64]) -> ControlFlow<()>,
         watch: &dyn Watch,
     ) -> Ending {
         let columns = &self.head(paces).columns;
-        let course = Course { arithmetic: &Float64, columns, eps: self.eps, paces };
-        let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
-        match course.hand_on(&mut points, range, rows, watch) {
+        let course = OrbitRows { arithmetic: &Float64, columns, eps: self.eps, paces };
+        let mut points = ShownChain { chain: self, see, flow: ControlFlow::Continue(()) };
+        match course.pass_rows(&mut points, range, rows, watch) {
             Ok(()) => Ending::plain(End::Complete, paces.in_all()),
-            Err(Halt::Stopped(step)) => Ending::plain(End::Stopped(step), step),
-            Err(Halt::Ended(step, _)) => Ending {
+            Err(EarlyEnd::Stopped(step)) => Ending::plain(End::Stopped(step), step),
+            Err(EarlyEnd::Ended(step, _)) => Ending {
                 end: End::Range(step),
                 step,
                 why: Some(format!(
@@ -131,13 +131,13 @@ impl Chain {
     }
 }
 
-struct Seen<'a> {
+struct ShownChain<'a> {
     chain: &'a mut Chain,
     see: &'a mut dyn FnMut(&[f64]) -> ControlFlow<()>,
     flow: ControlFlow<()>,
 }
 
-impl Points<Float64> for Seen<'_> {
+impl OrbitPoints<Float64> for ShownChain<'_> {
     fn row(&mut self, cells: &mut Vec<f64>) {
         let Chain { map, state, variables, lattice, .. } = &mut *self.chain;
         self.flow = (self.see)(state);
@@ -157,13 +157,13 @@ impl Points<Float64> for Seen<'_> {
         cells.extend(map.modified_energy(state).ok().flatten());
     }
 
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd> {
         if steps > 0 && self.flow.is_break() {
-            return Err(Halt::Stopped(0));
+            return Err(EarlyEnd::Stopped(0));
         }
         let Chain { map, state, .. } = &mut *self.chain;
         let followed = map.follow(state, steps, |steps| progress.tell(steps));
-        Halt::of(&followed.expect("the state is of the chain"), || Why::Range)
+        EarlyEnd::of(&followed.expect("the state is of the chain"), || EndReason::Range)
     }
 
     fn at_once(&self, every: u64) -> usize {

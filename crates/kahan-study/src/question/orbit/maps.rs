@@ -11,18 +11,18 @@ use kahan_runtime::interpreted::round;
 use kahan_runtime::orbit::{ExactOrbit, ProjectiveOrbit, ProjectiveScalar};
 use kahan_runtime::{Follow, Followed, Fraction, Map, MapAt, RuntimeFloat};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::lifted_step::LiftedStep;
 use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 use crate::study::Study;
 
-use super::points::{Halt, Points, Why, moment, one_by_one};
+use super::points::{EarlyEnd, EndReason, OrbitPoints, moment, one_by_one};
 use super::{NoOrbit, Orbit};
 
 /// An arithmetic for moving points whose numbers are cells of tables.
-pub(super) trait Moving: Printable {
+pub(super) trait PointArithmetic: Printable {
     type Cell: Clone;
 
     /// The cell of a coordinate at infinity.
@@ -56,13 +56,13 @@ pub(super) trait Moving: Printable {
         asked: &Orbit,
         composition: Composition,
         start: &[Rational],
-    ) -> Result<Box<dyn Points<Self> + 'a>, StudyError>;
+    ) -> Result<Box<dyn OrbitPoints<Self> + 'a>, StudyError>;
 }
 
-/// Implements [`Moving`] for a float arithmetic; values, scalars and cells have one type.
+/// Implements [`PointArithmetic`] for a float arithmetic; values, scalars and cells have one type.
 macro_rules! of_float {
     ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $lifted:expr) => {
-        impl Moving for $arithmetic {
+        impl PointArithmetic for $arithmetic {
             type Cell = $float;
             type Scalar = $float;
 
@@ -90,12 +90,12 @@ macro_rules! of_float {
                 asked: &Orbit,
                 composition: Composition,
                 start: &[Rational],
-            ) -> Result<Box<dyn Points<Self> + 'a>, StudyError> {
+            ) -> Result<Box<dyn OrbitPoints<Self> + 'a>, StudyError> {
                 let at = study.map()?.at(round::<$float>(&asked.eps));
                 let at = if composition == Composition::KAHAN { at } else { at.composed(composition) };
                 let lifted = $lifted(study, &at, asked.reembed);
                 let x = start.iter().map(round).collect();
-                Ok(Box::new(Floats { at, composition, lifted, x, points: Vec::new() }))
+                Ok(Box::new(FloatOrbit { at, composition, lifted, x, points: Vec::new() }))
             }
         }
     };
@@ -120,7 +120,7 @@ of_float!(
     |study, at, _| Study::lifted_step(study, at)
 );
 
-impl Moving for Exact {
+impl PointArithmetic for Exact {
     type Cell = rows::Exact;
     type Scalar = BigRational;
 
@@ -148,12 +148,12 @@ impl Moving for Exact {
         asked: &Orbit,
         _: Composition,
         start: &[Rational],
-    ) -> Result<Box<dyn Points<Self> + 'a>, StudyError> {
+    ) -> Result<Box<dyn OrbitPoints<Self> + 'a>, StudyError> {
         Ok(Box::new(study.map()?.exact_orbit(&asked.eps, start).expect("the point is of the field")))
     }
 }
 
-struct Floats<'a, T: RuntimeFloat> {
+struct FloatOrbit<'a, T: RuntimeFloat> {
     at: MapAt<T>,
     composition: Composition,
     lifted: Option<LiftedStep<'a, MapAt<T>>>,
@@ -161,8 +161,8 @@ struct Floats<'a, T: RuntimeFloat> {
     points: Vec<T>,
 }
 
-impl<T: RuntimeFloat> Floats<'_, T> {
-    fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
+impl<T: RuntimeFloat> FloatOrbit<'_, T> {
+    fn append<A: PointArithmetic<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
         cells.extend_from_slice(x);
         let first = cells.len();
         cells.resize(first + self.at.map().field().integrals().len(), T::zero());
@@ -170,28 +170,28 @@ impl<T: RuntimeFloat> Floats<'_, T> {
         cells[first..].iter_mut().for_each(|value| *value = A::cell(value));
     }
 
-    fn halt<R>(&self, followed: &Followed<R>) -> Result<(), Halt> {
-        Halt::of(followed, || match self.lifted.as_ref().and_then(|lifted| lifted.ends(&self.x)) {
-            Some(ends) => Why::Lift(ends),
+    fn halt<R>(&self, followed: &Followed<R>) -> Result<(), EarlyEnd> {
+        EarlyEnd::of(followed, || match self.lifted.as_ref().and_then(|lifted| lifted.ends(&self.x)) {
+            Some(ends) => EndReason::Lift(ends),
             None => match self.at.divides_by_zero(&self.x) {
-                Ok(false) | Err(_) => Why::Range,
-                Ok(true) if self.composition.stages() > 1 => Why::StagePole,
+                Ok(false) | Err(_) => EndReason::Range,
+                Ok(true) if self.composition.stages() > 1 => EndReason::StagePole,
                 Ok(true) => pole(self.at.map()),
             },
         })
     }
 }
 
-fn pole(map: &Map) -> Why {
-    Why::Pole { is_reduced: map.field().derived().map.is_some() }
+fn pole(map: &Map) -> EndReason {
+    EndReason::Pole { is_reduced: map.field().derived().map.is_some() }
 }
 
-impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<'_, T> {
+impl<T: RuntimeFloat, A: PointArithmetic<Value = T, Cell = T>> OrbitPoints<A> for FloatOrbit<'_, T> {
     fn row(&mut self, cells: &mut Vec<T>) {
         self.append::<A>(&self.x, cells);
     }
 
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd> {
         let tell = |steps| progress.tell(steps);
         let followed = match &self.lifted {
             Some(lifted) => lifted.follow(&mut self.x, steps, tell),
@@ -205,8 +205,8 @@ impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<'_, T
         every: u64,
         count: usize,
         cells: &mut Vec<T>,
-        progress: &Count<'_>,
-    ) -> Result<(), Halt> {
+        progress: &WorkCount<'_>,
+    ) -> Result<(), EarlyEnd> {
         let every = NonZeroU64::new(every).expect("rows are some steps apart");
         self.points.resize(count * self.x.len(), T::zero());
         let tell = |steps| progress.tell(steps);
@@ -233,14 +233,14 @@ impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<'_, T
     }
 }
 
-impl Points<Exact> for ExactOrbit {
+impl OrbitPoints<Exact> for ExactOrbit {
     fn row(&mut self, cells: &mut Vec<rows::Exact>) {
         let (coordinates, integrals) = self.values();
         let cell = |value: Option<Fraction>| value.map_or(rows::Exact::Undefined, rows::Exact::Number);
         cells.extend(coordinates.into_iter().map(Some).chain(integrals).map(cell));
     }
 
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd> {
         one_by_one(steps, progress, || if self.advance() { Ok(()) } else { Err(pole(self.map())) })
     }
 
@@ -249,16 +249,16 @@ impl Points<Exact> for ExactOrbit {
     }
 }
 
-pub(super) fn projective<A: Moving>(
+pub(super) fn projective<A: PointArithmetic>(
     map: &Map,
     eps: &Rational,
     start: &[Rational],
-) -> Result<Box<dyn Points<A>>, StudyError> {
+) -> Result<Box<dyn OrbitPoints<A>>, StudyError> {
     let orbit = map.projective_orbit::<A::Scalar>(eps, start);
     Ok(Box::new(orbit.map_err(|why| StudyError::Orbit(NoOrbit::Projective(why)))?))
 }
 
-impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
+impl<A: PointArithmetic> OrbitPoints<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         let is_infinite = self.is_infinite();
         cells.extend(self.coordinates().iter().map(|x| match is_infinite {
@@ -270,8 +270,8 @@ impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
         cells.extend(self.integrals().into_iter().map(integral));
     }
 
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
-        one_by_one(steps, progress, || ProjectiveOrbit::advance(&mut **self).map_err(Why::NoLimit))
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd> {
+        one_by_one(steps, progress, || ProjectiveOrbit::advance(&mut **self).map_err(EndReason::NoLimit))
     }
 }
 
@@ -281,7 +281,7 @@ mod tests {
 
     use super::*;
 
-    fn counts_are_rounded_as_numbers<A: Moving<Value: Debug + PartialEq>>() {
+    fn counts_are_rounded_as_numbers<A: PointArithmetic<Value: Debug + PartialEq>>() {
         let powers = (0..63).map(|power| 1_i64 << power);
         let near = powers.flat_map(|power| [power - 1, power, power + 1, power / 3]);
         near.chain([i64::MAX - 1, i64::MAX])

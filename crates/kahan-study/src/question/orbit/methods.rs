@@ -10,15 +10,15 @@ use kahan_dynamics::Flow;
 use kahan_runtime::Map;
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, Padded};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind};
 
-use super::maps::Moving;
-use super::points::{Halt, Points, Why, moment, one_by_one};
+use super::maps::PointArithmetic;
+use super::points::{EarlyEnd, EndReason, OrbitPoints, moment, one_by_one};
 use super::{Method, NoOrbit};
 
-struct Explicit<'a, A: Moving> {
+struct ExplicitOrbit<'a, A: PointArithmetic> {
     arithmetic: &'a A,
     derived: &'a Derived,
     method: Method,
@@ -27,20 +27,20 @@ struct Explicit<'a, A: Moving> {
     x: Vec<A::Value>,
 }
 
-pub(super) fn explicit<'a, A: Moving>(
+pub(super) fn explicit<'a, A: PointArithmetic>(
     arithmetic: &'a A,
     map: &'a Map,
     method: Method,
     parameters: Vec<A::Value>,
     eps: &Rational,
     start: &[Rational],
-) -> Box<dyn Points<A> + 'a> {
+) -> Box<dyn OrbitPoints<A> + 'a> {
     let x = start.iter().map(A::round).collect();
     let derived = map.field().derived();
-    Box::new(Explicit { arithmetic, derived, method, parameters, eps: A::round(eps), x })
+    Box::new(ExplicitOrbit { arithmetic, derived, method, parameters, eps: A::round(eps), x })
 }
 
-impl<A: Moving> Explicit<'_, A> {
+impl<A: PointArithmetic> ExplicitOrbit<'_, A> {
     /// Evaluates a plan at a point, with ε = 0.
     fn values(&self, plan: &Plan, x: &[A::Value]) -> Vec<Option<A::Value>> {
         let symbols = &self.derived.system.field.symbols;
@@ -85,18 +85,18 @@ impl<A: Moving> Explicit<'_, A> {
     }
 }
 
-impl<A: Moving> Points<A> for Explicit<'_, A> {
+impl<A: PointArithmetic> OrbitPoints<A> for ExplicitOrbit<'_, A> {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         cells.extend(self.x.iter().map(A::cell));
         let integrals = self.values(&self.derived.integrals, &self.x).into_iter();
         cells.extend(integrals.map(A::cell_of));
     }
 
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd> {
         one_by_one(steps, progress, || {
             let next = self.next();
             if !next.iter().all(A::is_finite) {
-                return Err(Why::TooLarge);
+                return Err(EndReason::TooLarge);
             }
             self.x = next;
             Ok(())
@@ -114,7 +114,7 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
 }
 
 /// The field f, or −f for a negative ε.
-struct Directed {
+struct SignedField {
     map: Padded<Dd>,
     sign: Dd,
 }
@@ -122,7 +122,7 @@ struct Directed {
 type Point = SVector<Dd, LARGEST_DIMENSION>;
 type Square = SMatrix<Dd, LARGEST_DIMENSION, LARGEST_DIMENSION>;
 
-impl QuadraticField<Dd, LARGEST_DIMENSION> for Directed {
+impl QuadraticField<Dd, LARGEST_DIMENSION> for SignedField {
     fn field(&self, x: &Point) -> Point {
         self.map.field(x) * self.sign
     }
@@ -141,35 +141,35 @@ impl QuadraticField<Dd, LARGEST_DIMENSION> for Directed {
 }
 
 struct Solution {
-    field: Directed,
+    field: SignedField,
     /// The time step |2ε|.
     step: Dd,
     x: Point,
 }
 
 /// Prepares the flow from its first point, at times 2ε apart.
-pub(super) fn flow<A: Moving>(
+pub(super) fn flow<A: PointArithmetic>(
     map: &Map,
     eps: &Rational,
     start: &[Rational],
-) -> Result<Box<dyn Points<A>>, StudyError> {
+) -> Result<Box<dyn OrbitPoints<A>>, StudyError> {
     let padded = map.as_padded_kahan_map::<Dd>();
     let map = padded.map_err(|why| StudyError::Orbit(NoOrbit::Flow(why)))?;
     let sign = Dd::from(if eps.is_negative() { -1.0 } else { 1.0 });
     let eps = DoubleDouble::round(eps);
     let x = Point::from_fn(|i, _| start.get(i).map_or_else(Dd::default, DoubleDouble::round));
-    Ok(Box::new(Solution { field: Directed { map, sign }, step: eps * sign * Dd::from(2.0), x }))
+    Ok(Box::new(Solution { field: SignedField { map, sign }, step: eps * sign * Dd::from(2.0), x }))
 }
 
 impl Solution {
     /// Advances by `steps` steps, and shows each point. Computes the solution for many steps at
     /// once, fewer near a singularity.
-    fn walk<A: Moving>(
+    fn walk<A: PointArithmetic>(
         &mut self,
         steps: u64,
-        progress: &Count<'_>,
+        progress: &WorkCount<'_>,
         mut see: impl FnMut(&Self, u64),
-    ) -> Result<(), Halt> {
+    ) -> Result<(), EarlyEnd> {
         /// The most Taylor series computed at once; each takes some kilobytes.
         const MOST_SERIES: usize = 1 << 16;
 
@@ -183,37 +183,37 @@ impl Solution {
                     for step in 1..=span {
                         let x = flow.at(self.step * Dd::from(step as f64));
                         if !x.iter().all(|x| A::narrow(*x).is_some_and(|x| A::is_finite(&x))) {
-                            return Err(Halt::Ended(made, Why::Escapes));
+                            return Err(EarlyEnd::Ended(made, EndReason::Escapes));
                         }
                         self.x.copy_from_slice(&x);
                         made += 1;
                         see(self, made);
                     }
                     if progress.tell(span).is_break() && made < steps {
-                        return Err(Halt::Stopped(made));
+                        return Err(EarlyEnd::Stopped(made));
                     }
                 }
-                Err(_) if progress.is_stopped() => return Err(Halt::Stopped(made)),
+                Err(_) if progress.is_stopped() => return Err(EarlyEnd::Stopped(made)),
                 Err(_) if span > 1 => span /= 2,
-                Err(_) => return Err(Halt::Ended(made, Why::Escapes)),
+                Err(_) => return Err(EarlyEnd::Ended(made, EndReason::Escapes)),
             }
         }
         Ok(())
     }
 
-    fn append<A: Moving>(&self, cells: &mut Vec<A::Cell>) {
+    fn append<A: PointArithmetic>(&self, cells: &mut Vec<A::Cell>) {
         let coordinates = self.x.iter().take(self.field.map.variables().len()).copied().map(Some);
         let integrals = self.field.map.integrals(&self.x, &Dd::default());
         cells.extend(coordinates.chain(integrals).map(|number| A::cell_of(number.and_then(A::narrow))));
     }
 }
 
-impl<A: Moving> Points<A> for Solution {
+impl<A: PointArithmetic> OrbitPoints<A> for Solution {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         self.append::<A>(cells);
     }
 
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd> {
         self.walk::<A>(steps, progress, |_, _| {})
     }
 
@@ -222,8 +222,8 @@ impl<A: Moving> Points<A> for Solution {
         every: u64,
         count: usize,
         cells: &mut Vec<A::Cell>,
-        progress: &Count<'_>,
-    ) -> Result<(), Halt> {
+        progress: &WorkCount<'_>,
+    ) -> Result<(), EarlyEnd> {
         self.walk::<A>(every * count as u64, progress, |solution, made| {
             if made.is_multiple_of(every) {
                 solution.append::<A>(cells);

@@ -10,25 +10,25 @@ use kahan_core::SingularStep;
 use kahan_discover::Watch;
 use kahan_runtime::{End, Followed};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::lifted_step::LiftEnds;
 use crate::numbers::{Number, ScalarKind};
 use crate::rows::{Column, Ending, Rows, Values};
 use crate::study::Study;
 
 use super::Orbit;
-use super::maps::Moving;
-use super::paces::Paces;
+use super::maps::PointArithmetic;
+use super::row_schedule::RowSchedule;
 
-pub(super) enum Halt {
+pub(super) enum EarlyEnd {
     /// The watch stopped the orbit after this number of steps.
     Stopped(u64),
     /// No next point exists, after this number of steps.
-    Ended(u64, Why),
+    Ended(u64, EndReason),
 }
 
 #[derive(Clone, Copy)]
-pub(super) enum Why {
+pub(super) enum EndReason {
     /// det A = 0; only for a reduced map is it certain that no value exists.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
@@ -45,22 +45,22 @@ pub(super) enum Why {
     Lift(LiftEnds),
 }
 
-pub(super) trait Points<A: Moving> {
+pub(super) trait OrbitPoints<A: PointArithmetic> {
     /// Appends the cells of the point: coordinates, then integrals.
     fn row(&mut self, cells: &mut Vec<A::Cell>);
 
     /// Advances by `steps` steps, or to the last point.
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt>;
+    fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd>;
 
-    /// Appends the cells of `count` rows, each after `every` steps. A [`Halt`] counts steps from
+    /// Appends the cells of `count` rows, each after `every` steps. An [`EarlyEnd`] counts steps from
     /// the call.
     fn rows(
         &mut self,
         every: u64,
         count: usize,
         cells: &mut Vec<A::Cell>,
-        progress: &Count<'_>,
-    ) -> Result<(), Halt> {
+        progress: &WorkCount<'_>,
+    ) -> Result<(), EarlyEnd> {
         for row in 0..count as u64 {
             self.advance(every, progress).map_err(|halt| halt.after(row * every))?;
             self.row(cells);
@@ -94,26 +94,26 @@ pub(super) fn moment(variables: usize, every: u64) -> usize {
 
 pub(super) fn one_by_one(
     steps: u64,
-    progress: &Count<'_>,
-    mut advance: impl FnMut() -> Result<(), Why>,
-) -> Result<(), Halt> {
+    progress: &WorkCount<'_>,
+    mut advance: impl FnMut() -> Result<(), EndReason>,
+) -> Result<(), EarlyEnd> {
     for made in 0..steps {
-        advance().map_err(|why| Halt::Ended(made, why))?;
+        advance().map_err(|why| EarlyEnd::Ended(made, why))?;
         if progress.tell(1).is_break() && made + 1 < steps {
-            return Err(Halt::Stopped(made + 1));
+            return Err(EarlyEnd::Stopped(made + 1));
         }
     }
     Ok(())
 }
 
-impl Halt {
+impl EarlyEnd {
     /// Returns an error for an orbit that did not reach its end.
-    pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> Why) -> Result<(), Self> {
+    pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> EndReason) -> Result<(), Self> {
         match followed.end {
             End::Complete => Ok(()),
-            End::Stopped(steps) | End::Time(steps) => Err(Halt::Stopped(steps)),
+            End::Stopped(steps) | End::Time(steps) => Err(EarlyEnd::Stopped(steps)),
             End::Range(steps) | End::Pole(steps) | End::Escaped(steps) | End::Reembed(steps) => {
-                Err(Halt::Ended(steps, why()))
+                Err(EarlyEnd::Ended(steps, why()))
             }
         }
     }
@@ -126,31 +126,31 @@ impl Halt {
     }
 }
 
-pub(super) struct Course<'a, A: Moving> {
+pub(super) struct OrbitRows<'a, A: PointArithmetic> {
     pub(super) arithmetic: &'a A,
     pub(super) columns: &'a [Column],
     pub(super) eps: A::Value,
-    pub(super) paces: Paces,
+    pub(super) paces: RowSchedule,
 }
 
-impl<A: Moving> Course<'_, A> {
-    /// Passes a range of rows to a consumer, in reused blocks. A [`Halt`] counts steps from the
+impl<A: PointArithmetic> OrbitRows<'_, A> {
+    /// Passes a range of rows to a consumer, in reused blocks. An [`EarlyEnd`] counts steps from the
     /// first point.
-    pub(super) fn hand_on(
+    pub(super) fn pass_rows(
         &self,
-        points: &mut dyn Points<A>,
+        points: &mut dyn OrbitPoints<A>,
         range: Range<u64>,
         rows: &mut dyn Rows,
         watch: &dyn Watch,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), EarlyEnd> {
         let (paces, every) = (self.paces, self.paces.every.get());
         let end = range.end.min(paces.rows());
         if range.start >= end {
             return Ok(());
         }
-        let progress = Count::new("steps", paces.in_all(), watch);
+        let progress = WorkCount::new("steps", paces.in_all(), watch);
         let numbers = vec![Vec::new(); self.columns.len() - 2];
-        let mut block = Block::<A> { counts: Vec::new(), times: Vec::new(), numbers };
+        let mut block = CellBlock::<A> { counts: Vec::new(), times: Vec::new(), numbers };
         let (mut cells, mut next, mut gone) = (Vec::new(), range.start, Ok(()));
         points.advance(paces.steps_to(next), &progress)?;
         points.row(&mut cells);
@@ -158,8 +158,8 @@ impl<A: Moving> Course<'_, A> {
             block.fill(self, next, &mut cells);
             next += block.counts.len() as u64;
             let made = paces.steps_to(next - 1);
-            if block.hand_on(self.columns, rows).is_break() {
-                return Err(Halt::Stopped(made));
+            if block.pass_rows(self.columns, rows).is_break() {
+                return Err(EarlyEnd::Stopped(made));
             }
             gone?;
             if next == end {
@@ -168,7 +168,7 @@ impl<A: Moving> Course<'_, A> {
                 return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
             if progress.is_stopped() {
-                return Err(Halt::Stopped(made));
+                return Err(EarlyEnd::Stopped(made));
             }
             let now = (end - next).min(points.at_once(every) as u64) as usize;
             gone = points.rows(every, now, &mut cells, &progress).map_err(|halt| halt.after(made));
@@ -176,16 +176,16 @@ impl<A: Moving> Course<'_, A> {
     }
 }
 
-struct Block<A: Moving> {
+struct CellBlock<A: PointArithmetic> {
     counts: Vec<i64>,
     times: Vec<A::Cell>,
     numbers: Vec<Vec<A::Cell>>,
 }
 
-impl<A: Moving> Block<A> {
+impl<A: PointArithmetic> CellBlock<A> {
     /// Replaces the rows by these cells; the first row has the number `first`.
-    fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
-        let Course { arithmetic, eps, paces, .. } = course;
+    fn fill(&mut self, course: &OrbitRows<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
+        let OrbitRows { arithmetic, eps, paces, .. } = course;
         let time_step = arithmetic.add(eps, eps);
         let time = |n: &i64| A::cell(&arithmetic.multiply(&A::whole(*n), &time_step));
         let width = self.numbers.len();
@@ -202,7 +202,7 @@ impl<A: Moving> Block<A> {
         }
     }
 
-    fn hand_on(&self, columns: &[Column], rows: &mut dyn Rows) -> ControlFlow<()> {
+    fn pass_rows(&self, columns: &[Column], rows: &mut dyn Rows) -> ControlFlow<()> {
         if self.counts.is_empty() {
             return ControlFlow::Continue(());
         }
@@ -212,12 +212,12 @@ impl<A: Moving> Block<A> {
     }
 }
 
-pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> Ending {
+pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: EndReason, at: &[Number]) -> Ending {
     let (name, next, scalar) = (study.name(), n + 1, asked.scalar.name());
     let point = study.place(at, &asked.eps);
     let kept = "the rows up to it are kept";
     let why_ended = match why {
-        Why::Pole { is_reduced } => {
+        EndReason::Pole { is_reduced } => {
             let by_convention = if is_reduced {
                 String::new()
             } else {
@@ -229,37 +229,37 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
                 "ends at a pole: at n = {n} det A = 0{by_convention}, so step {next} has no value. The point is {point}; {kept}"
             )
         }
-        Why::StagePole => format!(
+        EndReason::StagePole => format!(
             "ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it is {point}; \
              {kept}"
         ),
-        Why::NoLimit(singular) => {
+        EndReason::NoLimit(singular) => {
             let singular = singular.map_or_else(String::new, |why| format!(": {why}"));
             format!("ends at n = {n}{singular}; {kept}")
         }
-        Why::Range => format!(
+        EndReason::Range => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} det A = 0 nearly or the numbers are too large. The point \
              is {point}; {kept}"
         ),
-        Why::TooLarge => format!(
+        EndReason::TooLarge => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {point}; {kept}"
         ),
-        Why::Lift(ends) => format!("{}. The point is {point}; {kept}", ends.in_words(study, n)),
-        Why::Escapes => format!(
+        EndReason::Lift(ends) => format!("{}. The point is {point}; {kept}", ends.in_words(study, n)),
+        EndReason::Escapes => format!(
             "ends at n = {n}: the solution escapes to infinity, or leaves the range of {scalar}, before step {next}. The \
              point is {point}; {kept}"
         ),
     };
     // In floats, rounding decides whether a determinant at a pole is 0.
     let end = match why {
-        Why::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
-        Why::NoLimit(_) => End::Pole(n),
-        Why::Lift(LiftEnds::NotReembedded) => End::Reembed(n),
+        EndReason::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
+        EndReason::NoLimit(_) => End::Pole(n),
+        EndReason::Lift(LiftEnds::NotReembedded) => End::Reembed(n),
         _ => End::Range(n),
     };
     let instead = match why {
-        Why::StagePole => Some(["order", "2, which takes no step back"]),
-        Why::Range => Some(["scalar", "exact"]),
+        EndReason::StagePole => Some(["order", "2, which takes no step back"]),
+        EndReason::Range => Some(["scalar", "exact"]),
         _ => None,
     };
     Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")), instead, note: None }

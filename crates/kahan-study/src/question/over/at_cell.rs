@@ -5,8 +5,8 @@
 
 use kahan_algebra::rational::Rational;
 
-use super::cells::Entry;
-use crate::rows::{Column, Kept};
+use super::cells::CellEntry;
+use crate::rows::{Column, StoredColumn};
 use crate::study::Study;
 
 /// A question that [`Over`](super::Over) can ask at each of its cells.
@@ -14,13 +14,17 @@ pub(in crate::question) trait AtCell: Sync {
     fn place(&self) -> (Option<&Rational>, Option<&[Rational]>);
 
     /// Returns the columns of the results, in a field with these variables, including lifted ones.
-    fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)>;
+    fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)>;
 
     /// Asks the question at another ε and point (for a lifted field, in its original variables).
     /// Returns an entry for each column even without an answer.
-    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<CellEntry>;
 }
 
-pub(in crate::question) fn column<V>(name: &str, meaning: &str, kind: fn(Vec<V>) -> Kept) -> (Column, Kept) {
+pub(in crate::question) fn column<V>(
+    name: &str,
+    meaning: &str,
+    kind: fn(Vec<V>) -> StoredColumn,
+) -> (Column, StoredColumn) {
     (Column { name: name.to_owned(), meaning: meaning.to_owned() }, kind(Vec::new()))
 }

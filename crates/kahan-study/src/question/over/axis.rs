@@ -7,10 +7,10 @@ use kahan_algebra::rational::Rational;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::axes::Entry;
+use crate::axes::NamedValues;
 use crate::draw::{Sobol, Uniform};
 use crate::numbers::ScalarKind;
-use crate::numbers::exact::{self, Exactly};
+use crate::numbers::exact::{self, ExactJson};
 use crate::range::{Axis, Range};
 
 /// A name with the values of its axis: a variable, for its initial value, a parameter, `eps`, and
@@ -19,16 +19,16 @@ use crate::range::{Axis, Range};
 /// Its JSON is an entry of an object: a [`Range`] `"x": "0:1:/9"`, a list `"x": [0, "1/2"]`, one
 /// value `"x": 1`, or draws `"x": {"draw": "sobol", "low": 0, "high": 1}`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Varied {
+pub struct AxisOver {
     /// The name of the axis.
     pub name: String,
     /// The values.
-    pub through: Through,
+    pub through: AxisValues,
 }
 
 /// The values of an axis.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Through {
+pub enum AxisValues {
     /// Equally spaced values.
     Range(Range),
     /// Listed values.
@@ -56,15 +56,15 @@ pub enum Source {
     Uniform,
 }
 
-impl From<Axis> for Varied {
+impl From<Axis> for AxisOver {
     fn from(Axis { name, range }: Axis) -> Self {
-        Varied { name, through: Through::Range(range) }
+        AxisOver { name, through: AxisValues::Range(range) }
     }
 }
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Drawn {
+struct DrawnValues {
     draw: Source,
     #[serde(with = "exact")]
     low: Rational,
@@ -72,18 +72,18 @@ struct Drawn {
     high: Rational,
 }
 
-impl Entry for Varied {
+impl NamedValues for AxisOver {
     fn name(&self) -> &str {
         &self.name
     }
 
     fn to_json(&self) -> Value {
         match &self.through {
-            Through::Range(range) => json!(range),
-            Through::List(values) => values.to_json(),
-            Through::Scalars(scalars) => json!(scalars),
-            Through::Drawn { source, low, high } => {
-                json!(Drawn { draw: *source, low: low.clone(), high: high.clone() })
+            AxisValues::Range(range) => json!(range),
+            AxisValues::List(values) => values.to_json(),
+            AxisValues::Scalars(scalars) => json!(scalars),
+            AxisValues::Drawn { source, low, high } => {
+                json!(DrawnValues { draw: *source, low: low.clone(), high: high.clone() })
             }
         }
     }
@@ -93,20 +93,20 @@ impl Entry for Varied {
         let list = |value| if let Value::Array(list) = value { list } else { vec![value] };
         let through = match value {
             value if name == "scalar" => {
-                Through::Scalars(serde_json::from_value(Value::Array(list(value))).map_err(wrong)?)
+                AxisValues::Scalars(serde_json::from_value(Value::Array(list(value))).map_err(wrong)?)
             }
             Value::String(text) if text.contains(':') => {
-                Through::Range(Range::of_table(&text).map_err(|why| why.to_string())?)
+                AxisValues::Range(Range::of_table(&text).map_err(|why| why.to_string())?)
             }
             Value::Object(_) => {
                 let drawn = serde_json::from_value(value).map_err(wrong);
-                let Drawn { draw, low, high } =
+                let DrawnValues { draw, low, high } =
                     drawn.map_err(|why| format!("{why}; a range is a text, as \"0:1:11\""))?;
-                Through::Drawn { source: draw, low, high }
+                AxisValues::Drawn { source: draw, low, high }
             }
-            value => Through::List(Vec::of_json(&Value::Array(list(value)))?),
+            value => AxisValues::List(Vec::of_json(&Value::Array(list(value)))?),
         };
-        Ok(Varied { name: name.to_owned(), through })
+        Ok(AxisOver { name: name.to_owned(), through })
     }
 }
 
@@ -131,14 +131,15 @@ pub(super) enum Values<'a> {
 
 impl<'a> Values<'a> {
     /// Builds the values of the axis with index `place`; drawn axes have `draws` values by `seed`.
-    pub(super) fn of(axes: &'a [Varied], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
-        let is_sobol = |axis: &&Varied| matches!(axis.through, Through::Drawn { source: Source::Sobol, .. });
+    pub(super) fn of(axes: &'a [AxisOver], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
+        let is_sobol =
+            |axis: &&AxisOver| matches!(axis.through, AxisValues::Drawn { source: Source::Sobol, .. });
         match &axes[place].through {
-            Through::List(values) if values.is_empty() => {
+            AxisValues::List(values) if values.is_empty() => {
                 Err("there are no values; give at least one".into())
             }
-            Through::List(values) => Ok(Values::List(values)),
-            Through::Scalars(scalars) => {
+            AxisValues::List(values) => Ok(Values::List(values)),
+            AxisValues::Scalars(scalars) => {
                 let bits = |scalar: &ScalarKind| match scalar {
                     ScalarKind::F64 => Ok(Rational::from(64)),
                     ScalarKind::F32 => Ok(Rational::from(32)),
@@ -146,10 +147,10 @@ impl<'a> Values<'a> {
                 };
                 scalars.iter().map(bits).collect::<Result<_, _>>().map(Values::Scalars)
             }
-            Through::Range(range) => {
+            AxisValues::Range(range) => {
                 Ok(Values::Spaced { first: range.value(0), step: range.step(), count: range.count() as u64 })
             }
-            Through::Drawn { source, low, high } => {
+            AxisValues::Drawn { source, low, high } => {
                 let draw: Box<Draw> = match source {
                     Source::Uniform => {
                         let uniform = Uniform::new(seed, place);

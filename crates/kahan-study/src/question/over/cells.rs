@@ -6,14 +6,14 @@
 use kahan_algebra::rational::Rational;
 
 use super::at_cell::column;
-use super::axis::{Values, Varied};
+use super::axis::{AxisOver, Values};
 use super::{Over, Question};
 use crate::error::StudyError;
-use crate::rows::{Column, Kept};
+use crate::rows::{Column, StoredColumn};
 use crate::study::Study;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::question) enum Target {
+pub(in crate::question) enum VariedQuantity {
     Variable(usize),
     Parameter(usize),
     Epsilon,
@@ -21,15 +21,15 @@ pub(in crate::question) enum Target {
     Scalar,
 }
 
-pub(in crate::question) struct Along<'a> {
-    axis: &'a Varied,
-    pub(in crate::question) target: Target,
+pub(in crate::question) struct ResolvedAxis<'a> {
+    axis: &'a AxisOver,
+    pub(in crate::question) target: VariedQuantity,
     values: Values<'a>,
 }
 
 /// Point, parameters and ε of a cell.
 #[derive(Clone, Debug)]
-pub(in crate::question) struct Place<V> {
+pub(in crate::question) struct CellInputs<V> {
     pub(in crate::question) at: Vec<V>,
     pub(in crate::question) parameters: Vec<V>,
     pub(in crate::question) eps: V,
@@ -37,13 +37,13 @@ pub(in crate::question) struct Place<V> {
 
 /// All cells. Drawn axes vary fastest, then the axes from last to first, then the first points.
 pub(in crate::question) struct Cells<'a> {
-    pub(in crate::question) axes: Vec<Along<'a>>,
+    pub(in crate::question) axes: Vec<ResolvedAxis<'a>>,
     /// The number of trailing axes with one value for each first point.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
     /// The values before axes replace them.
-    exactly: Place<Rational>,
-    in_doubles: Place<f64>,
+    exactly: CellInputs<Rational>,
+    in_doubles: CellInputs<f64>,
     draws: u64,
     pub(in crate::question) count: u64,
 }
@@ -68,20 +68,20 @@ impl<'a> Cells<'a> {
         study: &Study,
     ) -> Result<Self, StudyError> {
         let (eps, at) = over.begins(study)?;
-        let of = |place: usize| along(over, place, study);
+        let of = |place: usize| resolve_axis(over, place, study);
         let axes = (0..over.over.len()).map(of).collect::<Result<Vec<_>, _>>()?;
         let does_not_fit = |start: &&Vec<Rational>| start.len() != at.len();
         over.starts.iter().find(does_not_fit).map_or(Ok(()), |start| study.has_coordinates(start))?;
         for (place, along) in axes.iter().enumerate() {
-            let is_start = matches!(along.target, Target::Variable(_)) && !over.starts.is_empty();
+            let is_start = matches!(along.target, VariedQuantity::Variable(_)) && !over.starts.is_empty();
             if is_start || axes[..place].iter().any(|other| other.target == along.target) {
                 return Err(StudyError::AxisTwice { name: along.axis.name.clone() });
             }
         }
-        let varies = |k: usize| axes.iter().any(|along| along.target == Target::Parameter(k));
-        let exactly = Place { at, parameters: study.values_but(varies)?, eps };
+        let varies = |k: usize| axes.iter().any(|along| along.target == VariedQuantity::Parameter(k));
+        let exactly = CellInputs { at, parameters: study.values_but(varies)?, eps };
         let rounded = |numbers: &[Rational]| numbers.iter().map(Rational::to_f64).collect::<Vec<_>>();
-        let in_doubles = Place {
+        let in_doubles = CellInputs {
             at: rounded(&exactly.at),
             parameters: rounded(&exactly.parameters),
             eps: exactly.eps.to_f64(),
@@ -107,7 +107,7 @@ impl<'a> Cells<'a> {
 
     /// Returns whether most consecutive cells differ only in their first points.
     pub(super) fn neighbours_share_a_map(&self) -> bool {
-        let is_start = |along: &Along<'_>| matches!(along.target, Target::Variable(_));
+        let is_start = |along: &ResolvedAxis<'_>| matches!(along.target, VariedQuantity::Variable(_));
         if self.draws > 1 {
             return self.axes.iter().filter(|along| along.values.count().is_none()).all(is_start);
         }
@@ -117,39 +117,41 @@ impl<'a> Cells<'a> {
 
     /// Returns the columns that describe a cell: its number, its first point if first points are
     /// listed, and the axes with more than one value.
-    pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
-        let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer);
+    pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)> {
+        let index = column("index", "place of the point in the plan, from 0 on", StoredColumn::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
-        let starts = starts.iter().map(|name| column(name, STARTS, Kept::F64));
+        let starts = starts.iter().map(|name| column(name, STARTS, StoredColumn::F64));
         let axes = self.axes.iter().filter(|along| along.varies()).map(|along| {
             let name = &along.axis.name;
             match along.target {
-                Target::Variable(_) => column(name, STARTS, Kept::F64),
-                Target::Parameter(_) => column(name, "value of the parameter", Kept::F64),
-                Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64),
-                Target::Order => column(name, "order of the method", Kept::Integer),
-                Target::Scalar => column(name, "scalar of the orbit: f64 or f32", Kept::Text),
+                VariedQuantity::Variable(_) => column(name, STARTS, StoredColumn::F64),
+                VariedQuantity::Parameter(_) => column(name, "value of the parameter", StoredColumn::F64),
+                VariedQuantity::Epsilon => {
+                    column(name, "half the time step, in units of time", StoredColumn::F64)
+                }
+                VariedQuantity::Order => column(name, "order of the method", StoredColumn::Integer),
+                VariedQuantity::Scalar => column(name, "scalar of the orbit: f64 or f32", StoredColumn::Text),
             }
         });
         [index].into_iter().chain(starts).chain(axes).collect()
     }
 
-    pub(super) fn entries(&self, index: u64, place: &Place<f64>, values: &[f64]) -> Vec<Entry> {
+    pub(super) fn entries(&self, index: u64, place: &CellInputs<f64>, values: &[f64]) -> Vec<CellEntry> {
         let starts = if self.starts.is_empty() { &[] } else { &place.at[..] };
         let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
         let axes = varying.map(|(along, &value)| match along.target {
-            Target::Order => Entry::Integer(value as i64),
-            Target::Scalar => Entry::Text(if value == 32.0 { "f32" } else { "f64" }.to_owned()),
-            _ => Entry::Float(value),
+            VariedQuantity::Order => CellEntry::Integer(value as i64),
+            VariedQuantity::Scalar => CellEntry::Text(if value == 32.0 { "f32" } else { "f64" }.to_owned()),
+            _ => CellEntry::Float(value),
         });
-        let starts = starts.iter().map(|value| Entry::Float(*value));
-        [Entry::Integer(index as i64)].into_iter().chain(starts).chain(axes).collect()
+        let starts = starts.iter().map(|value| CellEntry::Float(*value));
+        [CellEntry::Integer(index as i64)].into_iter().chain(starts).chain(axes).collect()
     }
 
     /// Returns the names of the varying axes; first points are called `start_x`.
     pub(in crate::question) fn names(&self) -> Vec<String> {
         let names = self.axes.iter().filter(|along| along.varies()).map(|along| match along.target {
-            Target::Variable(_) => format!("start_{}", along.axis.name),
+            VariedQuantity::Variable(_) => format!("start_{}", along.axis.name),
             _ => along.axis.name.clone(),
         });
         names.collect()
@@ -172,21 +174,21 @@ impl<'a> Cells<'a> {
     }
 
     /// Returns point, parameters and ε of a cell in doubles, with the value of each axis.
-    pub(in crate::question) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
+    pub(in crate::question) fn in_doubles(&self, index: u64) -> (CellInputs<f64>, Vec<f64>) {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
 
-    pub(in crate::question) fn exactly(&self, index: u64) -> Place<Rational> {
+    pub(in crate::question) fn exactly(&self, index: u64) -> CellInputs<Rational> {
         self.place(index, &self.exactly, Rational::clone, Values::exactly).0
     }
 
     fn place<V: Clone>(
         &self,
         index: u64,
-        base: &Place<V>,
+        base: &CellInputs<V>,
         coordinate: fn(&Rational) -> V,
         value: fn(&Values<'a>, u64) -> V,
-    ) -> (Place<V>, Vec<V>) {
+    ) -> (CellInputs<V>, Vec<V>) {
         let (draw, mut rest) = (index % self.draws, index / self.draws);
         let (start, first_beside) = (self.start(index), self.axes.len() - self.with_starts);
         let (mut place, mut values) = (base.clone(), Vec::with_capacity(self.axes.len()));
@@ -202,10 +204,10 @@ impl<'a> Cells<'a> {
             };
             let value = value(&along.values, index);
             match along.target {
-                Target::Variable(k) => place.at[k] = value.clone(),
-                Target::Parameter(k) => place.parameters[k] = value.clone(),
-                Target::Epsilon => place.eps = value.clone(),
-                Target::Order | Target::Scalar => {}
+                VariedQuantity::Variable(k) => place.at[k] = value.clone(),
+                VariedQuantity::Parameter(k) => place.parameters[k] = value.clone(),
+                VariedQuantity::Epsilon => place.eps = value.clone(),
+                VariedQuantity::Order | VariedQuantity::Scalar => {}
             }
             values.push(value);
         }
@@ -219,24 +221,24 @@ impl<'a> Cells<'a> {
 
 const STARTS: &str = "first value of the variable";
 
-impl Along<'_> {
+impl ResolvedAxis<'_> {
     fn varies(&self) -> bool {
         self.values.count() != Some(1)
     }
 }
 
 /// Resolves the axis at `place` in the field, and checks it against the question.
-fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, StudyError> {
+fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<ResolvedAxis<'a>, StudyError> {
     let (axis, observes) = (&over.over[place], matches!(*over.question, Question::Observe(_)));
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
     let values = Values::of(&over.over, place, over.draws, over.seed).map_err(wrong)?;
     let named = |names: &[String]| names.iter().position(|name| *name == axis.name);
-    let target = named(study.coordinates()).map(Target::Variable);
-    let target = target.or_else(|| named(study.parameters()).map(Target::Parameter));
+    let target = named(study.coordinates()).map(VariedQuantity::Variable);
+    let target = target.or_else(|| named(study.parameters()).map(VariedQuantity::Parameter));
     let target = target.or(match &*axis.name {
-        "eps" => Some(Target::Epsilon),
-        "order" if observes => Some(Target::Order),
-        "scalar" if observes => Some(Target::Scalar),
+        "eps" => Some(VariedQuantity::Epsilon),
+        "order" if observes => Some(VariedQuantity::Order),
+        "scalar" if observes => Some(VariedQuantity::Scalar),
         _ => None,
     });
     let Some(target) = target else {
@@ -244,11 +246,11 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
         return Err(study.unknown("neither a variable nor a parameter", &axis.name, &known));
     };
     let known: &[f64] = match target {
-        Target::Variable(_) if matches!(*over.question, Question::Discover(_)) => {
+        VariedQuantity::Variable(_) if matches!(*over.question, Question::Discover(_)) => {
             return Err(wrong("is a start, and a search has none; leave it out".to_owned()));
         }
-        Target::Order => &[2.0, 4.0, 6.0, 8.0],
-        _ => return Ok(Along { axis, target, values }),
+        VariedQuantity::Order => &[2.0, 4.0, 6.0, 8.0],
+        _ => return Ok(ResolvedAxis { axis, target, values }),
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
@@ -260,12 +262,12 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
             let known: Vec<String> = known.iter().map(f64::to_string).collect();
             Err(wrong(format!("{value} is none of {}", known.join(", "))))
         }
-        None => Ok(Along { axis, target, values }),
+        None => Ok(ResolvedAxis { axis, target, values }),
     }
 }
 
 #[derive(Clone, Debug)]
-pub(in crate::question) enum Entry {
+pub(in crate::question) enum CellEntry {
     Integer(i64),
     Float(f64),
     Text(String),

@@ -8,7 +8,7 @@ mod at_cell;
 mod axis;
 mod cells;
 mod orbits;
-mod waves;
+mod parallel_blocks;
 
 use std::ops::{ControlFlow, Range};
 
@@ -23,15 +23,15 @@ use crate::axes;
 use crate::error::StudyError;
 use crate::misread::{Misread, read};
 use crate::numbers::exact;
-use crate::rows::{Column, Kept, MOST_CELLS, Rows, Table};
+use crate::rows::{Column, MOST_CELLS, Rows, StoredColumn, Table};
 use crate::study::Study;
 
 use orbits::Orbits;
-use waves::in_waves;
+use parallel_blocks::in_parallel_blocks;
 
 pub(super) use at_cell::{AtCell, column};
-pub use axis::{Source, Through, Varied};
-pub(super) use cells::{Cells, Entry};
+pub use axis::{AxisOver, AxisValues, Source};
+pub(super) use cells::{CellEntry, Cells};
 
 /// A question asked at every value of some axes: [`Observe`](super::Observe), or a question about a
 /// point or a map, such as [`Heights`](super::Heights).
@@ -44,7 +44,7 @@ pub struct Over {
     /// The question; axes replace its values.
     pub question: Box<Question>,
     /// The axes. Their values are combined in all ways, except that drawn axes share an index.
-    pub over: Vec<Varied>,
+    pub over: Vec<AxisOver>,
     /// The first points, each with a coordinate for each variable; empty for the question's own.
     pub starts: Vec<Vec<Rational>>,
     /// The number of values of each drawn axis.
@@ -56,9 +56,9 @@ pub struct Over {
 /// The fields of [`Over`] in JSON, without the question.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Beside {
+struct OverFields {
     #[serde(with = "axes")]
-    over: Vec<Varied>,
+    over: Vec<AxisOver>,
     #[serde(default, with = "exact")]
     starts: Vec<Vec<Rational>>,
     #[serde(default = "one")]
@@ -92,14 +92,14 @@ impl Over {
 
     /// Asks with one draw.
     #[must_use]
-    pub fn new(question: Question, over: Vec<Varied>) -> Self {
+    pub fn new(question: Question, over: Vec<AxisOver>) -> Self {
         Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }
     }
 
     pub(super) fn read(name: &str, mut object: Map<String, Value>) -> Result<Self, Misread> {
         let keys = ["over", "starts", "draws", "seed"];
         let beside = keys.into_iter().filter_map(|key| Some((key.to_owned(), object.remove(key)?)));
-        let Beside { over, starts, draws, seed } = read(beside.collect::<Map<_, _>>().into())?;
+        let OverFields { over, starts, draws, seed } = read(beside.collect::<Map<_, _>>().into())?;
         if object.contains_key("seconds") {
             return Err(Misread::at("seconds", "no clock ends a row; leave `seconds` out"));
         }
@@ -110,7 +110,7 @@ impl Over {
                 object.entry("eps").or_insert_with(|| json!(0));
             }
         }
-        let question = Box::new(Question::alone(name, object)?);
+        let question = Box::new(Question::observe_one(name, object)?);
         Ok(Over { question, over, starts, draws, seed })
     }
 
@@ -127,7 +127,7 @@ impl Over {
             };
             object.extend(own.into_iter().filter(is_kept));
         }
-        if let Value::Object(beside) = json!(Beside { over, starts, draws, seed }) {
+        if let Value::Object(beside) = json!(OverFields { over, starts, draws, seed }) {
             object.extend(beside);
         }
         object
@@ -167,33 +167,33 @@ impl Over {
     ) -> Result<End, StudyError> {
         let cells = Cells::of(self, study)?;
         let found = match &*self.question {
-            Question::Observe(asked) => Found::Orbits(Orbits::of(study, &cells, asked)?),
-            other => Found::OneByOne(other.at_cell()?),
+            Question::Observe(asked) => CellRows::Orbits(Orbits::of(study, &cells, asked)?),
+            other => CellRows::OneByOne(other.at_cell()?),
         };
         let (of_found, block) = match &found {
-            Found::Orbits(orbits) => (orbits.columns(), orbits.at_once()),
-            Found::OneByOne(asked) => (asked.columns(study.variables()), [1, 256]),
+            CellRows::Orbits(orbits) => (orbits.columns(), orbits.at_once()),
+            CellRows::OneByOne(asked) => (asked.columns(study.variables()), [1, 256]),
         };
-        let (columns, kept): (Vec<Column>, Vec<Kept>) =
+        let (columns, kept): (Vec<Column>, Vec<StoredColumn>) =
             cells.columns(study.coordinates()).into_iter().chain(of_found).unzip();
         let empty = Table { columns, values: kept };
         let range = range.start.min(cells.count)..range.end.min(cells.count);
         if range.is_empty() {
-            let _ = empty.hand_to(rows);
+            let _ = empty.pass_to(rows);
             return Ok(End::Complete);
         }
         let make = |own: Range<u64>, goes_on: &dyn Fn(u64) -> bool| {
             // Consecutive cells often have equal parameters, so cache the last field.
             let (mut table, mut field) = (empty.clone(), None);
             match &found {
-                Found::Orbits(orbits) if goes_on(0) => {
+                CellRows::Orbits(orbits) if goes_on(0) => {
                     let tell =
                         |_| if goes_on(0) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
                     orbits.rows(own, &tell).into_iter().for_each(|row| push(&mut table, row));
                     goes_on(table.count() as u64);
                 }
-                Found::Orbits(_) => {}
-                Found::OneByOne(asked) => {
+                CellRows::Orbits(_) => {}
+                CellRows::OneByOne(asked) => {
                     for index in own.take_while(|_| goes_on(0)) {
                         let (place, (in_doubles, values)) = (cells.exactly(index), cells.in_doubles(index));
                         let given: Vec<_> = place.parameters.into_iter().map(Some).collect();
@@ -208,7 +208,7 @@ impl Over {
             }
             table
         };
-        Ok(in_waves(range, block, &make, rows, watch))
+        Ok(in_parallel_blocks(range, block, &make, rows, watch))
     }
 
     fn begins(&self, study: &Study) -> Result<(Rational, Vec<Rational>), StudyError> {
@@ -244,19 +244,19 @@ impl Serialize for Over {
     }
 }
 
-enum Found<'a> {
+enum CellRows<'a> {
     /// Orbits, in SIMD lanes.
     Orbits(Orbits<'a>),
     /// Cells one by one, by the question.
     OneByOne(&'a dyn AtCell),
 }
 
-fn push(table: &mut Table, row: Vec<Entry>) {
+fn push(table: &mut Table, row: Vec<CellEntry>) {
     for (kept, entry) in table.values.iter_mut().zip(row) {
         match (kept, entry) {
-            (Kept::Integer(list), Entry::Integer(entry)) => list.push(entry),
-            (Kept::F64(list), Entry::Float(entry)) => list.push(entry),
-            (Kept::Text(list), Entry::Text(entry)) => list.push(entry),
+            (StoredColumn::Integer(list), CellEntry::Integer(entry)) => list.push(entry),
+            (StoredColumn::F64(list), CellEntry::Float(entry)) => list.push(entry),
+            (StoredColumn::Text(list), CellEntry::Text(entry)) => list.push(entry),
             (kept, entry) => unreachable!("{entry:?} in {kept:?}"),
         }
     }

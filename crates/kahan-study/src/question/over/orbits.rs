@@ -9,11 +9,11 @@ use kahan_core::{Composition, EmbedScalar};
 use kahan_runtime::{End, Follow, Followed, MachineFloat, Map, MapAt, ObservedFloat};
 
 use super::at_cell::column;
-use super::cells::{Cells, Entry, Place, Target};
+use super::cells::{CellEntry, CellInputs, Cells, VariedQuantity};
 use crate::error::StudyError;
 use crate::question::NoOrbit;
-use crate::question::observe::{FITTING, Observable, Observe, Seen, shown};
-use crate::rows::{Column, Kept};
+use crate::question::observe::{FITTING, Observable, Observe, ObservedValue, shown};
+use crate::rows::{Column, StoredColumn};
 use crate::study::Study;
 
 const LANES: u64 = 16;
@@ -29,9 +29,9 @@ pub(super) struct Orbits<'a> {
     numbers: usize,
 }
 
-struct Begun {
+struct StartedOrbit {
     index: u64,
-    place: Place<f64>,
+    place: CellInputs<f64>,
     values: Vec<f64>,
     order: u32,
     bits: u32,
@@ -41,13 +41,14 @@ impl<'a> Orbits<'a> {
     pub(super) fn of(study: &'a Study, cells: &'a Cells<'a>, asked: &'a Observe) -> Result<Self, StudyError> {
         study.proved()?;
         asked.composition(study)?;
-        if asked.reembed && cells.axes.iter().any(|along| along.target == Target::Scalar) {
+        if asked.reembed && cells.axes.iter().any(|along| along.target == VariedQuantity::Scalar) {
             return Err(StudyError::Orbit(NoOrbit::Reembed));
         }
-        let (Place { at, eps, .. }, _) = cells.in_doubles(0);
+        let (CellInputs { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
         // A mistake in the only field is reported once, instead of at every cell.
-        let is_one_field = !cells.axes.iter().any(|along| matches!(along.target, Target::Parameter(_)));
+        let is_one_field =
+            !cells.axes.iter().any(|along| matches!(along.target, VariedQuantity::Parameter(_)));
         if is_one_field {
             study.map()?;
         }
@@ -56,11 +57,11 @@ impl<'a> Orbits<'a> {
         Ok(orbits)
     }
 
-    pub(super) fn columns(&self) -> Vec<(Column, Kept)> {
-        let ended = column("ended", ENDED, Kept::Text);
-        let steps = column("ended_step", "steps to the last point of the orbit", Kept::Integer);
+    pub(super) fn columns(&self) -> Vec<(Column, StoredColumn)> {
+        let ended = column("ended", ENDED, StoredColumn::Text);
+        let steps = column("ended_step", "steps to the last point of the orbit", StoredColumn::Integer);
         let seen = self.asked.columns(self.study).into_iter();
-        let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
+        let seen = seen.map(|column| (column, StoredColumn::F64(Vec::new())));
         [ended, steps].into_iter().chain(seen).collect()
     }
 
@@ -76,9 +77,9 @@ impl<'a> Orbits<'a> {
         &self,
         cells: std::ops::Range<u64>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Vec<Vec<Entry>> {
-        let begun: Vec<Begun> = cells.map(|index| self.begun(index)).collect();
-        let (mut map, mut rows) = (Known::default(), Vec::with_capacity(begun.len()));
+    ) -> Vec<Vec<CellEntry>> {
+        let begun: Vec<StartedOrbit> = cells.map(|index| self.prepare_orbit(index)).collect();
+        let (mut map, mut rows) = (CachedMap::default(), Vec::with_capacity(begun.len()));
         for same in begun.chunk_by(|a, b| (a.order, a.bits) == (b.order, b.bits)) {
             let found = match same[0].bits {
                 32 => self.found(same, &mut map, |value| value as f32, tell),
@@ -91,45 +92,45 @@ impl<'a> Orbits<'a> {
                 let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
                 // In an undefined field no point follows the start.
                 let end = found.as_ref().map_or(End::Range(0), |found| found.end);
-                row.push(Entry::Text(end.name().to_owned()));
-                row.push(Entry::Integer(end.steps(self.asked.transient + self.asked.steps) as i64));
+                row.push(CellEntry::Text(end.name().to_owned()));
+                row.push(CellEntry::Integer(end.steps(self.asked.transient + self.asked.steps) as i64));
                 let numbers = found.as_ref().map_or_else(Vec::new, Observe::numbers).into_iter();
                 let numbers = numbers.chain(std::iter::repeat(f64::NAN));
-                row.extend(numbers.take(self.numbers).map(Entry::Float));
+                row.extend(numbers.take(self.numbers).map(CellEntry::Float));
                 rows.push(row);
             }
         }
         rows
     }
 
-    fn begun(&self, index: u64) -> Begun {
+    fn prepare_orbit(&self, index: u64) -> StartedOrbit {
         let (place, values) = self.cells.in_doubles(index);
-        let of = |target: Target, usual: u32| {
+        let of = |target: VariedQuantity, usual: u32| {
             let axis = self.cells.axes.iter().position(|along| along.target == target);
             axis.map_or(usual, |axis| values[axis] as u32)
         };
-        let (order, bits) = (of(Target::Order, self.asked.order), of(Target::Scalar, 64));
-        Begun { index, place, values, order, bits }
+        let (order, bits) = (of(VariedQuantity::Order, self.asked.order), of(VariedQuantity::Scalar, 64));
+        StartedOrbit { index, place, values, order, bits }
     }
 
     fn found<T: ObservedFloat + EmbedScalar>(
         &self,
-        begun: &[Begun],
-        known: &mut Known,
+        begun: &[StartedOrbit],
+        known: &mut CachedMap,
         nearest: fn(f64) -> T,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Vec<Option<Followed<Vec<Seen>>>> {
+    ) -> Vec<Option<Followed<Vec<ObservedValue>>>> {
         let composition = Composition::of_order(begun[0].order).expect("orders were looked at");
-        let of_one_map = |a: &Begun, b: &Begun| {
+        let of_one_map = |a: &StartedOrbit, b: &StartedOrbit| {
             is_same(&a.place.parameters, &b.place.parameters) && is_same(&[a.place.eps], &[b.place.eps])
         };
         let groups = begun.chunk_by(of_one_map).map(|same| {
-            let Begun { index, place, .. } = &same[0];
+            let StartedOrbit { index, place, .. } = &same[0];
             let map =
                 known.at(&place.parameters, || self.study.map_at(&self.cells.exactly(*index).parameters));
             (same, map.map(|map| map.at(nearest(place.eps)).composed(composition)))
         });
-        let groups: Vec<(&[Begun], Option<MapAt<T>>)> = groups.collect();
+        let groups: Vec<(&[StartedOrbit], Option<MapAt<T>>)> = groups.collect();
         let defined = || groups.iter().filter_map(|(same, map)| Some((same, map.as_ref()?)));
         let own: Vec<&MapAt<T>> = defined().flat_map(|(same, map)| same.iter().map(move |_| map)).collect();
         let begins = defined().flat_map(|(same, _)| *same);
@@ -150,11 +151,11 @@ impl<'a> Orbits<'a> {
             }
             [one] => {
                 let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
-                vec![self.asked.alone(self.study, one, &start, &of, tell).0]
+                vec![self.asked.observe_one(self.study, one, &start, &of, tell).0]
             }
-            _ => self.asked.abreast(self.study, &own, &starts, &of, tell),
+            _ => self.asked.observe_many(self.study, &own, &starts, &of, tell),
         };
-        let shown = |found: Followed<Vec<Seen>>| Followed {
+        let shown = |found: Followed<Vec<ObservedValue>>| Followed {
             report: found.report.into_iter().map(|seen| shown(self.study, seen)).collect(),
             ..found
         };
@@ -170,7 +171,7 @@ impl<'a> Orbits<'a> {
         maps: &[&MapAt<T>],
         mut columns: Vec<Vec<T>>,
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Vec<Followed<Vec<Seen>>> {
+    ) -> Vec<Followed<Vec<ObservedValue>>> {
         let steps = self.asked.transient + self.asked.steps;
         let is_short = steps <= AT_ONCE / LANES;
         let mut found = Vec::with_capacity(maps.len());
@@ -191,7 +192,8 @@ impl<'a> Orbits<'a> {
         }
         let of = self.asked.observables();
         let told = found.into_iter().enumerate().map(|(orbit, end)| {
-            let point = || Seen::Point(columns.iter().map(|column| column[orbit].approximate()).collect());
+            let point =
+                || ObservedValue::Point(columns.iter().map(|column| column[orbit].approximate()).collect());
             Followed { report: of.iter().map(|_| point()).collect(), end }
         });
         told.collect()
@@ -200,9 +202,9 @@ impl<'a> Orbits<'a> {
 
 /// The map at the last used parameters; `None` if the field divides by zero there.
 #[derive(Default)]
-struct Known(Option<(Vec<f64>, Option<Map>)>);
+struct CachedMap(Option<(Vec<f64>, Option<Map>)>);
 
-impl Known {
+impl CachedMap {
     fn at(&mut self, parameters: &[f64], make: impl FnOnce() -> Option<Map>) -> Option<&Map> {
         if !self.0.as_ref().is_some_and(|(known, _)| is_same(known, parameters)) {
             self.0 = Some((parameters.to_vec(), make()));

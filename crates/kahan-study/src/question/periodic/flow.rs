@@ -4,13 +4,13 @@ use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
 use kahan_core::{Step, Stopped, Workspace};
 use kahan_dynamics::periodic::{
-    Branch, BranchPoint, Differentiable, Extrapolated, FlowCycle, Mark, NoPeriodicPoint, OnLeaf, Parametric,
-    PeriodicPoint, close_returns, flow_branch, flow_cycle,
+    Branch, BranchPoint, BranchPointKind, Differentiable, Extrapolated, FlowCycle, NoPeriodicPoint,
+    OnLevelSet, Parametric, PeriodicPoint, close_returns, flow_branch, flow_cycle,
 };
 use kahan_runtime::ParametricAt;
 use serde_json::{Value, json};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::range::Axis;
 
@@ -168,13 +168,19 @@ impl Family {
     /// Returns the map at a value of the varied parameter and an ε, with its derivative with
     /// respect to parameter `by`, or ε for `None`. Once the watch has ended the work, all values
     /// are NaN, which ends every search.
-    fn flow_at(&self, value: f64, eps: f64, by: Option<usize>, count: &Count<'_>) -> OnLeaf<'_, FlowAt<'_>> {
+    fn flow_at(
+        &self,
+        value: f64,
+        eps: f64,
+        by: Option<usize>,
+        count: &WorkCount<'_>,
+    ) -> OnLevelSet<'_, FlowAt<'_>> {
         let values = self.values_at(value);
         let eps = if count.tell(0).is_break() { f64::NAN } else { eps };
         let map = self.study.map_at(&values);
         let at = map.map_or_else(|| self.own().at(f64::NAN), |map| map.at(eps));
         let values = values.iter().map(Rational::to_f64).collect();
-        OnLeaf { map: FlowAt { family: self, at: at.by(by), values }, leaf: &self.leaf }
+        OnLevelSet { map: FlowAt { family: self, at: at.by(by), values }, leaf: &self.leaf }
     }
 
     /// Searches for a limit cycle near the start, then near close returns of its orbit.
@@ -182,7 +188,7 @@ impl Family {
         &self,
         asked: &Periodic,
         begin: f64,
-        count: &Count<'_>,
+        count: &WorkCount<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
         /// The longest orbit; the longest return, if no number of steps is requested; and the
         /// accepted relative deviation of a return from the requested steps.
@@ -250,7 +256,7 @@ impl Family {
     pub(super) fn flow_found(
         &self,
         asked: &Periodic,
-        count: &Count<'_>,
+        count: &WorkCount<'_>,
     ) -> Result<(BranchPoint, FlowFound, Option<FlowBranch>), StudyError> {
         self.can_free_step()?;
         let numbers = asked.period.saturating_mul(numbers(self.study.coordinates().len()));
@@ -277,18 +283,22 @@ impl Family {
             self.finish(&mut branch, axis);
             (branch, found)
         });
-        let point =
-            |FlowCycle { cycle, eps }| BranchPoint { parameter: begin, eps, cycle, mark: Mark::Asked(0) };
+        let point = |FlowCycle { cycle, eps }| BranchPoint {
+            parameter: begin,
+            eps,
+            cycle,
+            mark: BranchPointKind::Asked(0),
+        };
         let (found, mut first) = FlowFound::of(cycles.into_iter().map(point).collect(), powers);
         self.unfold(&mut first.cycle);
         Ok((first, found, branch))
     }
 
-    fn flow_branch(&self, cycle: &FlowCycle, axis: &Axis, count: &Count<'_>) -> Branch {
+    fn flow_branch(&self, cycle: &FlowCycle, axis: &Axis, count: &WorkCount<'_>) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
         let map = |value, eps| [None, self.parameter].map(|by| self.flow_at(value, eps, by, count));
         flow_branch(map, cycle, ends, steps, |point| {
-            count.tell(u64::from(matches!(point.mark, Mark::Asked(_))))
+            count.tell(u64::from(matches!(point.mark, BranchPointKind::Asked(_))))
         })
     }
 
@@ -305,13 +315,14 @@ impl Family {
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
-    let is_like = |mark: Mark| move |point: &&BranchPoint| point.mark == mark;
+    let is_like = |mark: BranchPointKind| move |point: &&BranchPoint| point.mark == mark;
     let extrapolate = |(index, point): (usize, &BranchPoint)| {
         // A branch may pass a value several times; count the earlier passages.
         let before = branches[0].points[..index].iter().filter(is_like(point.mark)).count();
         let alike =
             branches.iter().map(|one| one.points.iter().filter(is_like(point.mark)).nth(before).cloned());
-        let alike: Vec<_> = alike.collect::<Option<_>>().filter(|_| point.mark != Mark::Between)?;
+        let alike: Vec<_> =
+            alike.collect::<Option<_>>().filter(|_| point.mark != BranchPointKind::Between)?;
         Some(FlowFound::of(alike, powers))
     };
     let found: Vec<_> = branches[0].points.iter().enumerate().map(extrapolate).collect();
@@ -320,7 +331,7 @@ fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {
     let found = points.map(|(point, found)| {
         let (found, first) = found?;
         *point = first;
-        if let Mark::Change(_) = point.mark {
+        if let BranchPointKind::Change(_) = point.mark {
             point.parameter = found.parameter.value;
         }
         Some(found)

@@ -12,14 +12,14 @@ use kahan_core::{Composition, Step};
 use kahan_discover::Watch;
 use kahan_runtime::{End, MapAt, threads};
 
-use crate::count::Count;
+use crate::count::WorkCount;
 use crate::error::StudyError;
 use crate::rows::{Column, Rows};
 use crate::study::Study;
 
-use super::abreast::{self, Asked};
-use super::course::Course;
 use super::plane::Plane;
+use super::section_orbit::SectionOrbit;
+use super::side_by_side::{self, SectionRequest};
 use super::{Cells, Crossed, Section};
 
 /// The capacity of all buffers of crossings together.
@@ -36,7 +36,7 @@ pub(super) struct Orbits<'a> {
     room: usize,
 }
 
-struct Begun {
+struct StartedOrbit {
     at: MapAt<f64>,
     plane: Plane,
 }
@@ -64,7 +64,7 @@ impl<'a> Orbits<'a> {
 
     /// Prepares the orbit of a cell, with a buffer for `room` crossings. The orbit ends at its
     /// start if the field, the plane or the point is undefined.
-    fn begun(&self, index: u64, room: usize) -> (Option<Begun>, Course) {
+    fn prepare_orbit(&self, index: u64, room: usize) -> (Option<StartedOrbit>, SectionOrbit) {
         let place = self.cells.exactly(index);
         let is_own = self.study.values().is_ok_and(|values| values == place.parameters);
         let own = || self.study.at(place.parameters.iter().cloned().map(Some).collect());
@@ -72,17 +72,17 @@ impl<'a> Orbits<'a> {
         let point = study.point(&place.at);
         let x = point.iter().flatten().map(Rational::to_f64).collect();
         let most = self.asked.crossings.unwrap_or(u64::MAX);
-        let course = Course::new(x, self.study.shown().len(), most, room);
+        let course = SectionOrbit::new(x, self.study.shown().len(), most, room);
         let plane = Plane::of(self.study.system(), &place.parameters, &place.eps, &self.asked.plane);
         let at = study.map().map(|map| map.at(place.eps.to_f64()).composed(self.composition));
         match (at, plane, point) {
-            (Ok(at), Ok(plane), Ok(_)) if at.eps().is_finite() => (Some(Begun { at, plane }), course),
+            (Ok(at), Ok(plane), Ok(_)) if at.eps().is_finite() => (Some(StartedOrbit { at, plane }), course),
             _ => (None, course.never()),
         }
     }
 
     /// Follows a single orbit until its end, or until its buffer is full.
-    fn alone(&self, begun: &Begun, course: &mut Course, count: &Count<'_>) {
+    fn follow_alone(&self, begun: &StartedOrbit, course: &mut SectionOrbit, count: &WorkCount<'_>) {
         let (tell, reembed) = (|steps| count.tell(steps), self.asked.reembed);
         let lifted = self.study.steps(&begun.at, reembed);
         let by: &dyn Step<Scalar = f64> = lifted.as_ref().map_or(&begun.at, |step| step);
@@ -95,22 +95,23 @@ impl<'a> Orbits<'a> {
     }
 
     /// Follows a group of orbits until their ends, or until their buffers are full.
-    fn group(&self, cells: Range<u64>, room: usize, count: &Count<'_>) -> Vec<Course> {
-        let begun = cells.map(|index| self.begun(index, room));
-        let (begun, mut courses): (Vec<Option<Begun>>, Vec<Course>) = begun.unzip();
-        let is_plain = |begun: &Begun| self.study.steps(&begun.at, self.asked.reembed).is_none();
+    fn group(&self, cells: Range<u64>, room: usize, count: &WorkCount<'_>) -> Vec<SectionOrbit> {
+        let begun = cells.map(|index| self.prepare_orbit(index, room));
+        let (begun, mut courses): (Vec<Option<StartedOrbit>>, Vec<SectionOrbit>) = begun.unzip();
+        let is_plain = |begun: &StartedOrbit| self.study.steps(&begun.at, self.asked.reembed).is_none();
         if begun.len() > 1 && begun.iter().all(|begun| begun.as_ref().is_some_and(is_plain)) {
             let tell = |steps| count.tell(steps);
             let Section { direction, transient, .. } = *self.asked;
-            let asked = Asked { study: self.study, direction, transient, limit: self.limit, tell: &tell };
+            let asked =
+                SectionRequest { study: self.study, direction, transient, limit: self.limit, tell: &tell };
             let of_each = begun.iter().flatten();
             let maps: Vec<&MapAt<f64>> = of_each.clone().map(|begun| &begun.at).collect();
             let planes: Vec<&Plane> = of_each.map(|begun| &begun.plane).collect();
-            abreast::pass(&asked, &maps, &mut courses);
-            abreast::follow(&asked, &maps, &planes, &mut courses);
+            side_by_side::pass(&asked, &maps, &mut courses);
+            side_by_side::follow(&asked, &maps, &planes, &mut courses);
         }
         for (begun, course) in begun.iter().zip(&mut courses) {
-            begun.iter().for_each(|begun| self.alone(begun, course, count));
+            begun.iter().for_each(|begun| self.follow_alone(begun, course, count));
         }
         courses
     }
@@ -120,20 +121,20 @@ impl<'a> Orbits<'a> {
     fn finish(
         &self,
         index: u64,
-        mut course: Course,
+        mut course: SectionOrbit,
         rows: &mut dyn Rows,
-        count: &Count<'_>,
+        count: &WorkCount<'_>,
         found: &mut Vec<Crossed>,
-    ) -> ControlFlow<(), Course> {
+    ) -> ControlFlow<(), SectionOrbit> {
         let (_, values) = self.cells.in_doubles(index);
         let (values, start) = (self.cells.varying(&values), self.cells.start(index));
         let front = self.asked.is_of_many().then_some(start);
-        let mut flow = course.hand_on(&self.columns, front, &values, rows);
+        let mut flow = course.pass_crossings(&self.columns, front, &values, rows);
         if course.end.is_none() && flow.is_continue() {
-            let begun = self.begun(index, 1).0.expect("the orbit was begun before");
+            let begun = self.prepare_orbit(index, 1).0.expect("the orbit was begun before");
             while course.end.is_none() && flow.is_continue() {
-                self.alone(&begun, &mut course, count);
-                flow = course.hand_on(&self.columns, front, &values, rows);
+                self.follow_alone(&begun, &mut course, count);
+                flow = course.pass_crossings(&self.columns, front, &values, rows);
             }
         }
         let (end, steps) = (course.end.unwrap_or(End::Stopped(course.made)), course.made);
@@ -149,23 +150,23 @@ impl<'a> Orbits<'a> {
         flow.map_continue(|()| course)
     }
 
-    fn why(&self, index: u64, end: End, course: &Course) -> Option<String> {
+    fn why(&self, index: u64, end: End, course: &SectionOrbit) -> Option<String> {
         if !end.is_early() || self.study.lift().is_none() {
             return None;
         }
-        let begun = self.begun(index, 1).0?;
+        let begun = self.prepare_orbit(index, 1).0?;
         let ends = self.study.steps(&begun.at, self.asked.reembed)?.ends(&course.x)?;
         Some(ends.in_words(self.study, course.made))
     }
 
     pub(super) fn find(&self, rows: &mut dyn Rows, watch: &dyn Watch) -> Vec<Crossed> {
         let all = self.limit.saturating_mul(self.cells.count);
-        let count = Count::new("steps", all, watch);
-        if self.asked.carry { self.carried(rows, &count) } else { self.in_waves(rows, &count) }
+        let count = WorkCount::new("steps", all, watch);
+        if self.asked.carry { self.carried(rows, &count) } else { self.in_parallel_blocks(rows, &count) }
     }
 
     /// Follows many groups on all threads, then passes their rows on, and so forth.
-    fn in_waves(&self, rows: &mut dyn Rows, count: &Count<'_>) -> Vec<Crossed> {
+    fn in_parallel_blocks(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
         /// The number of groups for each thread before rows are passed on.
         const GROUPS: u64 = 4;
 
@@ -195,14 +196,14 @@ impl<'a> Orbits<'a> {
     }
 
     /// Follows one orbit after another, each from the last point of the previous one.
-    fn carried(&self, rows: &mut dyn Rows, count: &Count<'_>) -> Vec<Crossed> {
+    fn carried(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
         let (mut found, mut last) = (Vec::new(), None::<Vec<f64>>);
         for index in 0..self.cells.count {
-            let (begun, mut course) = self.begun(index, self.room);
+            let (begun, mut course) = self.prepare_orbit(index, self.room);
             if !index.is_multiple_of(self.cells.last_count()) {
                 last.into_iter().for_each(|x| course.x = x);
             }
-            begun.iter().for_each(|begun| self.alone(begun, &mut course, count));
+            begun.iter().for_each(|begun| self.follow_alone(begun, &mut course, count));
             let ControlFlow::Continue(course) = self.finish(index, course, rows, count, &mut found) else {
                 break;
             };

@@ -11,11 +11,11 @@ use super::super::seconds_since;
 
 /// The plans of a system's code, with the time to make them.
 #[derive(Clone, Debug, Serialize)]
-pub struct Planned {
+pub struct ShownPlans {
     /// The name of the system.
     pub system: String,
     /// The cost of each generated function.
-    pub objects: Vec<Costs>,
+    pub objects: Vec<FunctionCost>,
     /// The step as a straight-line program; `None` if it eliminates in a loop.
     pub step: Option<Listing>,
     /// The step for every scalar, if the main form divides by the time step.
@@ -31,7 +31,7 @@ pub struct Planned {
 
 /// The operations of a generated function; `None` if it eliminates in a loop.
 #[derive(Clone, Debug, Serialize)]
-pub struct Costs {
+pub struct FunctionCost {
     /// The result of the function.
     pub object: String,
     /// Additions, subtractions and negations.
@@ -63,7 +63,7 @@ pub struct Listing {
     pub holds_to: u32,
 }
 
-impl Planned {
+impl ShownPlans {
     pub(super) fn of(name: &str, system: &System, watch: &dyn Watch) -> Self {
         let milliseconds = |begun| seconds_since(begun, watch).map(|seconds| 1e3 * seconds);
         let begun = watch.now();
@@ -81,7 +81,7 @@ impl Planned {
         let general_step = inverse.map(|step| listing(step.for_any_step()));
         let objects = derived.functions().into_iter().map(|(object, plan)| {
             let cost: Option<Cost> = plan.map(|plan| plan.cost());
-            Costs {
+            FunctionCost {
                 object,
                 additions: cost.map(|cost| cost.additions),
                 multiplications: cost.map(|cost| cost.multiplications),
@@ -91,7 +91,7 @@ impl Planned {
                 chain_cycles: cost.map(|cost| cost.critical_path),
             }
         });
-        Planned {
+        ShownPlans {
             system: name.to_owned(),
             objects: objects.collect(),
             step,

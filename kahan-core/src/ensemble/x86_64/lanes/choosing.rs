@@ -3,7 +3,7 @@
 use core::arch::x86_64::*;
 
 use crate::ensemble::lanes::Square;
-use crate::ensemble::registers::{Choosing, choosing};
+use crate::ensemble::registers::{SelectLanes, choosing};
 
 use super::{machine, transposing};
 

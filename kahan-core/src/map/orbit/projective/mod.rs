@@ -4,7 +4,7 @@
 //! while they preserve enough digits ([`memory`]). Otherwise the orbit follows lines ([`passage`])
 //! over numbers that depend on a small δ ([`germ`]), until points merged by the pole separate.
 
-mod germ;
+mod delta_series;
 mod memory;
 mod passage;
 mod point;
@@ -20,7 +20,7 @@ use nalgebra::SVector;
 use crate::step::error::Reason;
 use crate::{ExtendScalars, KahanAt, Orbit, PreparedStep, SingularStep};
 
-use passage::{Lost, Passage, Place};
+use passage::{NoLimit, Passage, PassagePoint};
 pub use point::ProjectivePoint;
 pub use through::ThroughPoles;
 
@@ -37,12 +37,12 @@ pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     map: M,
     eps: T,
     prepared: M::Prepared,
-    at: At<M, T, N>,
+    at: OrbitPosition<M, T, N>,
     stopped: Option<SingularStep>,
 }
 
 #[derive(Clone)]
-enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
+enum OrbitPosition<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     First(SVector<T, N>),
     Point {
         x: SVector<T, N>,
@@ -53,9 +53,9 @@ enum At<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     Nowhere,
 }
 
-impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> At<M, T, N> {
+impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> OrbitPosition<M, T, N> {
     fn point(x: SVector<T, N>) -> Self {
-        At::Point { x, is_flat: false }
+        OrbitPosition::Point { x, is_flat: false }
     }
 }
 
@@ -100,7 +100,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
     /// ```
     pub fn projective(self) -> Projective<M, T, N> {
         let Self { map: KahanAt { map, eps, prepared }, state, begun, .. } = self;
-        let at = if begun { At::point(state) } else { At::First(state) };
+        let at = if begun { OrbitPosition::point(state) } else { OrbitPosition::First(state) };
         Projective { map, eps, prepared, at, stopped: None }
     }
 }
@@ -120,19 +120,19 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
 
     /// Returns the next point if it does not follow by an ordinary step.
     #[cold]
-    fn elsewhere(&mut self) -> Option<ProjectivePoint<T, N>> {
-        match mem::replace(&mut self.at, At::Nowhere) {
-            At::First(x) => Some(self.at_point(x)),
-            At::Point { x, .. } => self.after(x),
-            At::Passage(passage) => self.along(passage),
-            At::Nowhere => None,
+    fn next_beyond_steps(&mut self) -> Option<ProjectivePoint<T, N>> {
+        match mem::replace(&mut self.at, OrbitPosition::Nowhere) {
+            OrbitPosition::First(x) => Some(self.at_point(x)),
+            OrbitPosition::Point { x, .. } => self.after(x),
+            OrbitPosition::Passage(passage) => self.continue_passage(passage),
+            OrbitPosition::Nowhere => None,
         }
     }
 
     fn after(&mut self, x: SVector<T, N>) -> Option<ProjectivePoint<T, N>> {
         let next = self.prepared.next(&x);
         if let Some(next) = &next
-            && T::keeps(&self.map, &x, next, &self.eps, &mut false)
+            && T::retains_digits(&self.map, &x, next, &self.eps, &mut false)
         {
             return Some(self.at_point(next.clone()));
         }
@@ -141,9 +141,9 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         }
         match self.begin(x) {
             Ok(point) => Some(point),
-            Err(Lost::Ambiguous) => self.stop(Reason::Indeterminate),
+            Err(NoLimit::Ambiguous) => self.stop(Reason::Indeterminate),
             // Continues with the ordinary step, if it is finite.
-            Err(Lost::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
+            Err(NoLimit::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
                 Some(next) => Some(self.at_point(next)),
                 None => self.stop(Reason::Unfollowed),
             },
@@ -151,40 +151,41 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
     }
 
     fn at_point(&mut self, x: SVector<T, N>) -> ProjectivePoint<T, N> {
-        self.at = At::point(x.clone());
+        self.at = OrbitPosition::point(x.clone());
         x.into()
     }
 
-    fn begin(&mut self, x: SVector<T, N>) -> Result<ProjectivePoint<T, N>, Lost> {
+    fn begin(&mut self, x: SVector<T, N>) -> Result<ProjectivePoint<T, N>, NoLimit> {
         if N > MOST_VARIABLES {
-            return Err(Lost::Unknown);
+            return Err(NoLimit::Unknown);
         }
         let mut passage = Box::new(Passage::from(&self.map, &self.eps, x));
         let place = passage.advance()?;
         Ok(self.arrive(passage, place))
     }
 
-    fn along(&mut self, mut passage: Box<Passage<M, T, N>>) -> Option<ProjectivePoint<T, N>> {
+    fn continue_passage(&mut self, mut passage: Box<Passage<M, T, N>>) -> Option<ProjectivePoint<T, N>> {
         match passage.advance() {
             Ok(place) => Some(self.arrive(passage, place)),
-            Err(Lost::Ambiguous) => self.stop(Reason::Indeterminate),
-            Err(Lost::Unknown) => self.forget(*passage),
+            Err(NoLimit::Ambiguous) => self.stop(Reason::Indeterminate),
+            Err(NoLimit::Unknown) => self.leave_passage(*passage),
         }
     }
 
-    fn arrive(&mut self, passage: Box<Passage<M, T, N>>, place: Place<T, N>) -> ProjectivePoint<T, N> {
-        let Place { point, is_through } = place;
-        let is_over = is_through == Some(true) || (passage.taken() >= MOST_STEPS && !point.is_infinite());
+    fn arrive(&mut self, passage: Box<Passage<M, T, N>>, place: PassagePoint<T, N>) -> ProjectivePoint<T, N> {
+        let PassagePoint { point, is_through } = place;
+        let is_over =
+            is_through == Some(true) || (passage.steps_taken() >= MOST_STEPS && !point.is_infinite());
         self.at = match point.clone().affine() {
-            Some(x) if is_over => At::point(x),
-            _ => At::Passage(passage),
+            Some(x) if is_over => OrbitPosition::point(x),
+            _ => OrbitPosition::Passage(passage),
         };
         point
     }
 
     /// Returns the next point from the last point only, dropping the lines.
-    fn forget(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
-        match passage.into_last().and_then(ProjectivePoint::affine) {
+    fn leave_passage(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
+        match passage.into_last_point().and_then(ProjectivePoint::affine) {
             Some(x) => self.after(x),
             None => self.stop(Reason::Unfollowed),
         }
@@ -197,14 +198,14 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Proje
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         // Updates the state in place; moving it would lengthen the critical path of the orbit.
-        if let At::Point { x, is_flat } = &mut self.at
+        if let OrbitPosition::Point { x, is_flat } = &mut self.at
             && let Some(next) = self.prepared.next(x)
-            && T::keeps(&self.map, x, &next, &self.eps, is_flat)
+            && T::retains_digits(&self.map, x, &next, &self.eps, is_flat)
         {
             x.clone_from(&next);
             return Some(next.into());
         }
-        self.elsewhere()
+        self.next_beyond_steps()
     }
 }
 

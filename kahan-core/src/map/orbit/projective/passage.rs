@@ -13,7 +13,7 @@ use crate::field::linear::solve;
 use crate::{ExtendScalars, KahanMap, Scalar};
 
 use super::ThroughPoles;
-use super::germ::Germ;
+use super::delta_series::DeltaSeries;
 use super::point::ProjectivePoint;
 
 /// Arbitrary slopes of the lines; small integers would often sum to 0 or lie in a special plane.
@@ -50,14 +50,14 @@ fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>
     SMatrix::from_fn(|i, j| (0..N).fold(S::zero(), |sum, k| sum + a[(i, k)].clone() * b[(k, j)].clone()))
 }
 
-pub(super) struct Place<T, const N: usize> {
+pub(super) struct PassagePoint<T, const N: usize> {
     pub(super) point: ProjectivePoint<T, N>,
     /// Whether merged points are separate again; `None` if unknown.
     pub(super) is_through: Option<bool>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Lost {
+pub(super) enum NoLimit {
     /// The limits along two lines differ, even in the last attempt.
     Ambiguous,
     /// The last attempt shows no limit.
@@ -67,38 +67,41 @@ pub(super) enum Lost {
 #[derive(Clone)]
 pub(super) struct Passage<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     start: SVector<T, N>,
-    unit: T::Germ,
-    map: M::Extended<T::Germ>,
-    eps: T::Germ,
+    unit: T::DeltaSeries,
+    map: M::Extended<T::DeltaSeries>,
+    eps: T::DeltaSeries,
     effort: usize,
     taken: usize,
     last: Option<ProjectivePoint<T, N>>,
-    lines: Vec<ProjectiveLine<T::Germ, N>>,
+    lines: Vec<ProjectiveLine<T::DeltaSeries, N>>,
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
-        let (map, eps, unit) =
-            (map.extend_scalars(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
+        let (map, eps, unit) = (
+            map.extend_scalars(T::DeltaSeries::of),
+            T::DeltaSeries::of(eps),
+            T::DeltaSeries::unit(start.as_slice()),
+        );
         let mut passage = Self { start, unit, map, eps, effort: 0, taken: 0, last: None, lines: Vec::new() };
         passage.begin();
         passage
     }
 
-    pub(super) fn taken(&self) -> usize {
+    pub(super) fn steps_taken(&self) -> usize {
         self.taken
     }
 
-    pub(super) fn into_last(self) -> Option<ProjectivePoint<T, N>> {
+    pub(super) fn into_last_point(self) -> Option<ProjectivePoint<T, N>> {
         self.last
     }
 
     /// Returns the next point; repeats all steps in further attempts if necessary.
-    pub(super) fn advance(&mut self) -> Result<Place<T, N>, Lost> {
+    pub(super) fn advance(&mut self) -> Result<PassagePoint<T, N>, NoLimit> {
         let mut steps = 1;
         loop {
             let place = self.attempt(steps);
-            let is_last = self.effort + 1 == T::Germ::EFFORTS;
+            let is_last = self.effort + 1 == T::DeltaSeries::EFFORTS;
             match place {
                 Some(Err(lost)) if is_last => return Err(lost),
                 Some(Ok(place)) if place.is_through.is_some() || is_last => {
@@ -106,7 +109,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
                     self.last = Some(place.point.clone());
                     return Ok(place);
                 }
-                None if is_last => return Err(Lost::Unknown),
+                None if is_last => return Err(NoLimit::Unknown),
                 _ => {
                     self.effort += 1;
                     self.begin();
@@ -117,30 +120,31 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
     }
 
     fn begin(&mut self) {
-        let delta = T::Germ::delta(self.effort);
+        let delta = T::DeltaSeries::delta(self.effort);
         let lines = if delta.is_zero() { 1 } else { 2 };
         self.lines = (0..lines).map(|line| self.line(line, &delta)).collect();
     }
 
-    fn line(&self, line: usize, delta: &T::Germ) -> ProjectiveLine<T::Germ, N> {
+    fn line(&self, line: usize, delta: &T::DeltaSeries) -> ProjectiveLine<T::DeltaSeries, N> {
         let along = self.unit.clone() * delta.clone();
-        let moved = |i: usize| T::Germ::of(&self.start[i]) + along.clone() * slope(i, line, self.effort);
-        let unit = |i, j| if i == j { T::Germ::one() } else { T::Germ::zero() };
+        let moved =
+            |i: usize| T::DeltaSeries::of(&self.start[i]) + along.clone() * slope(i, line, self.effort);
+        let unit = |i, j| if i == j { T::DeltaSeries::one() } else { T::DeltaSeries::zero() };
         let derivative = (line == 0).then(|| SMatrix::from_fn(unit));
         ProjectiveLine { point: SVector::from_fn(|i, _| moved(i)), derivative }
     }
 
     /// Advances all lines by `steps` steps; `None` if this attempt does not determine the point.
-    fn attempt(&mut self, steps: usize) -> Option<Result<Place<T, N>, Lost>> {
+    fn attempt(&mut self, steps: usize) -> Option<Result<PassagePoint<T, N>, NoLimit>> {
         let Self { unit, map, eps, effort, lines, .. } = self;
         let mut common: Option<ProjectivePoint<T, N>> = None;
         for line in lines.iter_mut() {
             for _ in 0..steps {
                 line.advance(map, eps)?;
             }
-            let limit = T::Germ::limit(&line.point, unit, *effort)?;
+            let limit = T::DeltaSeries::limit(&line.point, unit, *effort)?;
             match &common {
-                Some(other) if !are_near(other, &limit) => return Some(Err(Lost::Ambiguous)),
+                Some(other) if !are_near(other, &limit) => return Some(Err(NoLimit::Ambiguous)),
                 Some(_) => {}
                 None => common = Some(limit),
             }
@@ -152,9 +156,9 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
             let line = &lines[0];
             line.derivative
                 .as_ref()
-                .and_then(|derivative| T::Germ::is_one_to_one(derivative, &line.point, unit))
+                .and_then(|derivative| T::DeltaSeries::is_one_to_one(derivative, &line.point, unit))
         };
-        Some(Ok(Place { point, is_through }))
+        Some(Ok(PassagePoint { point, is_through }))
     }
 }
 

@@ -9,20 +9,20 @@ use nalgebra::SVector;
 use crate::scalar::Wide;
 use crate::{Dd, KahanMap, Pivot, Scalar};
 
-use super::germ::Germ;
+use super::delta_series::DeltaSeries;
 use super::memory::{has_small_slopes, is_far_from_singular};
 
 /// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`], or `BigRational` (`exact`).
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
-pub trait ThroughPoles: Pivot + Followed {}
+pub trait ThroughPoles: Pivot + PassageScalar {}
 
 /// A scalar whose orbits can be continued through poles.
-pub(super) trait Followed: Scalar {
-    type Germ: Germ<Self>;
+pub(super) trait PassageScalar: Scalar {
+    type DeltaSeries: DeltaSeries<Self>;
 
     /// Returns whether x̃ preserves enough digits of x. `is_flat` says whether |εf′| is known to be
     /// small: at x on entry, at x̃ on return.
-    fn keeps<M: KahanMap<Self, N>, const N: usize>(
+    fn retains_digits<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         x: &SVector<Self, N>,
         next: &SVector<Self, N>,
@@ -45,11 +45,11 @@ macro_rules! implement_for_float {
     ($float:ty, $last_digit:expr) => {
         impl ThroughPoles for $float {}
 
-        impl Followed for $float {
-            type Germ = Wide;
+        impl PassageScalar for $float {
+            type DeltaSeries = Wide;
 
             #[inline(always)]
-            fn keeps<M: KahanMap<Self, N>, const N: usize>(
+            fn retains_digits<M: KahanMap<Self, N>, const N: usize>(
                 map: &M,
                 x: &SVector<Self, N>,
                 next: &SVector<Self, N>,
@@ -92,10 +92,10 @@ implement_for_float!(Dd, f64::EPSILON * f64::EPSILON);
 impl ThroughPoles for num_rational::BigRational {}
 
 #[cfg(feature = "exact")]
-impl Followed for num_rational::BigRational {
-    type Germ = crate::scalar::Laurent<Self>;
+impl PassageScalar for num_rational::BigRational {
+    type DeltaSeries = crate::scalar::Laurent<Self>;
 
-    fn keeps<M: KahanMap<Self, N>, const N: usize>(
+    fn retains_digits<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         _x: &SVector<Self, N>,
         next: &SVector<Self, N>,

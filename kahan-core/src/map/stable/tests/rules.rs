@@ -18,12 +18,12 @@ const EXACTLY: (i64, i64) = (0, 0);
 
 /// Returns (1+u)ᵏ for 1: a value with k roundings upwards.
 fn rounded_up<const BITS: i32>(k: usize) -> Beside<BITS> {
-    let one = Beside::given(1.0);
+    let one = Beside::from_input(1.0);
     off_by(UP, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
 }
 
 fn rounded_down<const BITS: i32>(k: usize) -> Beside<BITS> {
-    let one = Beside::given(1.0);
+    let one = Beside::from_input(1.0);
     off_by(DOWN, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
 }
 
@@ -39,7 +39,7 @@ const ALL: f64 = 1.0 / SLACK - 1e-4;
 
 #[test]
 fn inputs_and_whole_literals_are_exact_and_others_are_rounded_once() {
-    for exact in [Beside::<FINE>::given(0.3), Beside::literal(7, 1)] {
+    for exact in [Beside::<FINE>::from_input(0.3), Beside::literal(7, 1)] {
         assert_eq!((exact.bounded.roundings(), exact.error()), (0, Q::from_integer(0.into())));
     }
     let third = off_by(UP, || Beside::<FINE>::literal(1, 3));
@@ -48,12 +48,12 @@ fn inputs_and_whole_literals_are_exact_and_others_are_rounded_once() {
 
 #[test]
 fn a_sum_rounds_once() {
-    let (one, two) = (Beside::<FINE>::given(1.0), Beside::given(2.0));
+    let (one, two) = (Beside::<FINE>::from_input(1.0), Beside::from_input(2.0));
     for direction in [UP, DOWN] {
         assert_near(&off_by(direction, || one.plus(&two)), ALL);
         assert_near(&off_by(direction, || one.minus(&two.negated())), ALL);
         // A sum at the end of a multiply-add, after a product of 0.
-        let nothing = Beside::given(0.0);
+        let nothing = Beside::from_input(0.0);
         assert_near(&off_by(direction, || nothing.times_plus(&one, &two)), 0.4);
     }
 }
@@ -74,7 +74,7 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
         assert_near(&off_by(UP, || rounded_up::<FINE>(a).times(&rounded_up(b))), ALL);
         assert_near(&off_by(DOWN, || rounded_down::<FINE>(a).times(&rounded_down(b))), ALL);
-        let nothing = Beside::given(0.0);
+        let nothing = Beside::from_input(0.0);
         let sum = off_by(UP, || rounded_up::<FINE>(a).times_plus(&rounded_up(b), &nothing));
         assert_near(&sum, ALL);
     }
@@ -131,9 +131,9 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
 /// A divisor whose error may reach 1/64 of it has no quotient.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
-    let one = Beside::<COARSE>::given(1.0);
+    let one = Beside::<COARSE>::from_input(1.0);
     // b̂ = (1+u)ᵏ − d, with a magnitude of 1 + d.
-    let divisor = |d: f64| off_by(EXACTLY, || rounded_up::<COARSE>(3).minus(&Beside::given(d)));
+    let divisor = |d: f64| off_by(EXACTLY, || rounded_up::<COARSE>(3).minus(&Beside::from_input(d)));
     let mut seen = [0, 0];
     for step in 0..1000 {
         let divisor = divisor(f64::from(step) / 1000.0);
@@ -175,7 +175,7 @@ fn negation_rounds_nothing_and_keeps_the_error() {
 
 #[test]
 fn what_is_divided_by_eps_is_rounded_once_more() {
-    let eps = Beside::<FINE>::given(0.5);
+    let eps = Beside::<FINE>::from_input(0.5);
     assert_near(&off_by(UP, || Beside::literal(3, 1).over_input(&eps)), ALL);
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
@@ -185,7 +185,7 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
         for is_whole in [false, true] {
-            let one = if is_whole { Beside::<FINE>::literal(1, 1) } else { Beside::given(1.0) };
+            let one = if is_whole { Beside::<FINE>::literal(1, 1) } else { Beside::from_input(1.0) };
             let (numerator, reciprocal, product) = off_by(UP, || {
                 let numerator = rounded_up::<FINE>(n);
                 let reciprocal = one.over(&rounded_down(d)).expect("a quotient");
@@ -206,7 +206,7 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
 #[test]
 fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
-        let (numerator, factor) = (rounded_up::<FINE>(n), Beside::given(0.75));
+        let (numerator, factor) = (rounded_up::<FINE>(n), Beside::from_input(0.75));
         let product = off_by(UP, || numerator.times(&factor));
         let weight = factor.bounded.weight(numerator.bounded.roundings());
         let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
@@ -220,11 +220,11 @@ fn a_weight_of_an_exact_number_counts_the_product() {
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
     let third = crate::Constant::ratio(1, 3);
-    let exact = Bounded::<Wide>::given(Wide::from(1.0)) + crate::Scalar::constant(&third);
+    let exact = Bounded::<Wide>::from_input(Wide::from(1.0)) + crate::Scalar::constant(&third);
     assert!(f64::from(exact.error()) == 0.0 && exact.roundings() == 0);
-    let sum = Bounded::<Wide>::given(Wide::from(1e300)) + Bounded::given(Wide::from(3e-300));
+    let sum = Bounded::<Wide>::from_input(Wide::from(1e300)) + Bounded::from_input(Wide::from(3e-300));
     let quotient = exact.quotient(sum).expect("a quotient");
-    assert!(exact.quotient(Bounded::given(Wide::from(1e-300))).is_some());
+    assert!(exact.quotient(Bounded::from_input(Wide::from(1e-300))).is_some());
     let radius = quotient.value().radius();
     assert!(radius > Size::from(0.0) && quotient.error() >= radius);
     assert!(quotient.magnitude() * Size::from(Wide::UNIT) >= radius);
@@ -236,14 +236,14 @@ fn a_known_radius_is_the_error() {
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn packed_pairs_are_pairs() {
-    use crate::scalar::bounded::{Both, Pair};
+    use crate::scalar::bounded::{BoundedPair, UnpackedPair};
     use crate::scalar::bounded::{PackedDouble, PackedSingle};
-    fn same<V: Number, P: Pair<V>>(packed: P, both: Both<V>) {
+    fn same<V: Number, P: BoundedPair<V>>(packed: P, both: UnpackedPair<V>) {
         assert!(packed.value() == both.value() && packed.magnitude() == both.magnitude());
     }
-    fn check<V: Number, P: Pair<V>>(a: (V, V::Magnitude), b: (V, V::Magnitude)) {
+    fn check<V: Number, P: BoundedPair<V>>(a: (V, V::Magnitude), b: (V, V::Magnitude)) {
         let (p, q) = (P::new(a.0, a.1), P::new(b.0, b.1));
-        let (x, y) = (Both::new(a.0, a.1), Both::new(b.0, b.1));
+        let (x, y) = (UnpackedPair::new(a.0, a.1), UnpackedPair::new(b.0, b.1));
         same(p.plus(q), x.plus(y));
         same(p.minus(q), x.minus(y));
         same(p.times(q), x.times(y));

@@ -4,13 +4,13 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use nalgebra::SVector;
 
-use super::super::attempt::Attempt;
-use super::super::rungs::{PROMISE, in_own_precision};
-use super::super::scalars::Promised;
+use super::super::bounded_step::BoundedStep;
+use super::super::precisions::{PROMISE, in_own_precision};
+use super::super::scalars::PromiseScalar;
 use super::worst::{Q, Worst, off_by, two_to};
 use crate::scalar::Wide;
-use crate::scalar::bounded::Both;
 use crate::scalar::bounded::Bounded;
+use crate::scalar::bounded::UnpackedPair;
 use crate::scalar::bounded::{Number, power_of_two};
 use crate::{Dd, ExtendScalars, KahanMap, Pivot, PreparedStep, vector};
 
@@ -45,13 +45,13 @@ crate::kahan! {
 
 crate::kahan! {
     /// A numerator of many roundings over a short denominator.
-    struct Long { a }
+    struct LongNumber { a }
     xdot = -x + a^12*y;
     ydot = 0;
 }
 
-impl<const BITS: i32> Promised for Worst<BITS> {
-    type Packed = Both<Self>;
+impl<const BITS: i32> PromiseScalar for Worst<BITS> {
+    type Packed = UnpackedPair<Self>;
     type Wider = Self;
     const IS_WIDEST: bool = true;
 
@@ -99,17 +99,17 @@ fn by_step<M, const N: usize>(
     map: &M,
     x: &SVector<Bounded<Number24>, N>,
     eps: Bounded<Number24>,
-) -> Option<Attempt<Number24, N>>
+) -> Option<BoundedStep<Number24, N>>
 where
     M: KahanMap<Bounded<Number24>, N>,
 {
-    Some(Attempt::by_increments(x, map.prepare(&eps).quotients(x)?))
+    Some(BoundedStep::by_increments(x, map.prepare(&eps).quotients(x)?))
 }
 
 /// Returns the largest ratio of an attempt's error to its bound.
 fn largest_part<M, const N: usize>(
     map: &M,
-    attempt: impl Fn(&SVector<f64, N>, f64) -> Option<Attempt<Number24, N>>,
+    attempt: impl Fn(&SVector<f64, N>, f64) -> Option<BoundedStep<Number24, N>>,
 ) -> f64
 where
     M: ExtendScalars<Number24, N>,
@@ -134,26 +134,27 @@ where
     largest
 }
 
-fn given<const N: usize>(x: &SVector<f64, N>) -> SVector<Bounded<Number24>, N> {
-    x.map(|x| Bounded::given(Worst::of_float(x)))
+fn from_input<const N: usize>(x: &SVector<f64, N>) -> SVector<Bounded<Number24>, N> {
+    x.map(|x| Bounded::from_input(Worst::of_float(x)))
 }
 
 #[test]
 fn an_attempt_is_within_what_it_says() {
-    let convert = |value: &Number24| Bounded::<Number24>::given(*value);
-    let eps = |eps: f64| Bounded::<Number24>::given(Worst::of_float(eps));
+    let convert = |value: &Number24| Bounded::<Number24>::from_input(*value);
+    let eps = |eps: f64| Bounded::<Number24>::from_input(Worst::of_float(eps));
     let riccati = Riccati { k: Number24::of_float(0.75) };
     let chain = Chain { a: Number24::of_float(-0.625) };
-    let part = largest_part(&riccati, |x, e| by_step(&riccati.extend_scalars(convert), &given(x), eps(e)));
+    let part =
+        largest_part(&riccati, |x, e| by_step(&riccati.extend_scalars(convert), &from_input(x), eps(e)));
     assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| by_step(&chain.extend_scalars(convert), &given(x), eps(e)));
+    let part = largest_part(&chain, |x, e| by_step(&chain.extend_scalars(convert), &from_input(x), eps(e)));
     assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
     let part = largest_part(&riccati, |x, e| {
-        Attempt::by_reduced_map(&riccati.extend_scalars(convert), &given(x), eps(e))
+        BoundedStep::by_reduced_map(&riccati.extend_scalars(convert), &from_input(x), eps(e))
     });
     assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
     let part = largest_part(&chain, |x, e| {
-        Attempt::by_reduced_map(&chain.extend_scalars(convert), &given(x), eps(e))
+        BoundedStep::by_reduced_map(&chain.extend_scalars(convert), &from_input(x), eps(e))
     });
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
@@ -163,10 +164,10 @@ fn an_attempt_is_within_what_it_says() {
 fn an_attempt_has_the_roundings_of_its_numerators() {
     let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
     let rational = |x: f64| Q::from_float(x).expect("finite");
-    let exact = Long { a: rational(a) }.step(&x.map(rational), rational(eps));
+    let exact = LongNumber { a: rational(a) }.step(&x.map(rational), rational(eps));
     let attempt = off_by((1, 0), || {
-        let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
-        by_step(&Long { a }, &given(&x), eps).expect("no pole is near")
+        let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::from_input(Worst::of_float(number)));
+        by_step(&LongNumber { a }, &from_input(&x), eps).expect("no pole is near")
     });
     // The second component is larger; the first starts at 0, so its last roundings are of its size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;

@@ -20,12 +20,12 @@ fn assert_allowed(value: &Value) {
 
 /// Returns the largest input that a formula permits, found with inputs of 1.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
-    formula(&Value::given(1.0)).bounded.largest_input().size()
+    formula(&Value::from_input(1.0)).bounded.largest_input().size()
 }
 
 #[test]
 fn an_operation_that_underflows_is_allowed_for() {
-    let (zero, one) = (Value::given(0.0), Value::given(1.0));
+    let (zero, one) = (Value::from_input(0.0), Value::from_input(1.0));
     for value in off_by(TINY, || [zero.times(&one), zero.plus(&zero), zero.over(&one).expect("a quotient")]) {
         assert_allowed(&value);
     }
@@ -36,11 +36,11 @@ fn an_operation_that_underflows_is_allowed_for() {
 fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
     for count in 2..8 {
         let formula = |x: &Value| {
-            let tiny = Value::given(0.0).times(&Value::given(0.0));
+            let tiny = Value::from_input(0.0).times(&Value::from_input(0.0));
             off_by((0, 0), || (0..count).fold(tiny.clone(), |product, _| product.times(x)))
         };
         let largest = largest_input(formula);
-        let value = off_by(TINY, || formula(&Value::given(largest)));
+        let value = off_by(TINY, || formula(&Value::from_input(largest)));
         assert_allowed(&value);
     }
 }
@@ -49,21 +49,21 @@ fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
 fn sums_and_constants_take_their_bits() {
     // The error doubles 18 times, which leaves 2 bits for the input.
     let formula = |x: &Value| {
-        let tiny = Value::given(0.0).times(&Value::given(0.0));
+        let tiny = Value::from_input(0.0).times(&Value::from_input(0.0));
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
     };
     let largest = largest_input(formula);
     assert!(largest <= 4.0);
-    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
+    assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 
     let formula = |x: &Value| {
-        let tiny = Value::given(0.0).times(&Value::given(0.0));
+        let tiny = Value::from_input(0.0).times(&Value::from_input(0.0));
         let large = Value::literal(1 << 7, 1);
         off_by((0, 0), || tiny.times(x).times(&large).times(&large))
     };
     let largest = largest_input(formula);
     assert!(largest <= power_of_two(20 - 14));
-    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
+    assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
 /// Quotients by the least divisor amplify η by its bits, or twice if the divisor has an error.
@@ -71,29 +71,29 @@ fn sums_and_constants_take_their_bits() {
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
     let formula = |x: &Value| {
-        let divisor = |least: f64| Value::given(least).plus(&Value::given(0.0));
-        let first = Value::given(0.0).times(&Value::given(0.0)).times(x);
+        let divisor = |least: f64| Value::from_input(least).plus(&Value::from_input(0.0));
+        let first = Value::from_input(0.0).times(&Value::from_input(0.0)).times(x);
         first.over(&divisor(least)).and_then(|v| v.over(&divisor(least))).expect("a quotient")
     };
     // One input of the numerator and two of the divisors.
     let largest = largest_input(formula);
     assert!(largest <= power_of_two((20 - 16) / 2), "{largest}");
-    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
+    assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
     // v̂·(b̂ − b)/b̂ with v̂ = 1/b̂.
     let formula = |x: &Value| {
-        let divisor = Value::given(least).plus(&Value::given(0.0));
-        Value::given(1.0).times(x).over(&divisor).expect("a quotient")
+        let divisor = Value::from_input(least).plus(&Value::from_input(0.0));
+        Value::from_input(1.0).times(x).over(&divisor).expect("a quotient")
     };
     let largest = largest_input(formula);
-    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
-    assert!(Value::given(1.0).over(&Value::given(least / 1.02)).is_none());
+    assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
+    assert!(Value::from_input(1.0).over(&Value::from_input(least / 1.02)).is_none());
 }
 
 #[test]
 fn steps_divided_by_eps_take_the_bits_of_steps() {
-    let least = Value::given(power_of_two(-(Worst::<FINE>::RANGE.bits_of_steps as i32)));
+    let least = Value::from_input(power_of_two(-(Worst::<FINE>::RANGE.bits_of_steps as i32)));
     let formula = |x: &Value| {
-        let tiny = Value::given(0.0).times(&Value::given(0.0)).times(x);
+        let tiny = Value::from_input(0.0).times(&Value::from_input(0.0)).times(x);
         off_by((0, 0), || {
             let large = Value::literal(1, 1).over_input(&least);
             tiny.times(&large).times(&large).times(&large)
@@ -101,7 +101,7 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     };
     let largest = largest_input(formula);
     assert!(largest <= power_of_two(20 - 18));
-    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
+    assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
 /// Premises that constants and operations can violate without inputs. Each is necessary: just
@@ -109,7 +109,7 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
-    use crate::scalar::bounded::{Bounded, Limit, Number, power_of_two};
+    use crate::scalar::bounded::{Bounded, InputLimit, Number, power_of_two};
     use crate::{Constant, Scalar};
 
     const MOST_UNDERFLOWS: u32 = 1024;
@@ -123,14 +123,17 @@ mod premises {
 
     #[test]
     fn inputs_are_below_the_smaller_one_of_two_limits() {
-        let (low, high) = (Limit::below(3), Limit::below(9));
-        for (a, b) in [(low, high), (high, low), (low, Limit::ANY), (Limit::ANY, low)] {
+        let (low, high) = (InputLimit::below(3), InputLimit::below(9));
+        for (a, b) in [(low, high), (high, low), (low, InputLimit::ANY), (InputLimit::ANY, low)] {
             assert_eq!(a.and(b), low);
         }
         assert!(low.allows(7.99) && !low.allows(8.0) && !low.allows(f64::NAN));
-        assert!(Limit::ANY.allows(f64::MAX) && !Limit::ANY.allows(f64::NAN));
-        assert_eq!((low.and(Limit::NONE), Limit::NONE.and(low)), (Limit::NONE, Limit::NONE));
-        assert!(!Limit::NONE.allows(0.0));
+        assert!(InputLimit::ANY.allows(f64::MAX) && !InputLimit::ANY.allows(f64::NAN));
+        assert_eq!(
+            (low.and(InputLimit::NONE), InputLimit::NONE.and(low)),
+            (InputLimit::NONE, InputLimit::NONE)
+        );
+        assert!(!InputLimit::NONE.allows(0.0));
     }
 
     #[test]
@@ -138,17 +141,17 @@ mod premises {
         let bits = Worst::<FINEST>::RANGE.bits_of_products;
         // The literal 2 is below 2², and each doubling adds a bit.
         let large = |doublings: u32| doubled(&Value::literal(2, 1), doublings);
-        assert_eq!(large(bits - 2).bounded.largest_input(), Limit::below(0));
-        assert_eq!(large(bits - 1).bounded.largest_input(), Limit::NONE);
-        assert_eq!(large(bits + 40).bounded.largest_input(), Limit::NONE);
+        assert_eq!(large(bits - 2).bounded.largest_input(), InputLimit::below(0));
+        assert_eq!(large(bits - 1).bounded.largest_input(), InputLimit::NONE);
+        assert_eq!(large(bits + 40).bounded.largest_input(), InputLimit::NONE);
         let lost = |doublings: u32| {
             let large = large(doublings);
-            let tiny = off_by(TINY, || Value::given(0.0).times(&Value::given(0.0)));
+            let tiny = off_by(TINY, || Value::from_input(0.0).times(&Value::from_input(0.0)));
             off_by(TINY, || tiny.times(&large))
         };
         let (within, beyond) = (lost(bits - 2), lost(bits + 12));
-        assert!(within.bounded.largest_input() != Limit::NONE && within.part() <= 1.0);
-        assert!(beyond.bounded.largest_input() == Limit::NONE && beyond.part() > 1.0);
+        assert!(within.bounded.largest_input() != InputLimit::NONE && within.part() <= 1.0);
+        assert!(beyond.bounded.largest_input() == InputLimit::NONE && beyond.part() > 1.0);
     }
 
     #[test]
@@ -158,53 +161,53 @@ mod premises {
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
         };
-        assert_eq!(product(MOST_UNDERFLOWS, 0), Limit::below(20));
-        assert_eq!(product(MOST_UNDERFLOWS + 1, 0), Limit::NONE);
+        assert_eq!(product(MOST_UNDERFLOWS, 0), InputLimit::below(20));
+        assert_eq!(product(MOST_UNDERFLOWS + 1, 0), InputLimit::NONE);
         // A rounded literal may underflow as well.
-        assert_eq!(product(MOST_UNDERFLOWS / 2, 1), Limit::below(20));
-        assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), Limit::NONE);
+        assert_eq!(product(MOST_UNDERFLOWS / 2, 1), InputLimit::below(20));
+        assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), InputLimit::NONE);
         // A sum takes the underflows of the worse term and one bit for the other.
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
         let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
-        assert_eq!(sum.largest_input(), Limit::below(20 - 5));
+        assert_eq!(sum.largest_input(), InputLimit::below(20 - 5));
         let quotient = |count: u32| {
             let divisor = halves(count) + half(0);
             halves(count).quotient(divisor).expect("a divisor of a half").largest_input()
         };
-        assert_eq!(quotient(MOST_UNDERFLOWS / 2 - 1), Limit::below(20 - 9));
-        assert_eq!(quotient(MOST_UNDERFLOWS / 2), Limit::NONE);
+        assert_eq!(quotient(MOST_UNDERFLOWS / 2 - 1), InputLimit::below(20 - 9));
+        assert_eq!(quotient(MOST_UNDERFLOWS / 2), InputLimit::NONE);
     }
 
     /// Compares (1+u)ᵏ − 1 with 1.0625·k·u·(1−u)ᵏ, for coarse u and rounded magnitudes.
     #[test]
     fn no_more_roundings_are_counted_than_the_slack_pays_for() {
         const COARSE: i32 = 10;
-        let one = Beside::<COARSE>::given(1.0);
+        let one = Beside::<COARSE>::from_input(1.0);
         let rounded = |k: u32| off_by((1, 0), || (0..k).fold(one.clone(), |product, _| product.times(&one)));
         // 40 times 2⁻¹⁰ is about a 25th.
         with_low_magnitudes(|| {
             let (within, beyond) = (rounded(40), rounded(41));
             assert!(within.part() <= 1.0 && within.bounded.roundings() == 40, "{}", within.part());
-            assert_ne!(within.bounded.largest_input(), Limit::NONE);
-            assert_eq!(beyond.bounded.largest_input(), Limit::NONE);
+            assert_ne!(within.bounded.largest_input(), InputLimit::NONE);
+            assert_eq!(beyond.bounded.largest_input(), InputLimit::NONE);
             assert!(rounded(45).part() > 1.0);
         });
     }
 
     #[test]
     fn a_quotient_has_the_inputs_of_its_divisor() {
-        let input = || Bounded::<Worst<FINEST>>::given(Worst::of_float(1.0));
+        let input = || Bounded::<Worst<FINEST>>::from_input(Worst::of_float(1.0));
         let quotient = |divisor: Bounded<Worst<FINEST>>| input().quotient(divisor).expect("a divisor of 1");
         // A quotient uses twice the 4 bits of the least divisor, out of 20 bits.
-        assert_eq!(quotient(input()).largest_input(), Limit::below((20 - 8) / 2));
-        assert_eq!(quotient(input() * input() * input()).largest_input(), Limit::below((20 - 8) / 4));
+        assert_eq!(quotient(input()).largest_input(), InputLimit::below((20 - 8) / 2));
+        assert_eq!(quotient(input() * input() * input()).largest_input(), InputLimit::below((20 - 8) / 4));
         // b = x·(0·0)·x + ⅛: if its inputs did not count, 2¹⁰ would pass with an error 2²⁰·η of b.
         let size = power_of_two(10);
         let formula = |x: f64| {
-            let lost = off_by(TINY, || Beside::<FINEST>::given(0.0).times(&Beside::given(0.0)));
-            let lost = off_by((0, 0), || lost.times(&Beside::given(x)).times(&Beside::given(x)));
-            let divisor = off_by((0, 0), || Beside::<FINEST>::given(0.125).plus(&lost));
-            off_by((0, 0), || Beside::<FINEST>::given(x).over(&divisor)).expect("a divisor of an eighth")
+            let lost = off_by(TINY, || Beside::<FINEST>::from_input(0.0).times(&Beside::from_input(0.0)));
+            let lost = off_by((0, 0), || lost.times(&Beside::from_input(x)).times(&Beside::from_input(x)));
+            let divisor = off_by((0, 0), || Beside::<FINEST>::from_input(0.125).plus(&lost));
+            off_by((0, 0), || Beside::<FINEST>::from_input(x).over(&divisor)).expect("a divisor of an eighth")
         };
         assert!(!formula(1.0).bounded.largest_input().allows(size));
         assert!(formula(size).part() > 1.0);
@@ -213,10 +216,12 @@ mod premises {
     /// Unknown values stay unknown: ∞·0 is NaN, and comparisons with NaN are false.
     #[test]
     fn nothing_is_allowed_of_an_unknown_value() {
-        let unknown = || Bounded::<f64>::given(1.0) / Bounded::given(0.0);
-        let zero = || Bounded::<f64>::given(0.0);
-        for value in [unknown(), unknown() * zero(), zero() * unknown() + Bounded::given(1.0), -unknown()] {
-            assert_eq!(value.largest_input(), Limit::NONE);
+        let unknown = || Bounded::<f64>::from_input(1.0) / Bounded::from_input(0.0);
+        let zero = || Bounded::<f64>::from_input(0.0);
+        for value in
+            [unknown(), unknown() * zero(), zero() * unknown() + Bounded::from_input(1.0), -unknown()]
+        {
+            assert_eq!(value.largest_input(), InputLimit::NONE);
         }
     }
 
@@ -228,23 +233,26 @@ mod premises {
             (Bounded::<f32>::constant(&constant), Bounded::<f64>::constant(&constant))
         };
         let (single, double) = of(f32::INFINITY, 200_f64.exp2(), (&[0, 0, 0, 256], &[1]));
-        assert_eq!((single.largest_input(), double.largest_input()), (Limit::NONE, Limit::below(914 - 201)));
+        assert_eq!(
+            (single.largest_input(), double.largest_input()),
+            (InputLimit::NONE, InputLimit::below(914 - 201))
+        );
         let (single, double) = of(0.0, (-200_f64).exp2(), (&[1], &[0, 0, 0, 256]));
         assert!(f64::from(single.error()) >= (-200_f64).exp2() && double.roundings() == 1);
-        assert_ne!(single.largest_input(), Limit::NONE);
+        assert_ne!(single.largest_input(), InputLimit::NONE);
     }
 
     #[test]
     fn an_eps_beyond_its_bits_is_a_divisor_as_any() {
         let bits = Worst::<FINEST>::RANGE.bits_of_steps as i32;
-        let over = |eps: f64| Value::literal(1, 1).bounded / Bounded::given(Worst::of_float(eps));
+        let over = |eps: f64| Value::literal(1, 1).bounded / Bounded::from_input(Worst::of_float(eps));
         for sign in [1.0, -1.0] {
             for power in [bits, -bits] {
-                assert_eq!(over(sign * power_of_two(power)).largest_input(), Limit::below(20 - 1 - 6));
+                assert_eq!(over(sign * power_of_two(power)).largest_input(), InputLimit::below(20 - 1 - 6));
             }
             // A larger ε counts as an ordinary input; a smaller one may be an invalid divisor.
-            assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), Limit::below(20 - 1 - 8));
-            assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), Limit::NONE);
+            assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), InputLimit::below(20 - 1 - 8));
+            assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), InputLimit::NONE);
         }
     }
 
@@ -266,8 +274,8 @@ mod premises {
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");
     let (numerator, reciprocal, product) = off_by(TINY, || {
-        let numerator = Value::given(0.0).times(&Value::given(1.0));
-        let reciprocal = Value::given(1.0).over(&Value::given(0.125)).expect("a quotient");
+        let numerator = Value::from_input(0.0).times(&Value::from_input(1.0));
+        let reciprocal = Value::from_input(1.0).over(&Value::from_input(0.125)).expect("a quotient");
         (numerator.clone(), reciprocal.clone(), numerator.times(&reciprocal))
     });
     let roundings = numerator.bounded.roundings();
@@ -277,8 +285,8 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= bound);
     // Underflow in the reciprocal itself: r̂ = 0 with an increment of η.
     let (reciprocal, product) = off_by(TINY, || {
-        let reciprocal = Value::given(0.0).over(&Value::given(1.0)).expect("a quotient");
-        (reciprocal.clone(), Value::given(1.0).times(&reciprocal))
+        let reciprocal = Value::from_input(0.0).over(&Value::from_input(1.0)).expect("a quotient");
+        (reciprocal.clone(), Value::from_input(1.0).times(&reciprocal))
     });
     assert!(as_float(product.error()) <= f64::from(reciprocal.bounded.weight(0)) * Worst::<FINE>::UNIT);
 }
@@ -289,10 +297,12 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     const FINEST: i32 = 60;
     type Finest = Beside<FINEST>;
     let reciprocal = off_by(TINY, || {
-        let lost = Finest::given(0.0).times(&Finest::given(0.0)).times(&Finest::given(power_of_two(18)));
-        Finest::literal(1, 1).over(&Finest::given(0.25).plus(&lost)).expect("a quotient")
+        let lost = Finest::from_input(0.0)
+            .times(&Finest::from_input(0.0))
+            .times(&Finest::from_input(power_of_two(18)));
+        Finest::literal(1, 1).over(&Finest::from_input(0.25).plus(&lost)).expect("a quotient")
     });
-    let product = Finest::given(1.0).times(&reciprocal);
+    let product = Finest::from_input(1.0).times(&reciprocal);
     let error = product.error().to_f64().expect("a number");
     let bound = f64::from(reciprocal.bounded.weight(0)) * Worst::<FINEST>::UNIT;
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
@@ -306,8 +316,8 @@ macro_rules! floats_at_the_end_of_their_range {
             use crate::scalar::bounded::Bounded;
             for count in 1..9 {
                 let formula = |a: $float, b: $float, x: $float| {
-                    let tiny = Bounded::<$float>::given(a) * Bounded::given(b);
-                    (0..count).fold(tiny, |product, _| product * Bounded::given(x))
+                    let tiny = Bounded::<$float>::from_input(a) * Bounded::from_input(b);
+                    (0..count).fold(tiny, |product, _| product * Bounded::from_input(x))
                 };
                 let x = formula(1.0, 1.0, 1.0).largest_input().size() as $float;
                 let (a, b) = ($least, 0.5);

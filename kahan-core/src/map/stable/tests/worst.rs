@@ -9,7 +9,7 @@ use std::thread_local;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, ToPrimitive, Zero};
 
-use crate::scalar::bounded::{Both, Bounded, Magnitude, Number, Range, power_of_two};
+use crate::scalar::bounded::{Bounded, Magnitude, Number, Range, UnpackedPair, power_of_two};
 use crate::{Constant, Pivot, Scalar};
 
 pub(super) type Q = BigRational;
@@ -205,14 +205,14 @@ impl<const BITS: i32> One for Worst<BITS> {
 /// A bounded value together with the exact value of its formula.
 #[derive(Clone, Debug)]
 pub(super) struct Beside<const BITS: i32> {
-    pub(super) bounded: Bounded<Worst<BITS>, Both<Worst<BITS>>>,
+    pub(super) bounded: Bounded<Worst<BITS>, UnpackedPair<Worst<BITS>>>,
     pub(super) exact: Q,
 }
 
 impl<const BITS: i32> Beside<BITS> {
-    pub(super) fn given(value: f64) -> Self {
+    pub(super) fn from_input(value: f64) -> Self {
         let exact = Q::from_f64(value).expect("a finite number");
-        Self { bounded: Bounded::given(Worst::new(exact.clone())), exact }
+        Self { bounded: Bounded::from_input(Worst::new(exact.clone())), exact }
     }
 
     pub(super) fn literal(p: i64, q: i64) -> Self {

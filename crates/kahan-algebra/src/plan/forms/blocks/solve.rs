@@ -7,15 +7,15 @@ use kahan_syntax::rational::Rational;
 use crate::poly::{Polynomial, Variable};
 use crate::symbols::Symbol;
 
-use super::Arrangement;
 use super::Block;
+use super::BlockOrder;
 use super::Blocks;
 use crate::plan::Node;
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::minors::{Determinants, determinants};
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
-use crate::plan::writing::writer::{Entry, Writer};
+use crate::plan::writing::nesting::FormGoal;
+use crate::plan::writing::plan_draft::Signed;
+use crate::plan::writing::writer::{MatrixEntry, Writer};
 
 /// The most terms of a right-hand side with several distributions of ε to compare.
 const COMPARED_TERMS: usize = 12;
@@ -29,9 +29,9 @@ struct Solution {
     increments: Vec<Increment>,
 }
 
-impl Arrangement {
+impl BlockOrder {
     /// Returns the rotations of rows to try: at most `most`, and only distinct ones.
-    fn turns(&self, most: usize) -> Range<usize> {
+    fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
         };
@@ -40,12 +40,12 @@ impl Arrangement {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each rotation of rows, at most `turns`. All share the rows of the
+    /// Returns a candidate for each rotation of rows, at most `row_rotations`. All share the rows of the
     /// first block.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
-        arrangement: &Arrangement,
+        arrangement: &BlockOrder,
         turns: usize,
     ) -> Vec<Candidate> {
         let Some((first, others)) = arrangement.0.split_first() else { return Vec::new() };
@@ -60,7 +60,7 @@ impl Blocks<'_> {
             }
             solution.candidate(self.first)
         };
-        arrangement.turns(turns).map(candidate).collect()
+        arrangement.row_rotations(turns).map(candidate).collect()
     }
 
     fn start(&self, empty: &Writer) -> Solution {
@@ -70,7 +70,7 @@ impl Blocks<'_> {
         Solution { writer, increments: vec![still; self.field.dimension()] }
     }
 
-    fn solve(&self, block: &Block, mut rows: Vec<Vec<Entry>>, turn: usize, solution: &mut Solution) {
+    fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
             // An odd permutation of rows changes all signs, which cancel in the quotients.
@@ -125,14 +125,14 @@ impl Blocks<'_> {
 }
 
 impl Solution {
-    fn written_rows(&mut self, block: &Block) -> Vec<Vec<Entry>> {
+    fn written_rows(&mut self, block: &Block) -> Vec<Vec<MatrixEntry>> {
         let writer = &mut self.writer;
         let mut written_row = |row: &Vec<Polynomial>| {
             let last = row.len() - 1;
             let entry = |(j, entry): (usize, &Polynomial)| match j == last {
                 true if entry.len() <= COMPARED_TERMS => writer.cheapest_entry(entry),
-                true => writer.entry(entry, Goal::Few),
-                false => writer.entry(entry, Goal::Early),
+                true => writer.entry(entry, FormGoal::Few),
+                false => writer.entry(entry, FormGoal::Early),
             };
             row.iter().enumerate().map(entry).collect()
         };

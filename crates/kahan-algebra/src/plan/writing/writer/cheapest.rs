@@ -2,24 +2,24 @@
 
 use crate::poly::Polynomial;
 
-use super::Entry;
+use super::MatrixEntry;
 use super::Writer;
 use crate::plan::Node;
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::FormGoal;
+use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
     /// Writes a polynomial in unscaled symbols and ε with the cheapest distribution of powers of ε.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
-        self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
+        self.cheapest(&ways, |writer, way| writer.write(way, FormGoal::Few), |_| 0)
     }
 
-    pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
+    pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> MatrixEntry {
         let ways = self.scaling.ways(polynomial);
-        let write = |writer: &mut Self, way: &Polynomial| Entry {
+        let write = |writer: &mut Self, way: &Polynomial| MatrixEntry {
             polynomial: Some(way.clone()),
-            written: writer.write(way, Goal::Few),
+            written: writer.write(way, FormGoal::Few),
         };
         self.cheapest(&ways, write, |_| 0)
     }

@@ -5,7 +5,7 @@ use kahan_syntax::rational::Rational;
 use crate::poly::{Monomial, Polynomial, Variable};
 
 use super::Writer;
-use crate::plan::writing::draft::Signed;
+use crate::plan::writing::plan_draft::Signed;
 
 /// The most gathered coefficients: each new one is compared with all and takes a variable.
 const MOST_GATHERED: usize = 1024;

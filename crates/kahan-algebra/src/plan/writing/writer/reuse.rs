@@ -6,8 +6,8 @@ use kahan_syntax::table::Table;
 use crate::poly::{Monomial, Polynomial, Term};
 
 use super::Writer;
-use crate::plan::writing::draft::Signed;
-use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::nesting::FormGoal;
+use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
     /// Writes the polynomial as multiples of existing sums and a remainder; `None` if none shortens
@@ -26,12 +26,12 @@ impl Writer {
         let mut terms = Vec::new();
         for (sum, multiplier) in multipliers {
             let sum = self.steps[self.sums[sum]];
-            let multiplier = self.write(&multiplier, Goal::Few);
+            let multiplier = self.write(&multiplier, FormGoal::Few);
             let node = self.draft.product(&[multiplier.node, sum.node]);
             terms.push(Signed { node, negative: multiplier.negative != sum.negative });
         }
         if !rest.is_zero() {
-            terms.push(self.write(&rest, Goal::Few));
+            terms.push(self.write(&rest, FormGoal::Few));
         }
         Some(self.draft.signed_sum(&terms))
     }
@@ -39,7 +39,7 @@ impl Writer {
     /// Returns the sum g and the term m with the shortest remainder P − m·g, and the remainder. It
     /// must be shorter than P by at least two terms.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
-        let mut best: Option<(usize, Multiple)> = None;
+        let mut best: Option<(usize, KnownMultiple)> = None;
         for (index, &number) in self.sums.iter().enumerate() {
             let sum = &self.made[number];
             if sum.len() > polynomial.len() {
@@ -50,14 +50,14 @@ impl Writer {
                 best = Some((index, multiple));
             }
         }
-        let (index, Multiple { monomial, ratio, .. }) = best?;
+        let (index, KnownMultiple { monomial, ratio, .. }) = best?;
         let multiplier = Polynomial::term(monomial, ratio);
         let left = polynomial - &(&multiplier * &self.made[self.sums[index]]);
         Some((index, multiplier, left))
     }
 }
 
-struct Multiple {
+struct KnownMultiple {
     monomial: Monomial,
     ratio: Rational,
     /// The number of terms of P − m·g.
@@ -66,8 +66,8 @@ struct Multiple {
 
 /// Returns the term m with the fewest terms of P − m·g, if fewer than `least`. Ties go to the first
 /// quotient in the order of terms of P and g.
-fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<Multiple> {
-    let mut best: Option<Multiple> = None;
+fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<KnownMultiple> {
+    let mut best: Option<KnownMultiple> = None;
     for term in polynomial.as_terms() {
         let mut place = 0;
         loop {
@@ -94,7 +94,7 @@ fn multiple_at(
     sum: &Polynomial,
     [(dividend, coefficient), (divisor, scale)]: [&Term; 2],
     common: usize,
-) -> Option<Multiple> {
+) -> Option<KnownMultiple> {
     let monomial = dividend.div(divisor)?;
     let ratio = coefficient.checked_div(scale)?;
     let mut may_miss = sum.len() - common.div_ceil(2);
@@ -117,5 +117,5 @@ fn multiple_at(
         }
     }
     let left = polynomial.len() + sum.len() - met - equal;
-    (met + equal >= common).then_some(Multiple { monomial, ratio, left })
+    (met + equal >= common).then_some(KnownMultiple { monomial, ratio, left })
 }

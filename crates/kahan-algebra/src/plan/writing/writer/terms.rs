@@ -6,7 +6,7 @@ use crate::poly::{Monomial, Variable};
 
 use super::Writer;
 use crate::plan::Node;
-use crate::plan::writing::draft::Signed;
+use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::scaling::{INVERSE_STEP, is_power_of_two};
 
 impl Writer {

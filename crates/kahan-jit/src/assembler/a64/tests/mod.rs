@@ -3,20 +3,23 @@
 mod memory;
 mod operations;
 
-use super::general::{self, Forward};
-use super::{Assembler, Binary, Element, Form, Fused, General, Memory, Needs, Order, Source, Vector, Width};
+use super::general::{self, ForwardJump};
+use super::{
+    Assembler, Binary, Element, FrameNeeds, Fused, FusedOrder, GeneralRegister, Memory, OperandForm, Source,
+    Vector, Width,
+};
 
-const fn form(element: Element, width: Width) -> Form {
-    Form { element, width }
+const fn form(element: Element, width: Width) -> OperandForm {
+    OperandForm { element, width }
 }
 
-const S: Form = form(Element::Single, Width::Scalar);
-const D: Form = form(Element::Double, Width::Scalar);
-const S4: Form = form(Element::Single, Width::Bits128);
-const D2: Form = form(Element::Double, Width::Bits128);
+const S: OperandForm = form(Element::Single, Width::Scalar);
+const D: OperandForm = form(Element::Double, Width::Scalar);
+const S4: OperandForm = form(Element::Single, Width::Bits128);
+const D2: OperandForm = form(Element::Double, Width::Bits128);
 
 /// A form, the calls that write instructions, and the expected words.
-type Written<'a> = (Form, &'a dyn Fn(&mut Assembler), &'a [u32]);
+type Written<'a> = (OperandForm, &'a dyn Fn(&mut Assembler), &'a [u32]);
 
 /// The stack bytes, pointer use and vector registers of a function, and its expected words.
 type Frame<'a> = ((usize, bool, u8), &'a [u32]);
@@ -29,12 +32,13 @@ fn r(register: u8) -> Source {
     Source::Register(v(register))
 }
 
-fn g(register: u8) -> General {
-    let all = General::ARGUMENTS.into_iter().chain(General::SPARE).chain(General::POINTERS);
+fn g(register: u8) -> GeneralRegister {
+    let all =
+        GeneralRegister::ARGUMENTS.into_iter().chain(GeneralRegister::SPARE).chain(GeneralRegister::POINTERS);
     all.into_iter().find(|known| known.number() == u32::from(register)).expect("it has a name")
 }
 
-fn at(base: General, offset: i32) -> Memory {
+fn at(base: GeneralRegister, offset: i32) -> Memory {
     Memory::At { base, offset }
 }
 
@@ -54,7 +58,7 @@ fn check(all: &[Written<'_>]) {
 
 /// Assembles a function with an empty body.
 fn frame((stack, uses_pointers, vectors): (usize, bool, u8)) -> Vec<u32> {
-    let needs = Needs { stack, uses_pointers, vectors, instructions: 1 };
+    let needs = FrameNeeds { stack, uses_pointers, vectors, instructions: 1 };
     let mut assembler = Assembler::new(D);
     assembler.open(&needs);
     assembler.close(&needs);
@@ -148,11 +152,11 @@ fn a_function_leaves_the_registers_of_its_caller_as_they_were() {
 
 /// Assembles a loop with short or long jumps.
 fn jumps(is_long: bool) -> Vec<u32> {
-    let [a, b, ..] = General::ARGUMENTS;
+    let [a, b, ..] = GeneralRegister::ARGUMENTS;
     let mut assembler = Assembler::new(D);
     assembler.is_long = is_long;
     let again = assembler.label();
-    let end: Forward = assembler.skip_if_zero(a);
+    let end: ForwardJump = assembler.skip_if_zero(a);
     assembler.count_down(b, again);
     assembler.repeat_below(a, b, again);
     assembler.bind(end);
@@ -206,7 +210,7 @@ fn long_code_finds_its_numbers_by_their_page() {
     for (form, near) in [(D, 0xfd40_0a00), (S, 0xbd40_1200), (D2, 0x3dc0_0600)] {
         let mut assembler = Assembler::new(form);
         let instructions = 50_000;
-        assembler.open(&Needs { stack: 0, uses_pointers: false, vectors: 0, instructions });
+        assembler.open(&FrameNeeds { stack: 0, uses_pointers: false, vectors: 0, instructions });
         let entries = [1, 2].map(|bits| assembler.constant(bits));
         assembler.load(v(0), Memory::Pool(entries[1]));
         while assembler.bytes.len() < 0x2000 {
@@ -221,8 +225,9 @@ fn long_code_finds_its_numbers_by_their_page() {
 /// Some systems keep a thread's data in x18.
 #[test]
 fn no_register_of_a_system_is_named() {
-    let all = General::ARGUMENTS.into_iter().chain(General::SPARE).chain(General::POINTERS);
-    let mut numbers: Vec<u32> = all.map(General::number).collect();
+    let all =
+        GeneralRegister::ARGUMENTS.into_iter().chain(GeneralRegister::SPARE).chain(GeneralRegister::POINTERS);
+    let mut numbers: Vec<u32> = all.map(GeneralRegister::number).collect();
     numbers.sort_unstable();
     numbers.dedup();
     assert_eq!(numbers.len(), 5 + 3 + 13, "each has one use");

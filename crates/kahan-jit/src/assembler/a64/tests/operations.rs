@@ -1,6 +1,6 @@
 //! Encodings of floating-point instructions.
 
-use super::{Binary, D, D2, Fused, Order, S, S4, check, r, v};
+use super::{Binary, D, D2, Fused, FusedOrder, S, S4, check, r, v};
 
 #[rustfmt::skip]
 #[test]
@@ -205,180 +205,180 @@ fn a_larger_number_is_one_that_is_greater() {
 fn fused_operations_are_what_was_asked_for() {
     check(&[
         // fmadd s17, s17, s9, s1
-        (S, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(1), r(23)), &[0x1f09_0631]),
+        (S, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(1), r(23)), &[0x1f09_0631]),
         // fmadd s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(9), r(9)), &[0x1f11_4631]),
+        (S, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(9), r(9)), &[0x1f11_4631]),
         // fmadd s17, s1, s17, s9
-        (S, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(1), r(23)), &[0x1f11_2431]),
+        (S, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(1), r(23)), &[0x1f11_2431]),
         // fmadd s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(9), r(9)), &[0x1f11_4631]),
+        (S, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(9), r(9)), &[0x1f11_4631]),
         // fmadd s17, s1, s9, s17
-        (S, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(1), r(23)), &[0x1f09_4431]),
+        (S, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(1), r(23)), &[0x1f09_4431]),
         // fmadd s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(9), r(9)), &[0x1f11_4631]),
+        (S, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(9), r(9)), &[0x1f11_4631]),
         // fnmsub s17, s17, s9, s1
-        (S, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(1), r(23)), &[0x1f29_8631]),
+        (S, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(1), r(23)), &[0x1f29_8631]),
         // fnmsub s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(9), r(9)), &[0x1f31_c631]),
+        (S, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(9), r(9)), &[0x1f31_c631]),
         // fnmsub s17, s1, s17, s9
-        (S, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(1), r(23)), &[0x1f31_a431]),
+        (S, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(1), r(23)), &[0x1f31_a431]),
         // fnmsub s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(9), r(9)), &[0x1f31_c631]),
+        (S, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(9), r(9)), &[0x1f31_c631]),
         // fnmsub s17, s1, s9, s17
-        (S, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(1), r(23)), &[0x1f29_c431]),
+        (S, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(1), r(23)), &[0x1f29_c431]),
         // fnmsub s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(9), r(9)), &[0x1f31_c631]),
+        (S, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(9), r(9)), &[0x1f31_c631]),
         // fmsub s17, s17, s9, s1
-        (S, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(1), r(23)), &[0x1f09_8631]),
+        (S, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(1), r(23)), &[0x1f09_8631]),
         // fmsub s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(9), r(9)), &[0x1f11_c631]),
+        (S, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(9), r(9)), &[0x1f11_c631]),
         // fmsub s17, s1, s17, s9
-        (S, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(1), r(23)), &[0x1f11_a431]),
+        (S, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(1), r(23)), &[0x1f11_a431]),
         // fmsub s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(9), r(9)), &[0x1f11_c631]),
+        (S, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(9), r(9)), &[0x1f11_c631]),
         // fmsub s17, s1, s9, s17
-        (S, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(1), r(23)), &[0x1f09_c431]),
+        (S, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(1), r(23)), &[0x1f09_c431]),
         // fmsub s17, s17, s17, s17
-        (S, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(9), r(9)), &[0x1f11_c631]),
+        (S, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(9), r(9)), &[0x1f11_c631]),
         // fmadd d17, d17, d9, d1
-        (D, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(1), r(23)), &[0x1f49_0631]),
+        (D, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(1), r(23)), &[0x1f49_0631]),
         // fmadd d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(9), r(9)), &[0x1f51_4631]),
+        (D, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(9), r(9)), &[0x1f51_4631]),
         // fmadd d17, d1, d17, d9
-        (D, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(1), r(23)), &[0x1f51_2431]),
+        (D, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(1), r(23)), &[0x1f51_2431]),
         // fmadd d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(9), r(9)), &[0x1f51_4631]),
+        (D, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(9), r(9)), &[0x1f51_4631]),
         // fmadd d17, d1, d9, d17
-        (D, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(1), r(23)), &[0x1f49_4431]),
+        (D, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(1), r(23)), &[0x1f49_4431]),
         // fmadd d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(9), r(9)), &[0x1f51_4631]),
+        (D, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(9), r(9)), &[0x1f51_4631]),
         // fnmsub d17, d17, d9, d1
-        (D, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(1), r(23)), &[0x1f69_8631]),
+        (D, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(1), r(23)), &[0x1f69_8631]),
         // fnmsub d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(9), r(9)), &[0x1f71_c631]),
+        (D, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(9), r(9)), &[0x1f71_c631]),
         // fnmsub d17, d1, d17, d9
-        (D, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(1), r(23)), &[0x1f71_a431]),
+        (D, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(1), r(23)), &[0x1f71_a431]),
         // fnmsub d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(9), r(9)), &[0x1f71_c631]),
+        (D, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(9), r(9)), &[0x1f71_c631]),
         // fnmsub d17, d1, d9, d17
-        (D, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(1), r(23)), &[0x1f69_c431]),
+        (D, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(1), r(23)), &[0x1f69_c431]),
         // fnmsub d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(9), r(9)), &[0x1f71_c631]),
+        (D, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(9), r(9)), &[0x1f71_c631]),
         // fmsub d17, d17, d9, d1
-        (D, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(1), r(23)), &[0x1f49_8631]),
+        (D, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(1), r(23)), &[0x1f49_8631]),
         // fmsub d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(9), r(9)), &[0x1f51_c631]),
+        (D, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(9), r(9)), &[0x1f51_c631]),
         // fmsub d17, d1, d17, d9
-        (D, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(1), r(23)), &[0x1f51_a431]),
+        (D, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(1), r(23)), &[0x1f51_a431]),
         // fmsub d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(9), r(9)), &[0x1f51_c631]),
+        (D, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(9), r(9)), &[0x1f51_c631]),
         // fmsub d17, d1, d9, d17
-        (D, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(1), r(23)), &[0x1f49_c431]),
+        (D, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(1), r(23)), &[0x1f49_c431]),
         // fmsub d17, d17, d17, d17
-        (D, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(9), r(9)), &[0x1f51_c631]),
+        (D, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(9), r(9)), &[0x1f51_c631]),
         // mov v30.16b, v1.16b; fmla v30.4s, v17.4s, v9.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(1), r(23)),
             &[0x4ea1_1c3e, 0x4e29_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmla v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4e31_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v9.16b; fmla v30.4s, v1.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(1), r(23)),
             &[0x4ea9_1d3e, 0x4e31_cc3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmla v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4e31_ce3e, 0x4ebe_1fd1]),
         // fmla v17.4s, v1.4s, v9.4s
-        (S4, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(1), r(23)), &[0x4e29_cc31]),
+        (S4, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(1), r(23)), &[0x4e29_cc31]),
         // mov v30.16b, v17.16b; fmla v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4e31_ce3e, 0x4ebe_1fd1]),
         // fneg v30.4s, v1.4s; fmla v30.4s, v17.4s, v9.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(1), r(23)),
             &[0x6ea0_f83e, 0x4e29_ce3e, 0x4ebe_1fd1]),
         // fneg v30.4s, v17.4s; fmla v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(9), r(9)),
             &[0x6ea0_fa3e, 0x4e31_ce3e, 0x4ebe_1fd1]),
         // fneg v30.4s, v9.4s; fmla v30.4s, v1.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(1), r(23)),
             &[0x6ea0_f93e, 0x4e31_cc3e, 0x4ebe_1fd1]),
         // fneg v30.4s, v17.4s; fmla v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(9), r(9)),
             &[0x6ea0_fa3e, 0x4e31_ce3e, 0x4ebe_1fd1]),
         // fneg v17.4s, v17.4s; fmla v17.4s, v1.4s, v9.4s
-        (S4, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(1), r(23)),
             &[0x6ea0_fa31, 0x4e29_cc31]),
         // fneg v30.4s, v17.4s; fmla v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(9), r(9)),
             &[0x6ea0_fa3e, 0x4e31_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v1.16b; fmls v30.4s, v17.4s, v9.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(1), r(23)),
             &[0x4ea1_1c3e, 0x4ea9_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmls v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4eb1_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v9.16b; fmls v30.4s, v1.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(1), r(23)),
+        (S4, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(1), r(23)),
             &[0x4ea9_1d3e, 0x4eb1_cc3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmls v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4eb1_ce3e, 0x4ebe_1fd1]),
         // fmls v17.4s, v1.4s, v9.4s
-        (S4, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(1), r(23)), &[0x4ea9_cc31]),
+        (S4, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(1), r(23)), &[0x4ea9_cc31]),
         // mov v30.16b, v17.16b; fmls v30.4s, v17.4s, v17.4s; mov v17.16b, v30.16b
-        (S4, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(9), r(9)),
+        (S4, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4eb1_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v1.16b; fmla v30.2d, v17.2d, v9.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(1), r(23)),
             &[0x4ea1_1c3e, 0x4e69_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmla v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplyAdd, Order::D132, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D132, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4e71_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v9.16b; fmla v30.2d, v1.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(1), r(23)),
             &[0x4ea9_1d3e, 0x4e71_cc3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmla v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplyAdd, Order::D213, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D213, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4e71_ce3e, 0x4ebe_1fd1]),
         // fmla v17.2d, v1.2d, v9.2d
-        (D2, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(1), r(23)), &[0x4e69_cc31]),
+        (D2, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(1), r(23)), &[0x4e69_cc31]),
         // mov v30.16b, v17.16b; fmla v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplyAdd, Order::D231, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::MultiplyAdd, FusedOrder::D231, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4e71_ce3e, 0x4ebe_1fd1]),
         // fneg v30.2d, v1.2d; fmla v30.2d, v17.2d, v9.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(1), r(23)),
             &[0x6ee0_f83e, 0x4e69_ce3e, 0x4ebe_1fd1]),
         // fneg v30.2d, v17.2d; fmla v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplySubtract, Order::D132, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D132, v(9), v(9), r(9)),
             &[0x6ee0_fa3e, 0x4e71_ce3e, 0x4ebe_1fd1]),
         // fneg v30.2d, v9.2d; fmla v30.2d, v1.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(1), r(23)),
             &[0x6ee0_f93e, 0x4e71_cc3e, 0x4ebe_1fd1]),
         // fneg v30.2d, v17.2d; fmla v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplySubtract, Order::D213, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D213, v(9), v(9), r(9)),
             &[0x6ee0_fa3e, 0x4e71_ce3e, 0x4ebe_1fd1]),
         // fneg v17.2d, v17.2d; fmla v17.2d, v1.2d, v9.2d
-        (D2, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(1), r(23)),
             &[0x6ee0_fa31, 0x4e69_cc31]),
         // fneg v30.2d, v17.2d; fmla v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::MultiplySubtract, Order::D231, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::MultiplySubtract, FusedOrder::D231, v(9), v(9), r(9)),
             &[0x6ee0_fa3e, 0x4e71_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v1.16b; fmls v30.2d, v17.2d, v9.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(1), r(23)),
             &[0x4ea1_1c3e, 0x4ee9_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmls v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::SubtractProduct, Order::D132, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D132, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4ef1_ce3e, 0x4ebe_1fd1]),
         // mov v30.16b, v9.16b; fmls v30.2d, v1.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(1), r(23)),
+        (D2, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(1), r(23)),
             &[0x4ea9_1d3e, 0x4ef1_cc3e, 0x4ebe_1fd1]),
         // mov v30.16b, v17.16b; fmls v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::SubtractProduct, Order::D213, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D213, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4ef1_ce3e, 0x4ebe_1fd1]),
         // fmls v17.2d, v1.2d, v9.2d
-        (D2, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(1), r(23)), &[0x4ee9_cc31]),
+        (D2, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(1), r(23)), &[0x4ee9_cc31]),
         // mov v30.16b, v17.16b; fmls v30.2d, v17.2d, v17.2d; mov v17.16b, v30.16b
-        (D2, &|x| x.fused(Fused::SubtractProduct, Order::D231, v(9), v(9), r(9)),
+        (D2, &|x| x.fused(Fused::SubtractProduct, FusedOrder::D231, v(9), v(9), r(9)),
             &[0x4eb1_1e3e, 0x4ef1_ce3e, 0x4ebe_1fd1]),
     ]);
 }

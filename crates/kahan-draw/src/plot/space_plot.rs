@@ -1,0 +1,274 @@
+//! Orbits in space, in parallel projection; near points and lines are wider than distant ones.
+
+use std::cell::Cell;
+
+use maud::{Markup, html};
+
+use super::label::{LARGE, SMALL, text, width};
+use super::palette::Paint;
+use super::path::{Place, dots, line, polyline, stroked};
+use super::{Canvas, Drawing, Mark, NumberLine, Theme, grid, name, placed};
+
+/// Points in space drawn in one style.
+#[derive(Clone, Debug)]
+pub struct SpaceSeries {
+    /// The colour, 1 to 6.
+    pub colour: usize,
+    /// The style.
+    pub mark: Mark,
+    /// The points in units of the axes. Points outside are omitted, and interrupt lines.
+    pub points: Vec<[f64; 3]>,
+}
+
+/// A drawing in space.
+#[derive(Clone, Debug)]
+pub struct SpacePlot {
+    /// The description for screen readers.
+    pub description: String,
+    /// The sheet to draw on.
+    pub sheet: Canvas,
+    /// The axes to the right, to the back and upwards.
+    pub axes: [NumberLine; 3],
+    /// The clouds.
+    pub clouds: Vec<SpaceSeries>,
+}
+
+const RIGHT: f64 = 16.0;
+const TOP: f64 = 10.0;
+const BOTTOM: f64 = 40.0;
+const LINE: f64 = 1.4;
+const THIN: f64 = 0.7;
+const TURN: f64 = 0.62;
+const TILT: f64 = 0.5;
+/// The number of depth layers. The width of lines changes invisibly from one layer to the next.
+const LAYERS: usize = 24;
+/// A box whose ratio of lengths exceeds `SLENDER` is stretched to unit height and at most `BROAD`
+/// times that width.
+const SLENDER: f64 = 4.0;
+const BROAD: f64 = 2.0;
+
+/// Rotates a point into the coordinates right, up and towards the eye. The eye is in front,
+/// slightly right of and above the box.
+fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
+    let (right, back) = (x * TURN.cos() - y * TURN.sin(), x * TURN.sin() + y * TURN.cos());
+    [right, z * TILT.cos() + back * TILT.sin(), z * TILT.sin() - back * TILT.cos()]
+}
+
+struct View {
+    /// The position of the box's middle in the drawing.
+    centre: Place,
+    middle: [f64; 3],
+    /// The factors of the box's lengths before rotation.
+    stretch: [f64; 3],
+    scale: f64,
+    /// The greatest distance from the middle towards the eye.
+    depth: f64,
+}
+
+impl View {
+    fn of(axes: &[NumberLine; 3], size: (f64, f64)) -> Self {
+        let lengths = axes.each_ref().map(|axis| axis.high - axis.low);
+        let middle = axes.each_ref().map(|axis| axis.low + (axis.high - axis.low) / 2.0);
+        let (short, long) =
+            (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
+        // The largest coordinates of a stretched box's corners: right, up and towards the eye.
+        let reach = |stretch: [f64; 3]| -> [f64; 3] {
+            let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
+            corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
+        };
+        // Beside the box there is room for tick labels, and on the left for a name.
+        let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
+        let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
+        let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);
+        let scale = |reach: [f64; 3]| (width / 2.0 / reach[0]).min(height / 2.0 / reach[1]);
+        let stretch = if long > SLENDER * short {
+            let broad = |by: f64| [by / lengths[0], by / lengths[1], 1.0 / lengths[2]];
+            // Within these bounds a box becomes broader without becoming smaller.
+            let boxes = (0..=10).map(|part| broad(1.0 + (BROAD - 1.0) * f64::from(part) / 10.0));
+            let area = |stretch: [f64; 3]| {
+                let reach = reach(stretch);
+                reach[0] * reach[1] * scale(reach).powi(2)
+            };
+            boxes.max_by(|one, other| area(*one).total_cmp(&area(*other))).expect("there are eleven")
+        } else {
+            [long.recip(); 3]
+        };
+        let reach = reach(stretch);
+        let (scale, depth) = (scale(reach), reach[2]);
+        let centre = (left + width / 2.0, TOP + height / 2.0);
+        View { centre, middle, stretch, scale, depth }
+    }
+
+    fn turned(&self, point: [f64; 3]) -> [f64; 3] {
+        turned(std::array::from_fn(|i| (point[i] - self.middle[i]) * self.stretch[i]))
+    }
+
+    fn place(&self, point: [f64; 3]) -> Place {
+        let [right, up, _] = self.turned(point);
+        (self.centre.0 + self.scale * right, self.centre.1 - self.scale * up)
+    }
+
+    fn nearness(&self, point: [f64; 3]) -> f64 {
+        (self.turned(point)[2] / self.depth + 1.0) / 2.0
+    }
+
+    fn layer(&self, point: [f64; 3]) -> usize {
+        ((self.nearness(point) * LAYERS as f64) as usize).min(LAYERS - 1)
+    }
+}
+
+/// Returns the width of the widest label among all candidate ticks of an axis.
+fn widest(axis: &NumberLine) -> f64 {
+    let most = Cell::new(0.0_f64);
+    axis.ticks(|ticks| {
+        ticks.iter().for_each(|tick| most.set(most.get().max(width(&tick.text, SMALL))));
+        false
+    });
+    most.get()
+}
+
+/// Returns the width of lines or dots in a layer, given the width in the middle.
+fn width_in(layer: usize, middle: f64) -> f64 {
+    const AT_THE_BACK: f64 = 0.7;
+    let nearness = (layer as f64 + 0.5) / LAYERS as f64;
+    middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
+}
+
+/// Returns the vector from the middle to a corner; a set bit selects the greater end of an axis.
+fn half(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| lengths[i] * stretch[i] * if bits >> i & 1 == 1 { 0.5 } else { -0.5 })
+}
+
+impl SpacePlot {
+    /// Draws the box with axes and clouds.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let view = View::of(&self.axes, self.sheet.view_box);
+        let body = html! {
+            (self.edges(&view))
+            @for layer in 0..LAYERS {
+                @for cloud in &self.clouds { (self.cloud(&view, cloud, layer)) }
+            }
+            (self.names(&view))
+        };
+        Drawing { description: self.description.clone(), sheet: self.sheet, body }
+    }
+
+    /// Counts the points outside the axes.
+    #[must_use]
+    pub fn outside(&self) -> usize {
+        self.clouds.iter().flat_map(|cloud| &cloud.points).filter(|point| !self.shows(point)).count()
+    }
+
+    fn shows(&self, point: &[f64; 3]) -> bool {
+        self.axes.iter().zip(point).all(|(axis, value)| axis.shows(*value))
+    }
+
+    fn corner(&self, bits: usize) -> [f64; 3] {
+        std::array::from_fn(|i| if bits >> i & 1 == 1 { self.axes[i].high } else { self.axes[i].low })
+    }
+
+    fn edges(&self, view: &View) -> Markup {
+        let edges = (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit)));
+        let edges = edges.filter(|(from, to)| from != to).map(|ends| (ends, AXES.contains(&ends)));
+        let (axes, others): (Vec<_>, Vec<_>) = edges.partition(|(_, is_axis)| *is_axis);
+        let theme = self.sheet.theme;
+        let drawn = |((from, to), _): &((usize, usize), bool)| {
+            line(view.place(self.corner(*from)), view.place(self.corner(*to)))
+        };
+        html! {
+            (grid(theme, &html! { @for edge in &others { (drawn(edge)) } }))
+            (Paint::AXES.group(theme, &html! { @for edge in &axes { (drawn(edge)) } }))
+        }
+    }
+
+    fn cloud(&self, view: &View, cloud: &SpaceSeries, layer: usize) -> Markup {
+        let is_here = |point: &[f64; 3]| self.shows(point) && view.layer(*point) == layer;
+        let places = |points: &[[f64; 3]]| points.iter().map(|point| view.place(*point)).collect::<Vec<_>>();
+        let here: Vec<[f64; 3]> = cloud.points.iter().copied().filter(is_here).collect();
+        if here.is_empty() {
+            return html! {};
+        }
+        // Each piece extends to the first point of the next layer, so that lines have no gaps.
+        let lines = || {
+            let mut path = String::new();
+            let mut from = 0;
+            while let Some(start) = (from..cloud.points.len()).find(|&i| is_here(&cloud.points[i])) {
+                let end = (start..cloud.points.len()).find(|&i| !is_here(&cloud.points[i]));
+                let end = end.unwrap_or(cloud.points.len());
+                let is_shown = |i: usize| cloud.points.get(i).is_some_and(|point| self.shows(point));
+                path += &polyline(&places(&cloud.points[start..if is_shown(end) { end + 1 } else { end }]));
+                from = end;
+            }
+            path
+        };
+        let (mark, theme) = (cloud.mark, self.sheet.theme);
+        let dashes = mark.dashes(cloud.colour).filter(|_| theme == Theme::Paper);
+        let middle = theme.line(if mark == Mark::Thin { THIN } else { LINE });
+        Paint::curve(cloud.colour).group(theme, &html! {
+            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, middle), dashes)) }
+            @if let Some(dot) = mark.dot() { (stroked("dots", &dots(&places(&here)), width_in(layer, theme.line(dot)), None)) }
+        })
+    }
+
+    fn names(&self, view: &View) -> Markup {
+        let beside = |axis: usize, value: f64, (right, down): Place| {
+            let mut point = self.corner(AXES[axis].0);
+            point[axis] = value;
+            let (x, y) = view.place(point);
+            (x + right, y + down)
+        };
+        let middle = |axis: usize| {
+            let line = &self.axes[axis];
+            line.low + (line.high - line.low) / 2.0
+        };
+        let mut boxes: Vec<[f64; 4]> = Vec::new();
+        let mut values = Vec::new();
+        for axis in [2, 0, 1] {
+            for (place, value) in placed(&self.axes[axis], |value| beside(axis, value, BESIDE[axis])) {
+                let long = width(&value, SMALL);
+                let left = place.0 - if axis == 2 { long } else { long / 2.0 };
+                let own = [left - 4.0, place.1 - 11.0, left + long + 4.0, place.1 + 2.0];
+                // Labels of two axes near a corner would touch.
+                if boxes.iter().all(|other| (0..2).any(|i| own[i] > other[i + 2] || other[i] > own[i + 2])) {
+                    boxes.push(own);
+                    values.push((place, ANCHORS[axis], value));
+                }
+            }
+        }
+        let (across, upwards) = self.sheet.view_box;
+        let (corner, lowest) = view.place(self.corner(AXES[0].0));
+        let below = |axis: usize| {
+            let (named, (right, down)) = (self.axes[axis].name(), NAMES[axis]);
+            let out = right + right.signum() * widest(&self.axes[axis]) / 2.0;
+            let (x, y) = beside(axis, middle(axis), (out, down));
+            // A long name would overlap tick labels.
+            let is_long = width(&named, LARGE) > 2.0 * LARGE;
+            let room = if axis == 0 { [corner, across] } else { [0.0, corner] };
+            name(
+                self.sheet.theme,
+                room,
+                (x, if is_long { lowest + 34.0 } else { y }.min(upwards - 6.0)),
+                0,
+                &named,
+            )
+        };
+        let (leftmost, theme) = (boxes.iter().map(|own| own[0]).fold(across, f64::min), self.sheet.theme);
+        let y = beside(2, middle(2), (0.0, 0.0)).1;
+        let foot = view.place(self.corner(AXES[2].0)).1;
+        html! {
+            (Paint::TICKS.group(theme, &html! {
+                @for (place, anchor, value) in &values { (text(*place, 0, anchor, SMALL, value)) }
+            }))
+            (below(0)) (below(1))
+            (name(theme, [0.0, foot], (leftmost - 4.0, y), -90, &self.axes[2].name()))
+        }
+    }
+}
+
+/// The edges that carry the axes, as pairs of corners: two below, one on the left.
+const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
+const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
+const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
+/// The offsets of the names of the two lower axes, to the right and downwards.
+const NAMES: [Place; 2] = [(20.0, 32.0), (-26.0, 28.0)];

@@ -1,0 +1,62 @@
+//! Confirmation of the flow by an independent orbit.
+//!
+//! In: the trials so far. Out: an orbit in `Dd`, of the order with the fewest stages, that agrees
+//! with the flow well below the tolerance; or the finding that the flow has large rounding errors.
+
+use std::cmp::Reverse;
+
+use kahan_core::Composition;
+
+use super::super::{Scheme, Setting};
+use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
+
+const VOUCHERS: usize = 16;
+
+impl<L: Trials> Search<L> {
+    /// Searches for an orbit in `Dd` that agrees with the flow, so that both are confirmed.
+    pub(super) fn confirm(&mut self) {
+        let wanted = self.tolerance / VOUCHING;
+        for _ in 0..VOUCHERS {
+            // Each trial takes the order with the least predicted number of stages.
+            let next = Composition::BEST
+                .into_iter()
+                .rev()
+                .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
+            let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
+            let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
+                // No order agrees better, so the difference is the flow's rounding error.
+                self.is_rough = true;
+                return;
+            };
+            if self.trial(scheme, steps, 1.0).is_none_or(|trial| trial.error <= wanted) {
+                return;
+            }
+        }
+    }
+
+    /// Predicts the number of steps for an error, by the law from the finest trial in `Dd`, or from
+    /// the best in `f64`. `None` if finer trials in `Dd` agree no better.
+    fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
+        let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
+        let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
+        let mut wide: Vec<&Setting> =
+            of_order().filter(|trial| trial.scheme == WIDE.composed(composition)).collect();
+        wide.sort_by_key(|trial| Reverse(trial.steps));
+        let Some(finest) = wide.first() else {
+            let useful = of_order().filter(|trial| trial.error < SMALL.max(self.tolerance));
+            return useful
+                .min_by(|a, b| a.error.total_cmp(&b.error))
+                .map(|best| by_law(best).ceil().max(1.0) as u64);
+        };
+        let stalls =
+            wide.windows(2).take_while(|pair| pair[0].error < SMALL && pair[0].error > STALL * pair[1].error);
+        if stalls.count() > 1 {
+            return None;
+        }
+        let steps = finest.steps as f64;
+        // The law gives a lower bound; at errors where it does not hold yet, more steps are needed.
+        let next =
+            if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
+        Some(next.ceil() as u64)
+    }
+}

@@ -1,0 +1,152 @@
+//! Ladders: trials of a scheme with increasing numbers of steps.
+//!
+//! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. A
+//! ladder ends if a trial meets the tolerance or costs more than a known setting, if the law error
+//! ∝ ε^order predicts either, or if two trials in a row gain nothing.
+
+use kahan_core::Composition;
+
+use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
+
+/// The accepted relative deviation of a gain's logarithm from the law error ∝ ε^order.
+const LAWFUL: f64 = 0.3;
+/// The error below which the law is trusted.
+const USEFUL: f64 = 0.01;
+/// The number of successive trials without gain after which a ladder checks for rounding errors.
+const STALLS: u32 = 2;
+/// Once the law has held, a trial gains nothing if its gain is less than this fraction of the
+/// predicted one, in logarithms.
+const LITTLE: f64 = 0.3;
+const RUNGS: usize = 34;
+/// The factor by which rounding errors vary between neighbouring values of ε.
+const NEAR: f64 = 30.0;
+/// The largest factor between successive numbers of steps, once the law holds.
+const LEAP: u64 = 1 << 12;
+
+#[derive(Clone, Copy, Debug)]
+struct ErrorReduction {
+    before: f64,
+    /// The previous error divided by the current one.
+    factor: f64,
+    /// The logarithm of the factor, divided by its predicted logarithm.
+    part: f64,
+}
+
+impl ErrorReduction {
+    /// Returns whether the gain follows the law, at an error small enough to trust it.
+    fn is_lawful(&self) -> bool {
+        (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
+    }
+
+    fn of(before: &Setting, now: &Setting) -> Self {
+        let factor = before.error / now.error;
+        let by_law = (now.steps as f64 / before.steps as f64).powi(now.scheme.order() as i32);
+        Self { before: before.error, factor, part: factor.ln() / by_law.ln() }
+    }
+}
+
+/// The result of a ladder.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RefinementResult {
+    /// Whether some trial followed the law.
+    was_lawful: bool,
+    /// Whether some trial gained less than the law predicts.
+    gained_little: bool,
+    stalls: u32,
+    has_stalled: bool,
+    pub(super) finest: Option<Setting>,
+}
+
+impl RefinementResult {
+    /// Returns whether errors fell less than the order predicts, possibly because of rounding
+    /// errors, which compensation reduces.
+    #[must_use]
+    pub const fn has_felt_roundings(&self) -> bool {
+        self.gained_little
+    }
+
+    /// Returns whether the ladder ended because of rounding errors.
+    #[must_use]
+    pub const fn has_stalled(&self) -> bool {
+        self.has_stalled
+    }
+
+    /// Records a trial; returns its gain over the previous trial, if that had a finite error.
+    fn add(&mut self, trial: Setting) -> Option<ErrorReduction> {
+        let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
+        let gain = ErrorReduction::of(&before, &trial);
+        let gained_nothing =
+            (self.was_lawful && gain.part < LITTLE) || (trial.error < SMALL && STALL * gain.factor < 1.0);
+        self.stalls = if gained_nothing { self.stalls + 1 } else { 0 };
+        self.was_lawful |= gain.is_lawful();
+        self.gained_little |= gain.before < USEFUL && gain.part < 1.0 - LAWFUL;
+        Some(gain)
+    }
+}
+
+impl<L: Trials> Search<L> {
+    /// Tries increasing numbers of steps of a scheme, from `coarsest` on, until a trial meets the
+    /// tolerance or further trials cannot be the cheapest.
+    pub fn refine_steps(&mut self, scheme: Scheme, coarsest: u64) -> RefinementResult {
+        self.refine_at_most(scheme, coarsest, RUNGS)
+    }
+
+    pub(super) fn refine_at_most(&mut self, scheme: Scheme, coarsest: u64, rungs: usize) -> RefinementResult {
+        let share = self.rules.share;
+        let (mut steps, mut climb) = (coarsest, RefinementResult::default());
+        for _ in 0..rungs {
+            if self.cost(scheme, steps as f64) >= self.least_cost() {
+                break;
+            }
+            // If a large increase takes too long, twice the steps may still be affordable.
+            let next = climb.finest.map_or(steps, |before| before.steps.saturating_mul(2));
+            let mut rungs = [steps, next].into_iter();
+            let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, share)) else { break };
+            let gain = climb.add(trial);
+            if trial.error <= self.enough() {
+                break;
+            }
+            if climb.stalls >= STALLS {
+                // Near the tolerance another trial may meet it by chance, so only the cost ends the
+                // ladder.
+                let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
+                if !is_near && self.has_roundings(&trial) {
+                    climb.has_stalled = true;
+                    break;
+                }
+                // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
+                climb.stalls = 0;
+            }
+            // Rounding ε to fewer bits changes the number of steps.
+            steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
+            if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
+                let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
+                let is_dear = self.cost(scheme, enough) > self.rules.surely * self.least_cost();
+                if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
+                    break;
+                }
+                // If the law holds, trials in between are unnecessary.
+                if self.rules.leaps && gain.is_lawful() {
+                    steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
+                }
+            }
+        }
+        climb
+    }
+
+    /// Returns whether rounding dominates the error of a trial: in `Dd` the error is smaller.
+    pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
+        let wide = WIDE.composed(trial.scheme.composition);
+        let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, self.rules.share) };
+        other.is_none_or(|other| other.error < STALL * trial.error)
+    }
+
+    /// Returns the largest number of steps up to which errors of plain `f64` fell by the law.
+    pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
+        let scheme = PLAIN.composed(composition);
+        let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();
+        plain.sort_by_key(|trial| trial.steps);
+        let is_lawful = |pair: &&[&Setting]| ErrorReduction::of(pair[0], pair[1]).part > 1.0 - LAWFUL;
+        plain.windows(2).filter(is_lawful).map(|pair| pair[1].steps).max().unwrap_or(coarsest)
+    }
+}

@@ -1,0 +1,54 @@
+//! Computes blocks of rows on all threads of a watch, and passes them to a consumer in order.
+//!
+//! In: a function that computes the rows of some cells. Out: blocks.
+
+use std::ops::Range;
+
+use kahan_discover::Watch;
+use kahan_runtime::{End, threads};
+
+use crate::count::WorkCount;
+use crate::rows::{Rows, Table};
+
+/// The number of blocks for each thread that are computed before their rows are passed on.
+const WAVE: u64 = 64;
+
+/// A function that computes rows of cells; it reports finished cells, and ends if that returns
+/// `false`.
+pub(super) type RowComputation<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
+
+/// Passes the rows of a range to a consumer, up to the first missing one, whose number is in
+/// [`End::Stopped`]. Blocks have between `least` and `most` cells, and each thread gets several,
+/// for a balanced load.
+pub(super) fn in_parallel_blocks(
+    range: Range<u64>,
+    [least, most]: [u64; 2],
+    make: &RowComputation<'_>,
+    rows: &mut dyn Rows,
+    watch: &dyn Watch,
+) -> End {
+    let (threads, count) = (watch.threads() as u64, range.end - range.start);
+    let block = match threads {
+        1 => most,
+        _ => (count / (8 * threads)).next_multiple_of(least).clamp(least, most),
+    };
+    let told = WorkCount::new("cells", count, watch);
+    let goes_on = |more: u64| told.tell(more).is_continue();
+    let blocks = count.div_ceil(block);
+    for first in (0..blocks).step_by((WAVE * threads) as usize) {
+        let cells = |place: usize| {
+            let start = range.start + (first + place as u64) * block;
+            start..range.end.min(start + block)
+        };
+        let wave = (WAVE * threads).min(blocks - first) as usize;
+        let tables = threads::map(wave, Some(threads as usize), |place| make(cells(place), &goes_on));
+        for (place, table) in tables.iter().enumerate() {
+            let own = cells(place);
+            let has_ended = table.count() > 0 && table.pass_to(rows).is_break();
+            if has_ended || (table.count() as u64) < own.end - own.start {
+                return End::Stopped(own.start + table.count() as u64);
+            }
+        }
+    }
+    End::Complete
+}

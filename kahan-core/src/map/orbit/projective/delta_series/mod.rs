@@ -1,0 +1,57 @@
+//! Numbers that depend on a perturbation δ → 0, for orbits through poles.
+//!
+//! In: numbers of a scalar, and the number of the attempt. Out: numbers that depend on δ, and their
+//! limits. Exact scalars use Laurent series in δ ([`series`]). Floats use a numeric δ far below
+//! their last digits, in numbers of 17 × 64 bits ([`digits`]).
+
+mod digits;
+#[cfg(feature = "exact")]
+mod series;
+
+use core::array::from_fn;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::field::linear::vector;
+use crate::{Pivot, Scalar};
+
+use super::point::{ProjectivePoint, first_of_the_largest};
+
+/// A number over the scalar T that may depend on δ.
+pub(super) trait DeltaSeries<T: Scalar>: Scalar {
+    /// The number of attempts; each resolves more than the one before.
+    const EFFORTS: usize;
+
+    fn of(number: &T) -> Self;
+
+    /// Returns δ; 0 in an attempt without perturbation.
+    fn delta(effort: usize) -> Self;
+
+    /// Returns the magnitude of coordinates near a point, the unit of δ.
+    fn unit(point: &[T]) -> Self;
+
+    /// Returns the limit of a point as δ → 0, in these units; `None` if its digits do not suffice.
+    fn limit<const N: usize>(
+        point: &SVector<Self, N>,
+        unit: &Self,
+        effort: usize,
+    ) -> Option<ProjectivePoint<T, N>>;
+
+    /// Returns whether the steps map neighbourhoods of the first point to those of `point`
+    /// one-to-one, by the `derivative` of the former by the latter; `None` if digits are too few.
+    fn is_one_to_one<const N: usize>(
+        derivative: &SMatrix<Self, N, N>,
+        point: &SVector<Self, N>,
+        unit: &Self,
+    ) -> Option<bool>;
+}
+
+fn direction<S: Scalar, T: Pivot, const N: usize>(
+    entries: &[S; N],
+    largest: usize,
+    round: impl Fn(S) -> T,
+) -> ProjectivePoint<T, N> {
+    let over = |divisor: usize| from_fn(|i| round(entries[i].clone() / entries[divisor].clone()));
+    let first = first_of_the_largest::<T>(&over(largest));
+    ProjectivePoint::at_infinity(vector(over(first)))
+}

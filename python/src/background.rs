@@ -1,0 +1,226 @@
+//! Long work outside of the interpreter's lock, with Ctrl-C and reports of progress.
+//!
+//! Python handles signals only on its main thread, and only while that thread runs Python code. The
+//! work therefore has its own thread, while the caller's thread checks for signals a hundred times
+//! a second.
+
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use kahan_runtime::threads;
+use kahan_study::{Finding, Progress, Watch};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+
+const LOOK: Duration = Duration::from_millis(10);
+const TOLD: Duration = Duration::from_millis(100);
+/// The most numbers computed without a check for signals: some milliseconds of work.
+const SHORT: u64 = 1 << 16;
+/// The stack of a worker; recursion over long formulas needs more than the default.
+const STACK: usize = 64 << 20;
+
+/// The [`Watch`] of running work: receives its progress and results, and may stop it.
+pub(crate) struct Caller {
+    stop: AtomicBool,
+    is_done: AtomicBool,
+    /// The thread that waits for the work.
+    waiting: thread::Thread,
+    since: Instant,
+    threads: usize,
+    /// The number of steps, if counted here.
+    made: AtomicU64,
+    /// The news since the last report.
+    news: Mutex<PendingNews>,
+}
+
+#[derive(Default)]
+struct PendingNews {
+    progress: Option<(String, u64, Option<u64>)>,
+    found: Vec<[String; 3]>,
+}
+
+impl Caller {
+    fn new(threads: Option<usize>) -> Self {
+        Caller {
+            stop: AtomicBool::new(false),
+            is_done: AtomicBool::new(false),
+            waiting: thread::current(),
+            since: Instant::now(),
+            threads: threads.unwrap_or_else(threads::available).max(1),
+            made: AtomicU64::new(0),
+            news: Mutex::default(),
+        }
+    }
+
+    /// Adds finished steps out of `of`; returns `Break` if the work must end.
+    pub(crate) fn made(&self, steps: u64, of: u64) -> ControlFlow<()> {
+        let done = self.made.fetch_add(steps, Ordering::Relaxed) + steps;
+        self.inspect(&Progress { what: "steps", done, of: Some(of) })
+    }
+
+    /// Returns whether the work must end.
+    pub(crate) fn wants_no_more(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    /// Returns `Break` if the work must end.
+    pub(crate) fn goes_on(&self) -> ControlFlow<()> {
+        if self.wants_no_more() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Does the work, and wakes the waiting thread, even after a panic.
+    fn does<R>(&self, work: impl FnOnce(&Caller) -> R) -> R {
+        let _woken = WakeOnDrop(self);
+        work(self)
+    }
+
+    /// Waits for the work, checks for signals, and reports news. An exception of a signal's handler
+    /// or of the listener ends the work.
+    fn wait(&self, py: Python<'_>, listener: &Listener<'_>) -> PyResult<()> {
+        let mut told = Instant::now();
+        while !self.is_done.load(Ordering::Acquire) {
+            py.detach(|| thread::park_timeout(LOOK));
+            let mut raised = py.check_signals();
+            if raised.is_ok() && told.elapsed() >= TOLD {
+                told = Instant::now();
+                raised = listener.hears(self.news());
+            }
+            raised.inspect_err(|_| self.stop.store(true, Ordering::Relaxed))?;
+        }
+        Ok(())
+    }
+
+    fn news(&self) -> PendingNews {
+        std::mem::take(&mut self.news.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn tell(&self, add: impl FnOnce(&mut PendingNews)) {
+        add(&mut self.news.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+}
+
+impl Watch for Caller {
+    fn now(&self) -> Option<Duration> {
+        Some(self.since.elapsed())
+    }
+
+    fn inspect(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        self.tell(|news| news.progress = Some((progress.what.to_owned(), progress.done, progress.of)));
+        self.goes_on()
+    }
+
+    fn found(&self, finding: &Finding) {
+        let Finding { kind, name, text } = finding;
+        self.tell(|news| news.found.push([kind.keyword().to_owned(), name.clone(), text.clone()]));
+    }
+
+    fn threads(&self) -> usize {
+        self.threads
+    }
+}
+
+/// A listener in Python, called with the unit of the count, the count and the total, or with
+/// `found` and the kind, name and text of a finding.
+pub(crate) struct Listener<'py>(pub(crate) Option<Bound<'py, PyAny>>);
+
+impl Listener<'_> {
+    fn hears(&self, news: PendingNews) -> PyResult<()> {
+        let Some(listener) = &self.0 else { return Ok(()) };
+        for finding in news.found {
+            listener.call1(("found", finding, ()))?;
+        }
+        match news.progress {
+            Some((what, done, of)) => listener.call1((what, done, of)).map(|_| ()),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Does work on another thread, with the interpreter's lock released.
+///
+/// # Errors
+/// An exception of a signal's handler or of the listener, which ends the work and drops its result;
+/// or a panic of the work, which is a bug of this package.
+pub(crate) fn run_watched<R: Send>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    listener: &Listener<'_>,
+    work: impl FnOnce(&Caller) -> R + Send,
+) -> PyResult<R> {
+    let caller = Caller::new(threads);
+    thread::scope(|scope| {
+        let worker = worker().spawn_scoped(scope, || caller.does(work)).map_err(no_thread)?;
+        let raised = caller.wait(py, listener);
+        // The work ends within a moment after the request.
+        let result = py.detach(|| worker.join());
+        raised?;
+        listener.hears(caller.news())?;
+        result.map_err(|_| internal_error())
+    })
+}
+
+/// Works like [`run_watched`] on one thread, but on the caller's thread for at most `SHORT` numbers,
+/// because starting a thread takes some tens of microseconds.
+///
+/// # Errors
+/// See [`run_watched`].
+pub(crate) fn run_watched_if_long<R: Send>(
+    py: Python<'_>,
+    numbers: u64,
+    listener: &Listener<'_>,
+    work: impl FnOnce(&Caller) -> R + Send,
+) -> PyResult<R> {
+    if numbers > SHORT {
+        return run_watched(py, Some(1), listener, work);
+    }
+    let caller = Caller::new(Some(1));
+    let result = catch_unwind(AssertUnwindSafe(|| work(&caller))).map_err(|_| internal_error())?;
+    listener.hears(caller.news())?;
+    Ok(result)
+}
+
+/// Works like [`run_watched`], but returns without waiting for the end of cancelled work, which may
+/// take seconds with numbers of a million digits. The work must not borrow.
+///
+/// # Errors
+/// See [`run_watched`].
+pub(crate) fn run_detached<R: Send + 'static>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    listener: &Listener<'_>,
+    work: impl FnOnce(&Caller) -> R + Send + 'static,
+) -> PyResult<R> {
+    let caller = Arc::new(Caller::new(threads));
+    let theirs = Arc::clone(&caller);
+    let worker = worker().spawn(move || theirs.does(work)).map_err(no_thread)?;
+    caller.wait(py, listener)?;
+    let result = worker.join();
+    listener.hears(caller.news())?;
+    result.map_err(|_| internal_error())
+}
+
+fn worker() -> thread::Builder {
+    thread::Builder::new().stack_size(STACK)
+}
+
+fn no_thread(error: std::io::Error) -> PyErr {
+    PyRuntimeError::new_err(format!("no thread can be had: {error}"))
+}
+
+fn internal_error() -> PyErr {
+    PyRuntimeError::new_err("kahan has a mistake here; please report what was asked")
+}
+
+/// On drop, marks the work as done and wakes the waiting thread.
+struct WakeOnDrop<'a>(&'a Caller);
+
+impl Drop for WakeOnDrop<'_> {
+    fn drop(&mut self) {
+        self.0.is_done.store(true, Ordering::Release);
+        self.0.waiting.unpark();
+    }
+}
