@@ -4,7 +4,9 @@ const METHODS = { kahan: ['Kahan’s map', '--c1'], euler: ['Euler', '--c3'], rk
 const MARGIN = { left: 58, right: 12, top: 12, bottom: 40 }
 const NO_MARGIN = { left: 2, right: 2, top: 2, bottom: 2 }
 
-const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
+// Colours of orbits that have one each; all are seen on white and on black.
+const PAINTS = ['#2a7fb8', '#d1495b', '#3a9a5b', '#b07d12', '#8a5fc0', '#0f9a9a', '#c2589a', '#7a8b2a', '#5a78d6', '#c86432', '#6f7f8f', '#a0522d']
+const colour = name => (name.startsWith('#') ? name : getComputedStyle(document.documentElement).getPropertyValue(name).trim())
 const numbers = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16))
 const short = number => String(Number(number.toPrecision(4))).replace('-', '−').replace(/e\+?(.*)/, (_, power) => `·10${raised(power)}`)
 const raised = power => String(power).replace(/[-−]/, '⁻').replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
@@ -70,6 +72,7 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
 // their set says.
 function points(sheet, sets) {
   const { context, ratio, x, y } = sheet
+  if (context instanceof VectorCanvas) { squares(sheet, sets); return }
   const { width, height } = context.canvas
   const image = context.createImageData(width, height)
   const pixels = new Uint32Array(image.data.buffer)
@@ -80,7 +83,7 @@ function points(sheet, sets) {
   for (const { xs, ys, paint, wider } of sets) {
     const [red, green, blue] = numbers(colour(paint))
     const word = (255 << 24) | (blue << 16) | (green << 8) | red
-    const size = Math.max(1, Math.round(((xs.length <= 400 ? 4 : xs.length <= 5000 ? 2 : xs.length <= 50000 ? 1.6 : 1) + wider) * ratio))
+    const size = Math.max(1, Math.round((sizeOf(xs.length) + wider) * ratio))
     const back = (size - 1) / 2
     for (let k = 0; k < xs.length; k++) {
       const [px, py] = [zeroX + xs[k] * perX - back, zeroY + ys[k] * perY - back]
@@ -93,6 +96,17 @@ function points(sheet, sets) {
     }
   }
   context.putImageData(image, 0, 0)
+}
+
+const sizeOf = count => (count <= 400 ? 4 : count <= 5000 ? 2 : count <= 50000 ? 1.6 : 1)
+
+// The points that are inside the frame, for a picture without pixels.
+function squares({ context, x, y, width, height, margin }, sets) {
+  for (const { xs, ys, paint, wider } of sets) {
+    const places = Array.from(xs, (value, k) => [x(value), y(ys[k])])
+    const inside = places.filter(([px, py]) => px >= margin.left && px < width - margin.right && py >= margin.top && py < height - margin.bottom)
+    context.squares(inside, sizeOf(xs.length) + wider, colour(paint))
+  }
 }
 
 // Points of an orbit that lines join, at most.
@@ -116,24 +130,24 @@ function joined({ context, x, y, width, height }, sets) {
   context.restore()
 }
 
-// The portrait of orbits, a ring at each first point, the picked one filled; the sheet tells where a
-// pointer is.
-function portrait(canvas, window, names, sets, starts, picked) {
+// The portrait of orbits, a ring of its colour at each first point, the picked one filled; the sheet
+// tells where a pointer is.
+function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   const drawn = sheet(canvas, window)
   points(drawn, sets)
   // The points are above the rules.
   drawn.context.globalCompositeOperation = 'destination-over'
-  axes(drawn, names)
+  drawAxes(drawn)
   drawn.context.globalCompositeOperation = 'source-over'
   joined(drawn, sets)
   drawn.context.lineWidth = 2
-  drawn.context.strokeStyle = colour('--ink')
   starts.forEach(([x, y], k) => {
     const [px, py] = [drawn.x(x), drawn.y(y)]
     if (px < MARGIN.left || px > drawn.width - MARGIN.right || py < MARGIN.top || py > drawn.height - MARGIN.bottom) return
     drawn.context.beginPath()
     drawn.context.arc(px, py, 6, 0, 7)
-    drawn.context.fillStyle = colour(k === picked ? '--ink' : '--paper')
+    drawn.context.strokeStyle = colour(rings[k])
+    drawn.context.fillStyle = colour(k === picked ? rings[k] : '--paper')
     drawn.context.fill()
     drawn.context.stroke()
   })

@@ -1,6 +1,6 @@
 // The state of the page, its address, and the history of the tab: each act of the reader is an
 // entry, so that the browser's Back and the page's Undo are one.
-const START = { system: '', field: '', lift: '', params: {}, shows: {}, eps: '', at: [], picked: 0, steps: 4000, axes: [], beside: ['euler', 'rk4'], over: [], view: null }
+const START = { system: '', field: '', lift: '', params: {}, shows: {}, eps: '', at: [], picked: 0, steps: 4000, axes: [], beside: ['euler', 'rk4'], over: [], view: null, turn: [-0.9, 0.3] }
 const MOST_STEPS = 1e6
 const MOST_ORBITS = 12
 
@@ -14,13 +14,23 @@ const LIFTS = {
 }
 
 const isEmbedded = new URLSearchParams(location.hash.slice(1)).has('embed')
+// Claims that came with the link, in the language of `kahan!`, until they are proved once more.
+let brought = new URLSearchParams(location.hash.slice(1)).get('found')?.split('\n')
+// Characters of an address that claims take, at most.
+const MOST_FOUND = 8192
+
+// The address of the page as it is, with what was found.
+function linkWithFindings() {
+  const found = searched?.lines?.length ? `&${new URLSearchParams({ found: searched.lines.join('\n') })}` : ''
+  return location.href + (found.length <= MOST_FOUND ? found : '')
+}
 
 function readAddress() {
   const given = new URLSearchParams(location.hash.slice(1))
   if (!given.has('field') && !given.has('system')) return { ...START, ...CLASSICAL[0] }
   const list = (name, between) => (given.get(name) || '').split(between).filter(Boolean)
   const pairs = name => Object.fromEntries(given.getAll(name).map(text => text.split('=')))
-  const ends = list('view', ',').map(Number)
+  const [ends, angles] = [list('view', ',').map(Number), list('turn', ',').map(Number)]
   return {
     system: given.get('system') || '',
     field: given.get('field') || '',
@@ -35,6 +45,7 @@ function readAddress() {
     beside: given.has('beside') ? list('beside', ',').filter(name => name in METHODS) : START.beside,
     over: list('over', ',').filter(name => name in OVERLAYS),
     view: ends.length === 4 && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3] ? [ends.slice(0, 2), ends.slice(2)] : null,
+    turn: angles.length === 2 && angles.every(Number.isFinite) ? angles : START.turn,
   }
 }
 
@@ -52,6 +63,7 @@ function address(state) {
   given.set('beside', state.beside.join(','))
   if (state.over.length) given.set('over', state.over.join(','))
   if (state.view) given.set('view', state.view.flat().map(end => decimal(end, 5)).join(','))
+  if (isSpace()) given.set('turn', state.turn.map(angle => decimal(angle, 4)).join(','))
   if (isEmbedded) given.set('embed', '1')
   return `#${given}`
 }

@@ -1,6 +1,6 @@
 // The field in the plane of the portrait: its directions, the curves on which a variable rests, and
 // the equilibria with the eigenvalues of the field there.
-const OVERLAYS = { directions: 'Direction field', nullclines: 'Nullclines', equilibria: 'Equilibria' }
+const OVERLAYS = { directions: 'Direction field', nullclines: 'Nullclines', equilibria: 'Equilibria', colours: 'A colour for each orbit' }
 const GRID = [72, 48]
 // An arrow stands at each third point of the grid.
 const APART = 3
@@ -11,7 +11,7 @@ const inPlane = { key: '', isAsked: false, answer: null }
 // another view.
 function drawPlane(drawn) {
   $('resting').replaceChildren()
-  if (!state.over.length || state.axes.includes('t') || state.axes[0] === state.axes[1]) return
+  if (isSpace() || !state.over.some(name => name !== 'colours') || state.axes.includes('t') || state.axes[0] === state.axes[1]) return
   const at = state.at[state.picked].split(',').map(valueOf)
   const axes = state.axes.map(name => pointVariables().indexOf(name))
   const asked = pictured(subject())

@@ -14,17 +14,16 @@ async function orbitsAnew() {
     if (scene.mistake) { undrawn(scene.mistake); return }
     state.shows = { ...scene.answer.values, ...state.shows }
     if (!chosen.eps) state.eps = decimal(valueOf(scene.answer.eps))
-    if (!chosen.at || !fits) [state.at, state.picked, state.axes] = [scene.answer.at, 0, scene.answer.axes]
+    if (!chosen.at || !fits) [state.at, state.picked, state.axes] = [scene.answer.at, 0, state.axes.length ? state.axes : scene.answer.axes]
     chosen = { eps: true, at: true }
     parameters(sheetOf.parameters)
   }
-  if (!state.axes.every(name => name === 't' || variables.includes(name)) || state.axes.length !== 2) {
+  if (!state.axes.every((name, k) => name === 't' && k < 2 || variables.includes(name)) || state.axes.length < 2 || state.axes.length > 3) {
     state.axes = variables.length > 1 ? variables.slice(0, 2) : ['t', variables[0]]
   }
   state.picked = Math.min(state.picked, state.at.length - 1)
-  for (const [id, k] of [['across', 0], ['upwards', 1]]) {
-    $(id).replaceChildren(...['t', ...variables].map(name => new Option(name, name, false, name === state.axes[k])))
-  }
+  for (const [k, id] of AXES.entries()) $(id).replaceChildren(...[k < 2 ? 't' : '', ...variables].map(name => new Option(name || 'none', name)))
+  $('third').hidden = variables.length < 3
   fitted = null
   fields()
   await move()
@@ -51,7 +50,10 @@ function fields() {
   $('dt').textContent = `Δt = 2ε = ${short(2 * eps)}`
   $('pick').replaceChildren(...state.at.map((at, k) => new Option(`${k + 1} of ${state.at.length}`, k, false, k === state.picked)))
   $('delete').disabled = state.at.length < 2
-  for (const [id, k] of [['across', 0], ['upwards', 1]]) $(id).value = state.axes[k]
+  for (const [k, id] of AXES.entries()) $(id).value = state.axes[k] ?? ''
+  $('turning').hidden = !isSpace()
+  $('ranges').hidden = isSpace()
+  $('turn').value = Math.round(state.turn[0] * 180 / Math.PI)
   for (const box of $('methods').querySelectorAll('input')) box.checked = box.value === 'kahan' || state.beside.includes(box.value)
   for (const box of $('overlays').querySelectorAll('input')) box.checked = state.over.includes(box.value)
 }
@@ -154,26 +156,34 @@ function legend(own) {
 }
 
 // Draws what is shown as it is now, without asking for it anew.
-function drawPortrait() {
+function drawPortrait(canvas = $('portrait')) {
   const own = lastDrawn.filter(({ method }) => method === 'kahan')
   // What has no size on the screen, such as a picture that is folded away, is not drawn.
   if (!own.length || !$('portrait').clientWidth) return
   const places = placesOf()
-  const window = state.view || fitted
-  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[pointVariables().indexOf(name)]))))
+  const see = isSpace() ? seenFrom(state.turn, fitted) : point => point
+  const window = state.view || (isSpace() ? wholeBox(canvas) : fitted)
+  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[pointVariables().indexOf(name)])))).map(see)
   // The map itself lies above what it is compared with, which is drawn wider.
-  const sets = [...lastDrawn].reverse().map(({ columns, paint, method, at }) => {
+  const isColoured = state.over.includes('colours') && own.length > 1
+  const rings = own.map((_, k) => (isColoured ? PAINTS[k % PAINTS.length] : '--ink'))
+  const sets = lastDrawn.map(({ columns, paint, method, at }, k) => {
     const count = shownRows(columns[0].length)
     const isPicked = method === 'kahan' && at === state.at[state.picked] && own.length > 1
-    return { xs: columns[places[0]].subarray(0, count), ys: columns[places[1]].subarray(0, count), paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
-  })
-  frame = { ...portrait($('portrait'), window, state.axes, sets, starts, state.picked), starts, window }
-  drawPlane(frame)
-  const label = `${state.axes[1]} against ${state.axes[0]} on ${own.length} orbits of ${state.steps} steps from ${state.at.join('; ')} at eps ${state.eps}`
+    const seen = isSpace() ? seenPoints(columns, places, count, see) : { xs: columns[places[0]].subarray(0, count), ys: columns[places[1]].subarray(0, count) }
+    return { ...seen, paint: isColoured && method === 'kahan' ? rings[k] : paint, wider: isPicked ? 0.6 : { kahan: 0, flow: 2 }[method] ?? 0.8 }
+  }).reverse()
+  const drawn = { ...portrait(canvas, window, it => (isSpace() ? edges(it, state.axes, fitted, see) : axes(it, state.axes)), sets, starts, state.picked, rings), starts, window }
+  drawPlane(drawn)
+  if (canvas !== $('portrait')) return
+  frame = drawn
+  const label = `${isSpace() ? `${state.axes.join(', ')} in space` : `${state.axes[1]} against ${state.axes[0]}`} on ${own.length} orbits of ${state.steps} steps from ${state.at.join('; ')} at eps ${state.eps}`
   $('portrait').setAttribute('aria-label', label)
   window.forEach((ends, k) => ends.forEach((end, j) => { if (document.activeElement !== rangeInputs()[2 * k + j]) rangeInputs()[2 * k + j].value = decimal(end, 4) }))
 }
 
+// The selects of the axes.
+const AXES = ['across', 'upwards', 'inwards']
 const rangeInputs = () => $('ranges').querySelectorAll('input')
 
 // Moves a first point to where the pointer is in the plane of the axes.
@@ -249,13 +259,17 @@ function wirePortrait() {
     save('steps')
     move()
   }
-  for (const [id, k] of [['across', 0], ['upwards', 1]]) {
+  for (const id of AXES) {
     $(id).onchange = () => {
-      ;[state.axes, state.view, fitted] = [state.axes.with(k, $(id).value), null, null]
+      ;[state.axes, state.view, fitted] = [AXES.map(one => $(one).value).filter(Boolean), null, null]
+      // Time is no direction of the box.
+      if (isSpace() && state.axes.includes('t')) state.axes = id === 'inwards' ? [...pointVariables().filter(name => name !== state.axes[2]).slice(0, 2), state.axes[2]] : state.axes.slice(0, 2)
       save('axes')
+      fields()
       show(lastDrawn)
     }
   }
+  $('turn').oninput = () => { state.turn = [$('turn').value * Math.PI / 180, state.turn[1]]; look(state.view, 'turn') }
   rangeInputs().forEach((input, at) => {
     input.onchange = () => {
       const ends = [...rangeInputs()].map(({ value }) => valueOf(value.trim()))
@@ -293,8 +307,13 @@ function wirePortrait() {
     else return
     event.preventDefault()
   })
-  $('link').onclick = () => { save(); copied('linked', 'the link', location.href) }
+  $('link').onclick = () => { save(); copied('linked', searched?.lines?.length ? 'the link, with what was found' : 'the link', linkWithFindings()) }
   $('png').onclick = () => $('portrait').toBlob(picture => download(picture, 'png'))
+  $('svg').onclick = () => {
+    const paper = new VectorCanvas($('portrait'))
+    drawPortrait(paper)
+    download(new Blob([paper.text()], { type: 'image/svg+xml' }), 'svg')
+  }
   $('csv').onclick = () => download(new Blob([csv()], { type: 'text/csv' }), 'csv')
   pointers()
   const again = () => { if (sheetOf) show(lastDrawn) }

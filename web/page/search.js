@@ -85,6 +85,7 @@ async function searchFirst() {
   if (searched || $('search').classList.contains('running')) return undefined
   const kept = keptFor(asked)
   if (kept) return foundAll(asked, kept)
+  if (brought && await foundInLink(asked)) return undefined
   let isOver = false
   endFirst = () => { isOver = true; firstly.stop() }
   const reply = await firstly.ask(asked, { ask: 'discover', seconds: FIRST_SEARCH })
@@ -92,23 +93,49 @@ async function searchFirst() {
   return foundAll(asked, reply)
 }
 
+// Proves the claims of the link, and says whether they are shown; those that do not hold are not.
+async function foundInLink(asked) {
+  const lines = brought
+  brought = undefined
+  searched = { subject: asked }
+  const own = searched
+  searched.equations = await equationsOf(asked)
+  const reply = await firstly.ask(claimed(lines), { ask: 'show', as: 'latex' })
+  if (searched !== own) return true
+  searched = null
+  if (!reply?.answer) return false
+  const claims = new DOMParser().parseFromString(reply.html, 'text/html').querySelectorAll('.preserved')
+  const of = kind => lines.filter(line => line.startsWith(`${kind} `))
+  await shownAll(asked, { integrals: of('integral'), densities: of('density'), brackets: of('bracket'), drifts: of('drift') }, [...claims].map(one => one.outerHTML).join(''))
+  $('search-stage').textContent = 'These came with the link, and were proved once more.'
+  return true
+}
+
 async function foundAll(asked, { answer, html }) {
+  keep(asked, { answer, html })
+  $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}${answer.growth_proved ? ', proved' : ''}. Found in ${answer.seconds.toFixed(1)} s.`
+  await shownAll(asked, answer, html)
+}
+
+async function shownAll(asked, answer, html) {
   const list = $('arrived')
   set('search-shown', html)
   const lines = [...answer.integrals, ...answer.densities, ...answer.brackets, ...answer.drifts]
   list.textContent = lines.join('\n')
   list.hidden = $('copies-found').hidden = !lines.length
-  $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}${answer.growth_proved ? ', proved' : ''}. Found in ${answer.seconds.toFixed(1)} s.`
   searched = { subject: asked }
   const own = searched
-  keep(asked, { answer, html })
-  // Claims say for which values of parameters they are made, so the equations name these.
-  const sheet = await workers.search.ask({ ...asked, params: {} }, { ask: 'show' })
-  if (!sheet?.answer || searched !== own) return
-  const right = sheet.answer.field_at_eps ?? sheet.answer.field
-  const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${right[k]};`)
+  const equations = await equationsOf(asked)
+  if (!equations || searched !== own) return
   searched = { ...searched, equations, lines, integrals: answer.integrals }
   move()
+}
+
+// Claims say for which values of parameters they are made, so the equations name these.
+async function equationsOf(asked) {
+  const sheet = await workers.search.ask({ ...asked, params: {} }, { ask: 'show' })
+  const right = sheet?.answer && (sheet.answer.field_at_eps ?? sheet.answer.field)
+  return right && sheet.answer.variables.map((name, k) => `${name}dot = ${right[k]};`)
 }
 
 // Results live as long as the tab, so that a reload shows them at once.

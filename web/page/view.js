@@ -52,7 +52,7 @@ function look(view, act) {
 // The view so many times as wide around a point that stays where it is.
 function zoom(times, [px, py] = [frame.width / 2, frame.height / 2], act = 'zoom') {
   const point = frame.point(px, py)
-  const view = (state.view || fitted).map(([low, high], k) => [low, high].map(end => point[k] + (end - point[k]) * times))
+  const view = (state.view || frame.window).map(([low, high], k) => [low, high].map(end => point[k] + (end - point[k]) * times))
   // Doubles have no finer points.
   if (view.every(([low, high]) => high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)) && high - low < 1e100)) look(view, act)
 }
@@ -60,7 +60,7 @@ function zoom(times, [px, py] = [frame.width / 2, frame.height / 2], act = 'zoom
 // The view moved by so many pixels.
 function pan(across, upwards, act = 'pan') {
   const by = [[frame.width, MARGIN.left + MARGIN.right, -across], [frame.height, MARGIN.top + MARGIN.bottom, upwards]]
-  look((state.view || fitted).map(([low, high], k) => {
+  look((state.view || frame.window).map(([low, high], k) => {
     const [whole, margins, pixels] = by[k]
     const move = pixels * (high - low) / (whole - margins)
     return [low + move, high + move]
@@ -73,7 +73,7 @@ function fitAgain() {
 }
 
 // One finger scrolls the page and two zoom; a mouse or a pen moves the view, and a click begins an
-// orbit; each moves a ring.
+// orbit; each moves a ring. In space a mouse, a pen and arrows turn the box instead.
 function pointers() {
   const canvas = $('portrait')
   const down = new Map()
@@ -83,7 +83,7 @@ function pointers() {
     return [clientX - box.left, clientY - box.top]
   }
   const ringAt = ([px, py], reach) => {
-    if (!frame || !sheetOf) return -1
+    if (!frame || !sheetOf || isSpace()) return -1
     const far = frame.starts.map(([x, y]) => Math.hypot(frame.x(x) - px, frame.y(y) - py))
     const nearest = far.indexOf(Math.min(...far))
     return far[nearest] < reach ? nearest : -1
@@ -112,11 +112,11 @@ function pointers() {
     else if (other) {
       const [was, is] = [before, now].map(([x, y]) => Math.hypot(x - other[0], y - other[1]))
       if (was > 0 && is > 0) zoom(was / is, other, 'pinch')
-    } else if (event.pointerType !== 'touch') pan(now[0] - before[0], now[1] - before[1])
+    } else if (event.pointerType !== 'touch') (isSpace() ? turn : pan)(now[0] - before[0], now[1] - before[1])
   }
   canvas.onpointerup = event => {
     if (!down.delete(event.pointerId)) return
-    if (!hasMoved && held < 0 && frame && sheetOf) add(frame.point(...place(event)))
+    if (!hasMoved && held < 0 && frame && sheetOf && !isSpace()) add(frame.point(...place(event)))
     held = -1
   }
   canvas.onpointercancel = event => { down.delete(event.pointerId); held = -1 }
@@ -134,9 +134,10 @@ function pointers() {
     const acts = {
       '+': () => zoom(0.8), '=': () => zoom(0.8), '-': () => zoom(1.25), 0: fitAgain,
       Delete: deleteOrbit, Backspace: deleteOrbit, '[': () => pick(state.picked - 1), ']': () => pick(state.picked + 1),
-      Enter: () => add(frame.starts[state.picked].map((value, k) => value + (frame.window[k][1] - frame.window[k][0]) / 25)),
+      Enter: () => !isSpace() && add(frame.starts[state.picked].map((value, k) => value + (frame.window[k][1] - frame.window[k][0]) / 25)),
     }
-    if (by && event.shiftKey) pan(-40 * by[0], 40 * by[1])
+    if (by && isSpace()) turn(10 * by[0], 10 * by[1])
+    else if (by && event.shiftKey) pan(-40 * by[0], 40 * by[1])
     else if (by) put(state.picked, frame.starts[state.picked].map((value, k) => value + by[k] * (frame.window[k][1] - frame.window[k][0]) / 50), `key ${state.picked}`)
     else if (acts[event.key]) acts[event.key]()
     else return
@@ -147,6 +148,6 @@ function pointers() {
 // The coordinates under the pointer.
 function hover([px, py]) {
   const [x, y] = frame.point(px, py)
-  const isInside = x >= frame.window[0][0] && x <= frame.window[0][1] && y >= frame.window[1][0] && y <= frame.window[1][1]
+  const isInside = !isSpace() && x >= frame.window[0][0] && x <= frame.window[0][1] && y >= frame.window[1][0] && y <= frame.window[1][1]
   $('where').textContent = isInside ? `${state.axes[0]} = ${short(x)}, ${state.axes[1]} = ${short(y)}` : ''
 }

@@ -1,6 +1,10 @@
-"""What a reader does beside typing: keys, fingers, the history, wrong entries, print."""
+"""What a reader does beside typing: keys, fingers, the history, wrong entries, print, what is drawn
+over the orbits and taken away."""
 
-from tab import AXE, DRAWN, E6, PAGE, Tab, address
+import pathlib
+import xml.etree.ElementTree
+
+from tab import DRAWN, E6, PAGE, Tab, address
 
 SWING = {"field": "xdot = v;\nvdot = -x - x^2;", "eps": "0.1", "at": "1/5,0;3/10,0"}
 
@@ -193,6 +197,127 @@ def headings_are_in_order(browser, _):
         assert levels[0] == 1 and all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels
 
 
+# The picture as SVG.
+VECTOR = "(() => { const paper = new VectorCanvas($('portrait')); drawPortrait(paper); return paper.text() })()"
+
+
+def orbits_have_colours_of_their_own(browser, _):
+    with Tab(browser, address(**SWING)) as tab:
+        tab.waits(DRAWN)
+        second = tab.page.evaluate("PAINTS[1]")
+        assert second not in tab.page.evaluate(VECTOR)
+        tab.page.click("#more summary")
+        tab.page.check("#overlays input[value=colours]")
+        tab.waits("location.hash.includes('over=colours')")
+        # A ring and points.
+        assert tab.page.evaluate(VECTOR).count(second) == 2
+    print("each orbit has a colour, where that is wished")
+
+
+def what_is_shown_is_taken_away(browser, _):
+    with Tab(browser, address(**SWING, over="directions,nullclines")) as tab:
+        tab.waits(DRAWN)
+        tab.waits("inPlane.answer !== null")
+        files = {}
+        for button in ["svg", "png", "csv"]:
+            with tab.page.expect_download() as down:
+                tab.page.click(f"#{button}")
+            files[button] = pathlib.Path(down.value.path()).read_bytes()
+        drawing = xml.etree.ElementTree.fromstring(files["svg"])
+        of = lambda tag: list(drawing.iter(f"{{http://www.w3.org/2000/svg}}{tag}"))
+        assert {"x", "v"} <= {text.text for text in of("text")}
+        # Points of the four orbits, arrows and two nullclines in the frame, two rings twice, rules.
+        paths = [path.get("d") for path in of("path")]
+        assert sum(path.count("h0") > 1000 for path in paths) >= 2 and not any("NaN" in path for path in paths)
+        assert sum(path.get("clip-path") is not None for path in of("path")) >= 3
+        assert files["png"][:4] == b"\x89PNG"
+        lines = files["csv"].decode().splitlines()
+        assert lines[0] == "orbit,method,n,t,x,v" and sum(",kahan," in line for line in lines) == 2 * 4001
+    print("the picture is taken away as SVG and PNG, the points as CSV")
+
+
+def the_pointer_reads_coordinates(browser, _):
+    with Tab(browser, address(**SWING)) as tab:
+        tab.waits(DRAWN)
+        tab.page.locator("#portrait").scroll_into_view_if_needed()
+        box = tab.page.locator("#portrait").bounding_box()
+        tab.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+        tab.waits("document.querySelector('#where').textContent !== ''")
+        x, v = [float(part.split("=")[1].replace("−", "-").replace("·10⁻", "e-").translate(RAISED)) for part in tab.text("#where").split(",")]
+        at = tab.page.evaluate("frame.point(frame.width / 2, frame.height / 2)")
+        wide = tab.page.evaluate("frame.window.map(([low, high]) => high - low)")
+        assert abs(x - at[0]) < 0.01 * wide[0] and abs(v - at[1]) < 0.01 * wide[1], (x, v, at)
+        tab.page.mouse.move(box["x"] - 20, box["y"])
+        tab.waits("document.querySelector('#where').textContent === ''")
+    print("the pointer reads coordinates")
+
+
+RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+
+
+def an_embedded_page_is_field_and_picture(browser, _):
+    for url in [f"{PAGE}#embed", address(**SWING, embed="1")]:
+        with Tab(browser, url) as tab:
+            tab.waits(DRAWN)
+            assert all(tab.page.is_visible(part) for part in ["#field", "#portrait", "#drift"])
+            assert not any(tab.page.is_visible(part) for part in ["header", "footer", "#rest", "#exhibits"])
+            assert "embed" in tab.page.evaluate("location.hash")
+    print("an embedded page is field and picture alone")
+
+
+def three_variables_turn_in_a_box(browser, _):
+    with Tab(browser, address(field=E6, eps="0.05", at="1,1/2,1/3", axes="x,y")) as tab:
+        tab.waits(DRAWN)
+        tab.page.click("#more summary")
+        tab.page.select_option("#inwards", "z")
+        tab.waits("location.hash.includes('axes=x%2Cy%2Cz')")
+        # Edges of the box, and the names of its axes; points of the orbit inside it.
+        drawing = tab.page.evaluate(VECTOR)
+        assert all(f">{name}</text>" in drawing for name in "xyz") and drawing.count("h0") > 500
+        # From the front one sees y across and z upwards.
+        assert tab.page.evaluate("seenFrom([0, 0], [[0, 2], [0, 2], [0, 4]])([1, 2, 2]).map(value => Math.round(1000 * value))") == [577, 0]
+        tab.page.locator("#portrait").scroll_into_view_if_needed()
+        box = tab.page.locator("#portrait").bounding_box()
+        mouse, before = tab.page.mouse, tab.page.evaluate("[state.turn, state.at.join(';')]")
+        mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+        mouse.down()
+        mouse.move(box["x"] + 0.5 * box["width"] + 60, box["y"] + 0.5 * box["height"] + 12, steps=3)
+        mouse.up()
+        after = tab.page.evaluate("[state.turn, state.at.join(';')]")
+        assert abs(before[0][0] - after[0][0] - 0.5) < 1e-9 and abs(after[0][1] - before[0][1] - 0.1) < 1e-9, (before, after)
+        assert before[1] == after[1], "neither a drag nor a click begins an orbit"
+        tab.waits(f"({VECTOR}) !== {drawing!r}")
+        tab.page.press("#turn", "ArrowRight")
+        tab.waits(f"state.turn[0] !== {after[0][0]}")
+        shared = tab.page.url
+    with Tab(browser, shared) as tab:
+        tab.waits(DRAWN)
+        assert tab.page.evaluate("isSpace() && state.turn[1].toFixed(2)") == f"{after[0][1]:.2f}"
+        tab.page.click("#more summary")
+        tab.page.select_option("#inwards", "")
+        tab.waits("!isSpace() && frame.starts[0].length === 2")
+    print("three variables are seen in a box that turns")
+
+
+def a_link_holds_what_was_found(browser, _):
+    start = {"field": E6, "eps": "0.05", "at": "1,1/2,1/3"}
+    with Tab(browser, address(**start)) as tab:
+        tab.waits("searched?.lines?.length > 0")
+        lines, link = tab.text("#arrived"), tab.page.evaluate("linkWithFindings()")
+    assert "H1" in lines and len(link) < 8192
+    with Tab(browser, link) as tab:
+        tab.waits("document.querySelector('#search-stage').textContent.includes('proved once more')")
+        tab.waits("document.querySelector('#drifting').textContent.includes('H1')")
+        assert tab.text("#arrived") == lines
+        assert tab.page.eval_on_selector_all("#search-shown .preserved", "all => all.length") == len(lines.splitlines())
+        assert "found=" not in tab.page.url
+    # What does not hold is not shown, and a search takes its place.
+    with Tab(browser, address(**start, found="integral H1 = x;")) as tab:
+        tab.waits("document.querySelector('#search-stage').textContent.includes('Found in')")
+        assert tab.text("#arrived") == lines
+    print("a link holds what was found, which is proved once more")
+
+
 CHECKS = [
     keys_alone_are_enough,
     fingers_scroll_zoom_and_tap,
@@ -205,4 +330,10 @@ CHECKS = [
     a_reload_keeps_what_was_found,
     pictures_play,
     headings_are_in_order,
+    orbits_have_colours_of_their_own,
+    what_is_shown_is_taken_away,
+    the_pointer_reads_coordinates,
+    an_embedded_page_is_field_and_picture,
+    three_variables_turn_in_a_box,
+    a_link_holds_what_was_found,
 ]
