@@ -1,6 +1,7 @@
-// The field in the plane of the portrait: its directions, the curves on which a variable rests, and
-// the equilibria with the eigenvalues of the field there.
-const OVERLAYS = { directions: 'Direction field', nullclines: 'Nullclines', equilibria: 'Equilibria', colours: 'A colour for each orbit' }
+// The field in the plane of the portrait: its directions, the curves on which a variable rests, the
+// equilibria with the eigenvalues of the field there, and the curves on which an integral of the map
+// has the values of the first points.
+const OVERLAYS = { directions: 'Direction field', nullclines: 'Nullclines', equilibria: 'Equilibria', levels: 'Level curves of an integral', colours: 'A colour for each orbit' }
 const GRID = [72, 48]
 // An arrow stands at each third point of the grid.
 const APART = 3
@@ -11,11 +12,14 @@ const inPlane = { key: '', isAsked: false, answer: null }
 // another view.
 function drawPlane(drawn) {
   $('resting').replaceChildren()
-  if (isSpace() || !state.over.some(name => name !== 'colours') || state.axes.includes('t') || state.axes[0] === state.axes[1]) return
+  if (isSpace()) return
+  const [isPlane, hasLevels] = [pointVariables().length === 2, state.over.includes('levels')]
+  $('levelled').textContent = hasLevels && !isPlane ? 'Level curves are drawn of fields of two variables.' : ''
+  if (!state.over.some(name => name !== 'colours') || state.axes.includes('t') || state.axes[0] === state.axes[1]) return
   const at = state.at[state.picked].split(',').map(valueOf)
   const axes = state.axes.map(name => pointVariables().indexOf(name))
-  const asked = pictured(subject())
-  const question = { ask: 'plane', at, axes, window: drawn.window, points: GRID }
+  const asked = hasLevels && isPlane ? measured() : pictured(subject())
+  const question = { ask: 'plane', at, axes, window: drawn.window, points: GRID, ...(hasLevels && isPlane && { orbit: { eps: state.eps, at: [], steps: 0 } }) }
   // Coordinates in the plane are those of the grid.
   const key = JSON.stringify([asked, { ...question, at: at.map((value, k) => (axes.includes(k) ? 0 : value)) }])
   if (key !== inPlane.key && !inPlane.isAsked) {
@@ -33,13 +37,14 @@ function drawPlane(drawn) {
   context.rect(MARGIN.left, MARGIN.top, drawn.width - MARGIN.left - MARGIN.right, drawn.height - MARGIN.top - MARGIN.bottom)
   context.clip()
   const [across, upwards] = GRID
-  const [us, vs] = [0, 1].map(k => answer.columns.subarray(k * across * upwards, (k + 1) * across * upwards))
+  const [us, vs, ...integrals] = Array.from({ length: answer.columns.length / (across * upwards) }, (_, k) => answer.columns.subarray(k * across * upwards, (k + 1) * across * upwards))
   const place = ([column, row]) => [column, row].map((at, k) => answer.window[k][0] + (answer.window[k][1] - answer.window[k][0]) * (at + 0.5) / GRID[k])
   if (state.over.includes('directions')) arrows(drawn, us, vs, place)
   if (state.over.includes('nullclines')) {
     zeros(drawn, us, place, '--c4')
     zeros(drawn, vs, place, '--c5')
   }
+  if (hasLevels && isPlane) levels(drawn, integrals[0], place)
   if (state.over.includes('equilibria')) resting(drawn, answer.answer.equilibria, axes)
   context.restore()
 }
@@ -73,13 +78,22 @@ function arrows({ context, x, y }, us, vs, place) {
   context.globalAlpha = 1
 }
 
+// The curves on which an integral has the values that it has along the orbits.
+function levels(drawn, integral, place) {
+  const own = lastDrawn.filter(({ method, integrals }) => method === 'kahan' && integrals.length)
+  $('levelled').textContent = integral && own.length ? `Curves on which ${own[0].names[own[0].integrals[0]]} has the values of the first points.` : 'No integral is known.'
+  if (!integral) return
+  for (const { columns, integrals } of own) zeros(drawn, integral.map(value => value - columns[integrals[0]][0]), place, '--soft')
+}
+
 // The curves on which values on the grid are 0: a segment in each triangle whose corners have both
-// signs.
+// signs. Values that grow from both sides towards the change of sign have a pole there.
 function zeros({ context, x, y }, values, place, paint) {
   context.strokeStyle = colour(paint)
   context.lineWidth = 1.6
   context.beginPath()
-  const at = ([column, row]) => values[row * GRID[0] + column]
+  const at = ([column, row]) => (column >= 0 && column < GRID[0] ? values[row * GRID[0] + column] : NaN)
+  const beyond = (from, to) => Math.abs(at(to.map((value, k) => 2 * value - from[k])))
   for (let row = 0; row + 1 < GRID[1]; row++) {
     for (let column = 0; column + 1 < GRID[0]; column++) {
       const corners = [[column, row], [column + 1, row], [column + 1, row + 1], [column, row + 1]]
@@ -89,6 +103,7 @@ function zeros({ context, x, y }, values, place, paint) {
           const [one, other] = [corners[from], corners[triangle[(k + 1) % 3]]]
           const [before, after] = [at(one), at(other)]
           if (before < 0 === after < 0 || !Number.isFinite(before - after)) return
+          if (Math.abs(before) > beyond(other, one) && Math.abs(after) > beyond(one, other)) return
           const share = before / (before - after)
           ends.push(place(one.map((value, axis) => value + share * (other[axis] - value))))
         })

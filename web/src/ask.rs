@@ -13,7 +13,7 @@ use kahan_systems::registry;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
-use crate::plane::plane;
+use crate::plane::{Plane, plane};
 use crate::scene::scene;
 use crate::shown::{self, formulas, part};
 
@@ -107,7 +107,12 @@ impl Asker {
             Some("show") => shown_formulas(study, &read(question)?, watch)?,
             Some("scene") => Reply { answer: scene(study)?, ..Reply::default() },
             Some("plane") => {
-                let (answer, columns) = plane(study, &read(question)?)?;
+                let asked: Plane = read(question)?;
+                let study = match &asked.orbit {
+                    Some(orbit) => self.study_of_orbit(orbit)?,
+                    None => study.clone(),
+                };
+                let (answer, columns) = plane(&study, &asked)?;
                 Reply { answer, columns, ..Reply::default() }
             }
             Some("orbit") => {

@@ -1,8 +1,8 @@
-//! The field in a plane of two variables, for its directions and nullclines, and the equilibria of
-//! the field with their eigenvalues.
+//! The field in a plane of two variables, for its directions and nullclines, the integrals of its map
+//! there, and the equilibria of the field with their eigenvalues.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Study, StudyError};
+use kahan_study::{Orbit, Study, StudyError};
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -18,11 +18,13 @@ pub(crate) struct Plane {
     window: [[f64; 2]; 2],
     /// Points in each direction.
     points: [usize; 2],
+    /// An orbit that keeps integrals, where their values are wanted.
+    pub(crate) orbit: Option<Orbit>,
 }
 
-/// Columns of f in both directions at all points, row by row from the lowest, and the equilibria:
-/// `{"equilibria": [{"at": […], "eigenvalues": [[re, im], …]}, …]}`. Points without a value of a
-/// lift's function have none of the field.
+/// Columns of f in both directions, and of each integral, at all points, row by row from the lowest,
+/// and the equilibria: `{"equilibria": [{"at": […], "eigenvalues": [[re, im], …]}, …]}`. Points
+/// without a value of a lift's function have none of the field.
 pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), StudyError> {
     let map = study.map()?.at(0.0);
     let parameters: Vec<f64> = study.values()?.iter().map(Rational::to_f64).collect();
@@ -32,8 +34,10 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
         let [low, high] = asked.window[k];
         low + (high - low) * (at as f64 + 0.5) / asked.points[k] as f64
     };
-    let (mut columns, mut starts) = ([Vec::new(), Vec::new()], Vec::new());
-    let mut slope = vec![0.0; count];
+    let at_step = asked.orbit.as_ref().map(|orbit| map.map().at(orbit.eps.to_f64()));
+    let integrals = at_step.as_ref().map_or(0, |at_step| at_step.map().field().integrals().len());
+    let (mut columns, mut starts) = (vec![Vec::new(); 2 + integrals], Vec::new());
+    let (mut slope, mut values) = (vec![0.0; count], vec![0.0; integrals]);
     for row in 0..upwards {
         for column in 0..across {
             let mut point = asked.at.clone();
@@ -42,7 +46,11 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
             let whole = study.embed(&point, &parameters);
             map.field(&whole, &mut slope).expect("the point is of the field");
             let own = study.project(&slope);
-            columns.iter_mut().zip(asked.axes).for_each(|(column, axis)| column.push(own[axis]));
+            if let Some(at_step) = &at_step {
+                at_step.integrals(&whole, &mut values).expect("the point is of the field");
+            }
+            let cells = asked.axes.iter().map(|&axis| own[axis]).chain(values.iter().copied());
+            columns.iter_mut().zip(cells).for_each(|(column, value)| column.push(value));
             if row % 3 == 1 && column % 3 == 1 {
                 starts.push(point);
             }

@@ -201,6 +201,31 @@ def headings_are_in_order(browser, _):
 VECTOR = "(() => { const paper = new VectorCanvas($('portrait')); drawPortrait(paper); return paper.text() })()"
 
 
+def level_curves_go_through_first_points(browser, _):
+    with Tab(browser, address(**SWING, over="levels")) as tab:
+        tab.waits("document.querySelector('#levelled').textContent.includes('Curves on which H')")
+        tab.waits("inPlane.answer?.columns.length === 3 * GRID[0] * GRID[1]")
+        # The values on the grid are those of the orbit, between its points.
+        far = tab.page.evaluate(
+            """(() => {
+                const [{columns, integrals}] = lastDrawn, {answer: {columns: grid, window}} = inPlane
+                const values = grid.subarray(2 * GRID[0] * GRID[1]), goal = columns[integrals[0]]
+                const nearest = [2, 3].map((k, axis) => columns[k].map(value => Math.round((value - window[axis][0]) / (window[axis][1] - window[axis][0]) * GRID[axis] - 0.5)))
+                const seen = Array.from(goal, (value, row) => Math.abs(values[nearest[1][row] * GRID[0] + nearest[0][row]] - value))
+                return Math.max(...seen) / (values.reduce((a, b) => Math.max(a, b)) - values.reduce((a, b) => Math.min(a, b)))
+            })()"""
+        )
+        assert far < 0.1, far
+        with_curves = tab.page.evaluate(VECTOR).count("<path")
+        tab.page.click("#more summary")
+        tab.page.uncheck("#overlays input[value=levels]")
+        tab.waits("document.querySelector('#levelled').textContent === ''")
+        assert with_curves == tab.page.evaluate(VECTOR).count("<path") + 2
+    with Tab(browser, address(field=E6, eps="0.05", at="1,1/2,1/3", over="levels")) as tab:
+        tab.waits("document.querySelector('#levelled').textContent.includes('two variables')")
+    print("level curves of an integral go through the first points")
+
+
 def orbits_have_colours_of_their_own(browser, _):
     with Tab(browser, address(**SWING)) as tab:
         tab.waits(DRAWN)
@@ -330,6 +355,7 @@ CHECKS = [
     a_reload_keeps_what_was_found,
     pictures_play,
     headings_are_in_order,
+    level_curves_go_through_first_points,
     orbits_have_colours_of_their_own,
     what_is_shown_is_taken_away,
     the_pointer_reads_coordinates,
