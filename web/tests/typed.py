@@ -69,8 +69,8 @@ def pictures(browser, fields=FIELDS):
         for field in fields:
             tab.page.evaluate("document.querySelector('#ended').textContent = ''")
             tab.page.fill("#field", field)
-            tab.waits("document.querySelector('#ended').textContent !== '' && state.at.length > 0 && sheetOf !== null")
-            tab.waits("document.querySelector('#ended').textContent.includes(' points ') || document.querySelector('#panes').hidden")
+            # Orbits of the field before are gone at once, though their legend may come late.
+            tab.waits("document.querySelector('#ended').textContent !== '' && sheetOf !== null && (lastDrawn.length > 0 || document.querySelector('#panes').hidden)")
             shares = tab.page.evaluate(SHARES) if tab.page.is_visible("#panes") else []
             if sum(share >= 0.2 for share in shares) < 3:
                 poor.append((field, [round(share, 2) for share in shares], tab.text("#ended")))
