@@ -1,28 +1,31 @@
-// Orbits and drifts on canvases: points become pixels of an image, words and rules are drawn over
+// Orbits on canvases: points become pixels of an image, words and rules are drawn over
 // it.
 const METHODS = { kahan: ['Kahan’s map', '--c1'], euler: ['Euler', '--c3'], rk4: ['Runge–Kutta 4', '--c2'], flow: ['the flow itself', '--c6'] }
 const MARGIN = { left: 58, right: 12, top: 12, bottom: 40 }
+const NO_MARGIN = { left: 2, right: 2, top: 2, bottom: 2 }
 
-const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
+// Colours of orbits that have one each; all are seen on white and on black.
+const PAINTS = ['#2a7fb8', '#d1495b', '#3a9a5b', '#b07d12', '#8a5fc0', '#0f9a9a', '#c2589a', '#7a8b2a', '#5a78d6', '#c86432', '#6f7f8f', '#a0522d']
+const colour = name => (name.startsWith('#') ? name : getComputedStyle(document.documentElement).getPropertyValue(name).trim())
 const numbers = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16))
 const short = number => String(Number(number.toPrecision(4))).replace('-', '−').replace(/e\+?(.*)/, (_, power) => `·10${raised(power)}`)
 const raised = power => String(power).replace(/[-−]/, '⁻').replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
 
 // The pixels of a canvas at the size that it has on the screen, and the scales of its axes.
-function sheet(canvas, window) {
+function sheet(canvas, window, margin = MARGIN) {
   const ratio = devicePixelRatio || 1
   const [width, height] = [canvas.clientWidth, canvas.clientHeight]
   canvas.width = Math.round(width * ratio)
   canvas.height = Math.round(height * ratio)
   const [[left, right], [low, high]] = window
-  const across = (width - MARGIN.left - MARGIN.right) / (right - left)
-  const upwards = (height - MARGIN.top - MARGIN.bottom) / (high - low)
+  const across = (width - margin.left - margin.right) / (right - left)
+  const upwards = (height - margin.top - margin.bottom) / (high - low)
   return {
-    ratio, width, height, window,
+    ratio, width, height, window, margin,
     context: canvas.getContext('2d'),
-    x: value => MARGIN.left + (value - left) * across,
-    y: value => height - MARGIN.bottom - (value - low) * upwards,
-    point: (x, y) => [left + (x - MARGIN.left) / across, low + (height - MARGIN.bottom - y) / upwards],
+    x: value => margin.left + (value - left) * across,
+    y: value => height - margin.bottom - (value - low) * upwards,
+    point: (x, y) => [left + (x - margin.left) / across, low + (height - margin.bottom - y) / upwards],
   }
 }
 
@@ -36,7 +39,7 @@ function ticks([low, high], count) {
 }
 
 // Rules, numbers and names of the axes.
-function axes({ context, ratio, width, height, window, x, y }, names, written = short) {
+function axes({ context, ratio, width, height, window, x, y }, names, written = short, apart = 70) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0)
   context.font = '13px system-ui, sans-serif'
   context.lineWidth = 1
@@ -55,7 +58,7 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
     context.fillText(short(tick), Math.min(x(tick), width - context.measureText(short(tick)).width / 2), bottom + 17)
   }
   context.textAlign = 'right'
-  for (const tick of ticks(window[1], height / 70)) {
+  for (const tick of ticks(window[1], height / apart)) {
     line([MARGIN.left, y(tick)], [right, y(tick)])
     context.fillText(written(tick), MARGIN.left - 6, y(tick) + 4)
   }
@@ -69,17 +72,18 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
 // their set says.
 function points(sheet, sets) {
   const { context, ratio, x, y } = sheet
+  if (context instanceof VectorCanvas) { squares(sheet, sets); return }
   const { width, height } = context.canvas
   const image = context.createImageData(width, height)
   const pixels = new Uint32Array(image.data.buffer)
   const [zeroX, zeroY] = [x(0) * ratio, y(0) * ratio]
   const [perX, perY] = [x(1) * ratio - zeroX, y(1) * ratio - zeroY]
-  const [left, right] = [MARGIN.left * ratio, width - MARGIN.right * ratio]
-  const [top, bottom] = [MARGIN.top * ratio, height - MARGIN.bottom * ratio]
+  const [left, right] = [sheet.margin.left * ratio, width - sheet.margin.right * ratio]
+  const [top, bottom] = [sheet.margin.top * ratio, height - sheet.margin.bottom * ratio]
   for (const { xs, ys, paint, wider } of sets) {
     const [red, green, blue] = numbers(colour(paint))
     const word = (255 << 24) | (blue << 16) | (green << 8) | red
-    const size = Math.max(1, Math.round(((xs.length <= 400 ? 4 : xs.length <= 50000 ? 1.6 : 1) + wider) * ratio))
+    const size = Math.max(1, Math.round((sizeOf(xs.length) + wider) * ratio))
     const back = (size - 1) / 2
     for (let k = 0; k < xs.length; k++) {
       const [px, py] = [zeroX + xs[k] * perX - back, zeroY + ys[k] * perY - back]
@@ -94,74 +98,69 @@ function points(sheet, sets) {
   context.putImageData(image, 0, 0)
 }
 
-// The portrait of orbits, a ring at each first point; the sheet tells where a pointer is.
-function portrait(canvas, window, names, sets, starts) {
+const sizeOf = count => (count <= 400 ? 4 : count <= 5000 ? 2 : count <= 50000 ? 1.6 : 1)
+
+// The points that are inside the frame, for a picture without pixels.
+function squares({ context, x, y, width, height, margin }, sets) {
+  for (const { xs, ys, paint, wider } of sets) {
+    const places = Array.from(xs, (value, k) => [x(value), y(ys[k])])
+    const inside = places.filter(([px, py]) => px >= margin.left && px < width - margin.right && py >= margin.top && py < height - margin.bottom)
+    context.squares(inside, sizeOf(xs.length) + wider, colour(paint))
+  }
+}
+
+// Points of an orbit that lines join, at most.
+const JOINED = 300
+
+// Joins the points of short orbits, in the order of their steps, inside the frame.
+function joined({ context, x, y, width, height }, sets) {
+  context.save()
+  context.beginPath()
+  context.rect(MARGIN.left, MARGIN.top, width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom)
+  context.clip()
+  context.globalAlpha = 0.45
+  context.lineWidth = 1
+  for (const { xs, ys, paint } of sets) {
+    if (xs.length > JOINED) continue
+    context.strokeStyle = colour(paint)
+    context.beginPath()
+    for (let k = 0; k < xs.length; k++) if (Math.abs(xs[k]) + Math.abs(ys[k]) < 1e100) context.lineTo(x(xs[k]), y(ys[k]))
+    context.stroke()
+  }
+  context.restore()
+}
+
+// The portrait of orbits, a ring of its colour at each first point, the picked one filled; the sheet
+// tells where a pointer is.
+function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   const drawn = sheet(canvas, window)
   points(drawn, sets)
   // The points are above the rules.
   drawn.context.globalCompositeOperation = 'destination-over'
-  axes(drawn, names)
+  drawAxes(drawn)
   drawn.context.globalCompositeOperation = 'source-over'
+  joined(drawn, sets)
   drawn.context.lineWidth = 2
-  drawn.context.strokeStyle = colour('--ink')
-  for (const [x, y] of starts) {
+  starts.forEach(([x, y], k) => {
+    const [px, py] = [drawn.x(x), drawn.y(y)]
+    if (px < MARGIN.left || px > drawn.width - MARGIN.right || py < MARGIN.top || py > drawn.height - MARGIN.bottom) return
     drawn.context.beginPath()
-    drawn.context.arc(drawn.x(x), drawn.y(y), 6, 0, 7)
+    drawn.context.arc(px, py, 6, 0, 7)
+    drawn.context.strokeStyle = colour(rings[k])
+    drawn.context.fillStyle = colour(k === picked ? rings[k] : '--paper')
+    drawn.context.fill()
     drawn.context.stroke()
-  }
+  })
   return drawn
 }
 
-// Nearly all of these numbers, or all of them between two ends, with some room.
-function span(lists, isWhole, [least, most] = [-Infinity, Infinity]) {
+// All of these numbers between two ends, but a share of the least and the greatest.
+function span(lists, [least, most], share) {
   const values = []
   for (const list of lists) {
-    const stride = isWhole ? 1 : Math.ceil(list.length / 4000)
+    const stride = Math.ceil(list.length / 4000)
     for (let k = 0; k < list.length; k += stride) if (Number.isFinite(list[k]) && list[k] >= least && list[k] <= most) values.push(list[k])
   }
   values.sort((a, b) => a - b)
-  const share = isWhole ? 0 : 0.005
-  const [low, high] = [share, 1 - share].map(at => values[Math.round(at * (values.length - 1))] ?? 0)
-  const room = 0.08 * (high - low) || Math.abs(low) / 10 || 1
-  return [low - room, high + room]
-}
-
-// Strokes of relations, which tell them apart from integrals.
-const RELATION_PAINTS = ['--c4', '--c5', '--c2', '--c3', '--c6', '--c1']
-const STROKES = [['dashed', [7, 4]], ['dotted', [2, 3]]]
-const strokeOf = k => ({ paint: RELATION_PAINTS[k % 6], stroke: STROKES[Math.floor(k / 6) % 2] })
-
-// By how much integrals change: the logarithm of the largest relative change in each pixel. Of a
-// relation the errors are known, in equal parts of an orbit that takes all steps.
-function drift(canvas, time, orbits, relations, whole) {
-  const FLOOR = -17
-  const end = time.at(-1) || 1
-  const curve = (sizes, style, end) => {
-    const heights = Array.from(sizes, (size, k) => [(k / (sizes.length - 1)) * end, Math.max(FLOOR, Math.log10(size))])
-    return { ...style, heights: heights.filter(([, height]) => height > FLOOR && height < 300) }
-  }
-  const ofIntegrals = orbits.map(({ columns, integrals, paint }) => {
-    const bins = new Float64Array(Math.max(60, canvas.clientWidth - MARGIN.left)).fill(0)
-    for (const values of integrals.map(index => columns[index])) {
-      const size = Math.abs(values[0]) || 1
-      for (let k = 0; k < values.length; k++) {
-        const bin = Math.floor((k / Math.max(1, time.length - 1)) * (bins.length - 1))
-        bins[bin] = Math.max(bins[bin], Math.abs(values[k] - values[0]) / size)
-      }
-    }
-    return curve(bins, { paint }, end)
-  })
-  const curves = [...relations.map((sizes, k) => curve(sizes, strokeOf(k), whole)), ...ofIntegrals]
-  const top = Math.max(-10, ...curves.flatMap(({ heights }) => heights.map(([, height]) => height)))
-  const drawn = sheet(canvas, [[Math.min(0, end), Math.max(0, end)], [FLOOR, Math.min(top, 6) + 1]])
-  axes(drawn, ['t', ''], tick => (Number.isInteger(tick) ? `10${raised(tick)}` : ''))
-  for (const { paint, stroke, heights } of curves) {
-    drawn.context.strokeStyle = colour(paint)
-    drawn.context.lineWidth = 1.6
-    drawn.context.setLineDash(stroke?.[1] || [])
-    drawn.context.beginPath()
-    for (const [t, height] of heights) drawn.context.lineTo(drawn.x(t), Math.max(MARGIN.top, drawn.y(height)))
-    drawn.context.stroke()
-  }
-  drawn.context.setLineDash([])
+  return [share, 1 - share].map(at => values[Math.round(at * (values.length - 1))] ?? 0)
 }

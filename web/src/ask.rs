@@ -13,6 +13,8 @@ use kahan_systems::registry;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
+use crate::plane::{Plane, plane};
+use crate::scene::scene;
 use crate::shown::{self, formulas, part};
 
 /// Answers questions, and keeps the field of the last one with what was planned for it.
@@ -74,8 +76,9 @@ impl Reply {
 impl Asker {
     /// Answers what stands in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject
     /// the page asks for `list`, the catalog, or `style`, the style of the page. Beside the
-    /// questions of `kahan-study` it may ask for `scene`, an ε and a first point that show
-    /// something, and for `relations`, the errors of a lift's relations along an orbit.
+    /// questions of `kahan-study` it may ask for `scene`, with which a picture begins, for
+    /// `plane`, the field in a plane and its equilibria, and for `relations`, the errors of a
+    /// lift's relations along an orbit.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
             Ok(Reply { answer, html, parameters, values, lifted, columns }) => {
@@ -102,7 +105,16 @@ impl Asker {
         let (study, question) = (self.study(subject)?, Value::Object(question));
         Ok(match name.as_str() {
             Some("show") => shown_formulas(study, &read(question)?, watch)?,
-            Some("scene") => scene(study)?,
+            Some("scene") => Reply { answer: scene(study)?, ..Reply::default() },
+            Some("plane") => {
+                let asked: Plane = read(question)?;
+                let study = match &asked.orbit {
+                    Some(orbit) => self.study_of_orbit(orbit)?,
+                    None => study.clone(),
+                };
+                let (answer, columns) = plane(&study, &asked)?;
+                Reply { answer, columns, ..Reply::default() }
+            }
             Some("orbit") => {
                 let asked = read(question)?;
                 orbit(&self.study_of_orbit(&asked)?, &asked, watch)?
@@ -155,6 +167,12 @@ fn written(block: &str) -> String {
     text.split_once([';', '}']).map_or("", |(_header, items)| items).trim().to_owned()
 }
 
+/// The equations of what was written, without the claims behind the last of them.
+fn equations(text: &str) -> &str {
+    let ends = text.rfind("dot =").and_then(|last| Some(last + text[last..].find(';')? + 1));
+    &text[..ends.unwrap_or(text.len())]
+}
+
 /// The systems of the catalog with their texts, and values of their parameters that show something.
 fn catalog() -> Result<Reply, StudyError> {
     let listed = list(&Systems)?;
@@ -162,7 +180,7 @@ fn catalog() -> Result<Reply, StudyError> {
         let values = entry.parameters.iter().map(|&(above, below)| Rational::new(above, below).to_string());
         let params: Map<String, Value> =
             system.parameters.iter().cloned().zip(values.map(Value::String)).collect();
-        json!({"name": system.name, "called": entry.name, "title": shown::readable(system.title), "params": params, "text": written(entry.text())})
+        json!({"name": system.name, "called": entry.name, "title": shown::readable(system.title), "params": params, "text": equations(&written(entry.text()))})
     });
     Ok(Reply { answer: systems.collect(), ..Reply::default() })
 }
@@ -190,13 +208,6 @@ fn lifted(study: &Study) -> Result<Value, StudyError> {
         "relations": relations.collect::<Vec<_>>(),
         "warning": study.lift().and_then(Lift::warning),
     }))
-}
-
-fn scene(study: &Study) -> Result<Reply, StudyError> {
-    let shown = study.shown_orbit(None, study.lift_start().as_deref())?;
-    let start: Vec<String> = shown.start.iter().map(ToString::to_string).collect();
-    let answer = json!({"eps": shown.eps.to_string(), "at": start, "stays": shown.stays});
-    Ok(Reply { answer, ..Reply::default() })
 }
 
 /// The rows of an orbit in doubles, each column after the other.

@@ -7,6 +7,8 @@
 //! nor what the page looks like.
 
 mod ask;
+mod plane;
+mod scene;
 mod shown;
 
 #[cfg(target_arch = "wasm32")]

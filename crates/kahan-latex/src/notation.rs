@@ -52,19 +52,23 @@ impl Notation for Latex {
         }
     }
 
-    /// Writes a product, with a dot before any number but the first factor.
+    /// Writes a product, with a dot before any number but the first factor, and a thin space between
+    /// factors of which one is a word.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
-        for (index, factor) in factors.iter().enumerate() {
-            let is_number = factor.starts_with(|c: char| c.is_ascii_digit());
-            text.push_str(if index == 0 {
+        let mut before = "";
+        for factor in factors {
+            text.push_str(if before.is_empty() {
                 ""
-            } else if is_number {
+            } else if factor.starts_with(|c: char| c.is_ascii_digit()) {
                 " \\cdot "
+            } else if is_word(before) || is_word(factor) {
+                "\\, "
             } else {
                 " "
             });
             text.push_str(factor);
+            before = factor;
         }
         text
     }
@@ -135,9 +139,14 @@ impl Notation for Latex {
     }
 }
 
+/// Says whether a factor is a name of several letters, its image or its power.
+fn is_word(factor: &str) -> bool {
+    factor.trim_start_matches("\\widetilde{").starts_with("\\mathit{")
+}
+
 #[cfg(test)]
 mod tests {
-    use kahan_algebra::render::condition_statement;
+    use kahan_algebra::render::{Notation, condition_statement};
     use kahan_algebra::{lexer, read};
 
     use super::Latex;
@@ -149,5 +158,19 @@ mod tests {
         let system = read(&lexer::lex(block).tokens).system().expect("a system");
         let written = condition_statement(&system, &system.claims[0], &Latex);
         assert_eq!(written, "a_{1} a_{2} = a_{5} a_{6}, \\varepsilon = \\frac{1}{2}");
+    }
+
+    #[test]
+    fn words_stand_apart_from_other_factors() {
+        for (factors, written) in [
+            (&["xp", "xp", "y"][..], "\\mathit{xp}\\, \\mathit{xp}\\, y"),
+            (&["eps", "xp2"], "\\varepsilon\\, \\mathit{xp}_{2}"),
+            (&["x", "y"], "x y"),
+        ] {
+            let factors: Vec<String> = factors.iter().map(|name| Latex.name(name)).collect();
+            assert_eq!(Latex.product(&factors), written);
+        }
+        let counted = ["16".to_owned(), Latex.image("xp"), "2".to_owned()];
+        assert_eq!(Latex.product(&counted), "16\\, \\widetilde{\\mathit{xp}} \\cdot 2");
     }
 }

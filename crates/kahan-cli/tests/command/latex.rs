@@ -109,7 +109,7 @@ fn names_become_letters_words_and_indices() {
     );
     for part in [
         "\\mu_{1} y",
-        "\\mathit{al} x_{1}^{2}",
+        "\\mathit{al}\\, x_{1}^{2}",
         "\\alpha_{12}",
         "a_{1,2}",
         "\\Gamma x_{1}",

@@ -1,0 +1,171 @@
+// The plot under the portrait: by how much integrals change along the picked orbit, or where none is
+// known the orbit against the time; and the time until which both are drawn.
+
+// Strokes of relations, which tell them apart from integrals.
+const RELATION_PAINTS = ['--c4', '--c5', '--c2', '--c3', '--c6', '--c1']
+const STROKES = [['dashed', [7, 4]], ['dotted', [2, 3]]]
+const strokeOf = k => ({ paint: RELATION_PAINTS[k % 6], stroke: STROKES[Math.floor(k / 6) % 2] })
+
+// By how much integrals change: the logarithm of the largest relative change in each pixel. Of a
+// relation the errors are known, in equal parts of an orbit that takes all steps. Times until which
+// steps are shown are as long as the largest share says.
+function drift(canvas, time, orbits, relations, whole, share) {
+  const FLOOR = -17
+  const end = time.at(-1) || 1
+  const curve = (sizes, style, end) => {
+    const heights = Array.from(sizes, (size, k) => [(k / (sizes.length - 1)) * end, Math.max(FLOOR, Math.log10(size))])
+    return { ...style, heights: heights.filter(([, height]) => height > FLOOR && height < 300) }
+  }
+  const ofIntegrals = orbits.map(({ columns, integrals, paint }) => {
+    const bins = new Float64Array(Math.max(60, canvas.clientWidth - MARGIN.left)).fill(0)
+    for (const values of integrals.map(index => columns[index])) {
+      const size = Math.abs(values[0]) || 1
+      for (let k = 0; k < values.length; k++) {
+        const bin = Math.floor((k / Math.max(1, time.length - 1)) * (bins.length - 1))
+        bins[bin] = Math.max(bins[bin], Math.abs(values[k] - values[0]) / size)
+      }
+    }
+    return curve(bins, { paint }, end)
+  })
+  const curves = [...relations.map((sizes, k) => curve(sizes, strokeOf(k), whole)), ...ofIntegrals]
+  const top = Math.max(-10, ...curves.flatMap(({ heights }) => heights.map(([, height]) => height)))
+  const drawn = sheet(canvas, [[Math.min(0, end), Math.max(0, end)], [FLOOR, Math.min(top, 6) + 1]])
+  axes(drawn, ['t', ''], tick => (Number.isInteger(tick) ? `10${raised(tick)}` : ''), 30)
+  for (const { paint, stroke, heights } of curves) {
+    path(drawn, heights.filter(([t]) => Math.abs(t) <= share * Math.abs(end)).map(([t, height]) => [t, Math.min(height, drawn.window[1][1])]), paint, stroke?.[1])
+  }
+}
+
+// Steps of an orbit against the time, as many as can be told apart.
+const SERIES = 400
+
+// A variable against the time along orbits, up to a row.
+function series(canvas, name, orbits, place, until) {
+  const from = Math.max(0, until - SERIES)
+  const parts = orbits.map(({ columns, paint }) => ({ paint, ts: columns[1].subarray(from, Math.max(until, from + 2)), values: columns[place].subarray(from, until) }))
+  const times = parts[0].ts
+  const whole = Math.abs(times[1] - times[0]) * SERIES * Math.sign(times[1] - times[0] || 1)
+  const [low, high] = span([parts[0].values], [-Infinity, Infinity], 0)
+  const room = 0.3 * (high - low) || 1
+  const drawn = sheet(canvas, [[Math.min(times[0], times[0] + whole), Math.max(times[0], times[0] + whole)], [low - room, high + room]])
+  axes(drawn, ['t', name])
+  const clipped = value => Math.min(high + room, Math.max(low - room, value))
+  for (const { paint, ts, values } of parts) path(drawn, Array.from(values, (value, k) => [ts[k], clipped(value)]).filter(([, value]) => Number.isFinite(value)), paint)
+}
+
+// A line through points.
+function path({ context, x, y }, points, paint, dashes = []) {
+  context.strokeStyle = colour(paint)
+  context.lineWidth = 1.6
+  context.setLineDash(dashes)
+  context.beginPath()
+  for (const [across, upwards] of points) context.lineTo(x(across), Math.max(MARGIN.top, y(upwards)))
+  context.stroke()
+  context.setLineDash([])
+}
+
+// The orbit of each method from the picked first point, the map's own first.
+const compared = () => lastDrawn.filter(({ at }) => at === state.at[state.picked]).filter(({ method }, k, all) => all.findIndex(other => other.method === method) === k)
+
+function drawDrift() {
+  const orbits = compared()
+  const kahan = orbits.find(({ method }) => method === 'kahan')
+  if (!kahan || !$('drift').clientWidth) return
+  const measured = orbits.filter(({ integrals }) => integrals.length)
+  const integrals = measured.length ? measured[0].integrals.map(k => measured[0].names[k]).join(', ') : ''
+  $('seeing').textContent = seeing(orbits)
+  const has = Boolean(measured.length || relationErrors.length)
+  if (has) {
+    $('drifting').replaceChildren(...drifting(integrals))
+    $('drift').setAttribute('aria-label', ['Drift of', integrals || 'nothing', ...(relationErrors.length ? ['and errors of', lifted.relations.join('; ')] : [])].join(' '))
+    drift($('drift'), kahan.columns[1], measured, relationErrors, 2 * valueOf(kahan.eps) * state.steps, shownRows(state.steps + 1) / (state.steps + 1))
+    return
+  }
+  const name = state.axes.findLast(axis => axis !== 't')
+  $('drifting').replaceChildren(`${name} against the time. No integral is known that could drift.`)
+  $('drift').setAttribute('aria-label', `${name} against the time from ${kahan.at}`)
+  const count = played < 1 ? shownRows(state.steps + 1) : SERIES
+  series($('drift'), name, orbits, 2 + pointVariables().indexOf(name), Math.min(Math.max(count, 2), kahan.columns[0].length))
+}
+
+// One sentence on each method: what the pictures show.
+function seeing(orbits) {
+  const parts = orbits.filter(({ method }) => method !== 'flow').map(({ method, integrals, columns, names, escaped }) => {
+    const called = METHODS[method][0]
+    if (escaped !== null) return `${called} escapes after ${escaped} steps`
+    if (!integrals.length) return ''
+    const worst = Math.max(...integrals.map(k => {
+      const [values, size] = [columns[k], Math.abs(columns[k][0]) || 1]
+      return values.reduce((most, value) => Math.max(most, Math.abs(value - values[0]) / size), 0)
+    }))
+    const list = integrals.map(k => names[k]).join(', ')
+    return worst < 1e-8 ? `${called} keeps ${list} to ${short(Number(worst.toPrecision(1)))}` : `${called} changes ${method === 'kahan' ? list : 'it'} by ${short(Number(worst.toPrecision(1)))}`
+  }).filter(Boolean)
+  const said = parts.length ? `${parts.join('; ')}, in ${state.steps} steps of Δt = ${short(2 * valueOf(state.eps))}.` : ''
+  const own = CLASSICAL.find(({ field }) => field === state.field)
+  return [own?.seen, said, 'Try: make ε larger, or drag a ring.'].filter(Boolean).join(' ')
+}
+
+// The lines of the drift plot.
+function drifting(integrals) {
+  const said = integrals ? [`Largest relative change of ${integrals} along the picked orbit${relationErrors.length ? ', and' : ''}`] : []
+  if (!relationErrors.length) return said
+  const list = document.createElement('ul')
+  list.append(...lifted.relations.map((relation, k) => {
+    const [item, line, code] = ['li', 'span', 'code'].map(name => document.createElement(name))
+    line.className = 'line'
+    line.style.borderTopStyle = strokeOf(k).stroke[0]
+    line.style.borderTopColor = `var(${strokeOf(k).paint})`
+    code.textContent = relation
+    item.append(line, code)
+    return item
+  }))
+  return [...said, integrals ? ' errors of the relations of the lift:' : 'Errors of the relations of the lift along the picked orbit:', list]
+}
+
+// --- The time until which orbits are drawn
+
+let played = 1 // the place of the slider, from 0 to 1
+let playing = 0 // the frame that is asked for next, or 0
+
+// Rows of so many that are shown: few in the first seconds, so that single steps are seen.
+const shownRows = rows => (played >= 1 ? rows : Math.max(2, Math.ceil(played ** 3 * rows)))
+
+// Milliseconds from the first step to the last.
+const PLAY = 10000
+
+function playTo(place) {
+  played = Math.min(1, place)
+  $('time').value = Math.round(1000 * played)
+  const t = 2 * valueOf(state.eps) * (shownRows(state.steps + 1) - 1)
+  $('time').setAttribute('aria-valuetext', `t = ${short(t)}`)
+  $('until').textContent = `t = ${short(t)}`
+  if (!lastDrawn.length) return
+  drawPortrait()
+  drawDrift()
+}
+
+function pause() {
+  cancelAnimationFrame(playing)
+  playing = 0
+  $('play').textContent = 'Play'
+}
+
+function play() {
+  if (playing) { pause(); return }
+  if (played >= 1) played = 0
+  $('play').textContent = 'Pause'
+  let last = performance.now()
+  const next = now => {
+    playTo(played + Math.max(0, now - last) / PLAY)
+    last = now
+    if (played < 1) playing = requestAnimationFrame(next)
+    else pause()
+  }
+  playing = requestAnimationFrame(next)
+}
+
+function wireTime() {
+  $('play').onclick = play
+  $('time').oninput = () => { if (playing) pause(); playTo($('time').value / 1000) }
+}

@@ -1,0 +1,103 @@
+// The state of the page, its address, and the history of the tab: each act of the reader is an
+// entry, so that the browser's Back and the page's Undo are one.
+const START = { system: '', field: '', lift: '', params: {}, shows: {}, eps: '', at: [], picked: 0, steps: 4000, axes: [], beside: ['euler', 'rk4'], over: [], view: null, turn: [-0.9, 0.3] }
+const MOST_STEPS = 1e6
+const MOST_ORBITS = 12
+
+// The lifts that can be asked for, by their names in questions.
+const LIFTS = {
+  automatic: 'the usual one',
+  energy: 'one that keeps an energy',
+  relations: 'one that keeps relations',
+  stable: 'one whose errors do not grow',
+  smallest: 'one with the fewest variables',
+}
+
+const isEmbedded = new URLSearchParams(location.hash.slice(1)).has('embed')
+// Claims that came with the link, in the language of `kahan!`, until they are proved once more.
+let brought = new URLSearchParams(location.hash.slice(1)).get('found')?.split('\n')
+// Characters of an address that claims take, at most.
+const MOST_FOUND = 8192
+
+// The address of the page as it is, with what was found.
+function linkWithFindings() {
+  const found = searched?.lines?.length ? `&${new URLSearchParams({ found: searched.lines.join('\n') })}` : ''
+  return location.href + (found.length <= MOST_FOUND ? found : '')
+}
+
+function readAddress() {
+  const given = new URLSearchParams(location.hash.slice(1))
+  if (!given.has('field') && !given.has('system')) return { ...START, ...CLASSICAL[0] }
+  const list = (name, between) => (given.get(name) || '').split(between).filter(Boolean)
+  const pairs = name => Object.fromEntries(given.getAll(name).map(text => text.split('=')))
+  const [ends, angles] = [list('view', ',').map(Number), list('turn', ',').map(Number)]
+  return {
+    system: given.get('system') || '',
+    field: given.get('field') || '',
+    lift: given.get('lift') in LIFTS ? given.get('lift') : '',
+    params: pairs('param'),
+    shows: pairs('show'),
+    eps: NUMBER.test(given.get('eps')) ? given.get('eps') : '',
+    at: list('at', ';').slice(0, MOST_ORBITS),
+    picked: Math.max(0, Math.round(given.get('pick')) || 0),
+    steps: Math.min(MOST_STEPS, Math.max(1, Math.round(given.get('steps')) || START.steps)),
+    axes: list('axes', ','),
+    beside: given.has('beside') ? list('beside', ',').filter(name => name in METHODS) : START.beside,
+    over: list('over', ',').filter(name => name in OVERLAYS),
+    view: ends.length === 4 && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3] ? [ends.slice(0, 2), ends.slice(2)] : null,
+    turn: angles.length === 2 && angles.every(Number.isFinite) ? angles : START.turn,
+  }
+}
+
+function address(state) {
+  const given = new URLSearchParams(state.system ? { system: state.system } : { field: state.field })
+  if (state.lift) given.set('lift', state.lift)
+  for (const [kind, values] of [['param', state.params], ['show', state.shows]]) {
+    for (const [name, value] of Object.entries(values)) if (value) given.append(kind, `${name}=${value}`)
+  }
+  given.set('eps', state.eps)
+  given.set('at', state.at.join(';'))
+  if (state.picked) given.set('pick', state.picked)
+  given.set('steps', state.steps)
+  given.set('axes', state.axes.join(','))
+  given.set('beside', state.beside.join(','))
+  if (state.over.length) given.set('over', state.over.join(','))
+  if (state.view) given.set('view', state.view.flat().map(end => decimal(end, 5)).join(','))
+  if (isSpace()) given.set('turn', state.turn.map(angle => decimal(angle, 4)).join(','))
+  if (isEmbedded) given.set('embed', '1')
+  return `#${given}`
+}
+
+// A number as questions have it, exactly: a fraction or a decimal.
+const NUMBER = /^[-−]?\d+(\.\d+)?(e-?\d+)?(\/\d+)?$/i
+const valueOf = text => {
+  const [above, below = '1'] = text.replace('−', '-').split('/')
+  return Number(above) / Number(below)
+}
+const decimal = (number, digits = 3) => String(Number(number.toPrecision(digits)))
+
+// Writes the state into the address. An act has an entry of its own in the history; what goes on
+// with the act before it, such as a drag, belongs to its entry.
+const visited = { place: history.state?.place ?? 0, last: history.state?.place ?? 0, act: '', at: 0 }
+function save(act = '') {
+  const goesOn = act === visited.act && performance.now() - visited.at < 1000
+  const to = address({ ...state, params: named(state.field), shows: named(state.field, state.shows) })
+  if (act) [visited.act, visited.at] = [act, performance.now()]
+  if (act && !goesOn && to !== location.hash) {
+    visited.last = ++visited.place
+    history.pushState({ place: visited.place }, '', to)
+  } else history.replaceState({ place: visited.place }, '', to)
+  undoable()
+}
+
+function undoable() {
+  $('undo').disabled = visited.place === 0
+  $('redo').disabled = visited.place >= visited.last
+}
+
+addEventListener('popstate', ({ state: entry }) => {
+  visited.place = entry?.place ?? 0
+  visited.act = ''
+  undoable()
+  reopen(readAddress())
+})
