@@ -59,7 +59,7 @@ impl Caller {
     /// Adds finished steps out of `of`; returns `Break` if the work must end.
     pub(crate) fn made(&self, steps: u64, of: u64) -> ControlFlow<()> {
         let done = self.made.fetch_add(steps, Ordering::Relaxed) + steps;
-        self.inspect(&Progress { what: "steps", done, of: Some(of) })
+        self.look(&Progress { what: "steps", done, of: Some(of) })
     }
 
     /// Returns whether the work must end.
@@ -108,7 +108,7 @@ impl Watch for Caller {
         Some(self.since.elapsed())
     }
 
-    fn inspect(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         self.tell(|news| news.progress = Some((progress.what.to_owned(), progress.done, progress.of)));
         self.goes_on()
     }

@@ -233,7 +233,7 @@ impl<T: Float> Trajectories<T> {
         let width = study.variables().len();
         let rows = from.chunks_exact(width).zip(to.chunks_exact_mut(width)).zip(ends);
         for (k, ((from, to), end)) in rows.enumerate().filter(|(_, ((_, to), _))| step.is_beyond(to)) {
-            *end = self.observe_one(k, from, to, study, (&last, false), caller)?;
+            *end = self.trajectory(k, from, to, study, (&last, false), caller)?;
         }
         Ok(())
     }

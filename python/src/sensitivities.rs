@@ -64,7 +64,7 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
         let vectors = self.vectors(&by);
-        let asked = ensemble::SensitivityOptions {
+        let asked = ensemble::EnsembleOptions {
             eps,
             steps,
             parameters,
@@ -158,7 +158,7 @@ impl Field {
         &self,
         points: &PyReadonlyArrayDyn<'py, T>,
         vectors: &Vectors,
-        asked: &ensemble::SensitivityOptions<'_, 'py>,
+        asked: &ensemble::EnsembleOptions<'_, 'py>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (py, shape) = (points.py(), points.shape());
         let many = self.many::<T>(py, shape, asked)?.sensitivities(&vectors.by);

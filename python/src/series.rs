@@ -98,12 +98,12 @@ impl<T: Float> Trajectories<T> {
             let mut piece = pieces[index].lock().unwrap_or_else(PoisonError::into_inner);
             let (from, to) = &mut *piece;
             let first = index * TOGETHER;
-            let alone = |k: usize, from: &[T], to: &mut [T]| {
-                self.standalone(first + k, from, to, study, (paces, reembed), caller)
+            let single = |k: usize, from: &[T], to: &mut [T]| {
+                self.trajectory(first + k, from, to, study, (paces, reembed), caller)
             };
             if reembed {
                 let one_by_one = from.chunks_exact(width).zip(to.chunks_exact_mut(room)).enumerate();
-                return one_by_one.map(|(k, (from, to))| standalone(k, from, to)).collect();
+                return one_by_one.map(|(k, (from, to))| single(k, from, to)).collect();
             }
             let mut piece = ThreadColumns::of(self, from, width, first, caller);
             piece.advance(paces.transient)?;
@@ -115,7 +115,7 @@ impl<T: Float> Trajectories<T> {
             let beyond = piece.beyond(study);
             let mut ends = piece.ends()?;
             for k in beyond {
-                ends[k] = standalone(k, &from[k * width..][..width], &mut to[k * room..][..room])?;
+                ends[k] = single(k, &from[k * width..][..width], &mut to[k * room..][..room])?;
             }
             Ok(ends)
         });
@@ -123,7 +123,7 @@ impl<T: Float> Trajectories<T> {
     }
 
     /// Follows one trajectory of a lifted field up to its end, and writes its points.
-    pub(crate) fn standalone(
+    pub(crate) fn trajectory(
         &self,
         k: usize,
         from: &[T],

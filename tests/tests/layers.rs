@@ -309,7 +309,7 @@ fn every_way_up_is_found() {
         (CORE, "step/mod.rs", "use kahan_core::Orbit;"),
         (SYNTAX, "lexer.rs", "use crate::parse::parse;"),
         (ALGEBRA, "poly/gcd.rs", "use crate::plan::Plan;"),
-        (ALGEBRA, "kept.rs", "use crate::{field::Field, plan::Plan};"),
+        (ALGEBRA, "subexpressions.rs", "use crate::{field::Field, plan::Plan};"),
         (ALGEBRA, "plan/step/mod.rs", "use super::super::system::System;"),
         (PLAN, "step/mod.rs", "use crate::plan::forms::candidates;"),
         (PLAN, "writing/writer/reuse.rs", "use super::super::super::accuracy::Accuracy;"),

@@ -10,7 +10,7 @@ use kahan_algebra::parse::{parse, parse_lifted};
 use kahan_algebra::plan::Node;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::symbols::{Symbol, Symbols};
-use kahan_algebra::syntax::{Block, ClaimKind, Constant, Equation, Header, InFormula, Name, Written};
+use kahan_algebra::syntax::{Block, ClaimKind, Constant, Equation, Header, InFormula, Name, WrittenTokens};
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::{Span, Token};
 use kahan_algebra::{check_unproved, seed};
@@ -108,9 +108,9 @@ fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: S
             Name { text: text.clone(), span: first.map_or(place, Span::token) }
         };
         let parameters: Vec<Name> = lift.parameters.iter().map(named).collect();
-        let described = vec![Written::default(); parameters.len()];
+        let described = vec![WrittenTokens::default(); parameters.len()];
         let name = Name { text: "Field".to_owned(), span: place };
-        let [attributes, visibility] = [Written::default(), Written::default()];
+        let [attributes, visibility] = [WrittenTokens::default(), WrittenTokens::default()];
         Header { attributes, visibility, name, parameters, described }
     });
     Block {

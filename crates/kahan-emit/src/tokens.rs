@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use kahan_algebra::lexer::{Lexed, lex};
-use kahan_algebra::syntax::Written;
+use kahan_algebra::syntax::WrittenTokens;
 use kahan_algebra::token::{Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
 
@@ -70,7 +70,7 @@ fn brackets(group: &Group) -> (char, char) {
 
 impl FlatTokens {
     /// Returns the compiler's tokens of a part that only Rust understands.
-    pub(crate) fn rust(&self, written: &Written) -> TokenStream {
+    pub(crate) fn rust(&self, written: &WrittenTokens) -> TokenStream {
         match (&self.source, written.span) {
             (Some(_), _) => written.lines.join("\n").parse().unwrap_or_default(),
             (None, Some(span)) => self.slice(span),

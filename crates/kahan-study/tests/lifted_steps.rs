@@ -235,7 +235,7 @@ impl Watch for Clock {
         Some(Duration::from_micros(self.0.fetch_add(1, Ordering::Relaxed)))
     }
 
-    fn inspect(&self, _: &kahan_study::Progress<'_>) -> ControlFlow<()> {
+    fn look(&self, _: &kahan_study::Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
 

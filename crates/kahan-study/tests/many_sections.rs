@@ -211,7 +211,7 @@ fn a_carried_orbit_goes_on() {
 fn a_watch_ends_the_work() {
     struct Soon;
     impl Watch for Soon {
-        fn inspect(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
             if progress.done > 100_000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
     }

@@ -134,7 +134,7 @@ fn rows_of_doubles_have_the_bits_of_the_library() {
 struct Impatient(AtomicU32);
 
 impl Watch for Impatient {
-    fn inspect(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         assert!(progress.done <= 1_000_000 && progress.of == Some(1_000_000));
         if self.0.fetch_add(1, Ordering::Relaxed) == 0 {
             ControlFlow::Continue(())

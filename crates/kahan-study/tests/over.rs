@@ -56,7 +56,7 @@ impl Hands {
 }
 
 impl Watch for Hands {
-    fn inspect(&self, _: &Progress<'_>) -> ControlFlow<()> {
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
         match self.looks.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)) {
             Ok(_) => ControlFlow::Continue(()),
             Err(_) => ControlFlow::Break(()),

@@ -119,7 +119,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     #[doc(hidden)]
     pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
         let sizes = map.sizes();
-        let lanes = <T as ChainArithmetic>::Parts::LANES.filter(|_| M::Kernels::have(sizes));
+        let lanes = <T as ChainArithmetic>::Parts::LANES.filter(|_| M::Kernels::supports(sizes));
         let partition = lanes.and_then(|lanes| Partition::new(sites, sizes.reach, lanes));
         Self::planned(map, eps, sites, partition)
     }

@@ -143,8 +143,8 @@ mod tests {
         for (eps, may) in
             [(0.05, true), (-most, true), (1.0 / most, true), (beyond, false), (1.0 / beyond, false)]
         {
-            assert_eq!(may_divide_by(&Bounded::<f64>::given(eps)), may, "{eps}");
-            assert_eq!(may_divide_by(&Bounded::<f64, PackedDouble>::given(eps)), may, "{eps}");
+            assert_eq!(may_divide_by(&Bounded::<f64>::from_input(eps)), may, "{eps}");
+            assert_eq!(may_divide_by(&Bounded::<f64, PackedDouble>::from_input(eps)), may, "{eps}");
             assert!(!may_divide_by(&Dd::from(eps)) && !may_divide_by(&Dual::<f64, 1>::from_value(eps)));
         }
         // Steps over `f64` itself allow a smaller ε.
@@ -164,8 +164,8 @@ mod tests {
         check(0.1_f32);
         check(-0.1_f64);
         check(Dd::from(0.1));
-        check(Bounded::<f64>::given(-0.1));
+        check(Bounded::<f64>::from_input(-0.1));
         check(Bounded::<f32>::one());
-        check(Bounded::<f64, PackedDouble>::given(0.3));
+        check(Bounded::<f64, PackedDouble>::from_input(0.3));
     }
 }

@@ -87,7 +87,7 @@ impl CommandLine {
 fn option_text(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
-        Value::Array(list) => list.iter().map(words).collect::<Vec<_>>().join(","),
+        Value::Array(list) => list.iter().map(option_text).collect::<Vec<_>>().join(","),
         other => other.to_string(),
     }
 }
@@ -211,8 +211,12 @@ mod tests {
         reads_back::<Discover>([other, study::Discover::default()]);
         let plain = study::Periodic::new(rational(1, 10), at.clone());
         let over = Some(through("eps", "1:-1:+-1/40"));
-        let free =
-            study::Periodic { free: Some(study::Free::Eps), transient: 9, period: 300, ..plain.clone() };
+        let free = study::Periodic {
+            free: Some(study::FreeUnknown::Eps),
+            transient: 9,
+            period: 300,
+            ..plain.clone()
+        };
         let along = study::Periodic { eps: None, period: 3, over, ..plain.clone() };
         reads_back::<Periodic>([along, free, plain]);
         let plain = study::Scan::new(vec![through("eps", "-2:2:+1/4")]);

@@ -40,7 +40,7 @@ impl Fraction {
         };
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
-        let solved = solve(&arithmetic::ExactStep, &matrix, &right)?;
+        let solved = solve(&arithmetic::Exact, &matrix, &right)?;
         // Minors are sums of products of dyadic entries, so these numerators are dyadic.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))

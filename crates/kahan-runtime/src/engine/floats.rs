@@ -73,7 +73,7 @@ pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
 
     /// Returns the scratch for several states.
     #[doc(hidden)]
-    fn lanes() -> ScratchKey<Self::Abreast>;
+    fn lanes() -> ScratchKey<Self::GroupCode>;
 }
 
 macro_rules! scratch {

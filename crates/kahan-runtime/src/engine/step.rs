@@ -125,7 +125,7 @@ impl Step {
 
     pub(crate) fn open<V: Scalar + Copy>(&self, mut given: &[V], registers: &mut Vec<V>) {
         for line in &self.lines {
-            let (own, rest) = given.split_at(line.values_of());
+            let (own, rest) = given.split_at(line.given());
             registers.extend_from_slice(own);
             registers.resize(registers.len() + line.registers() - own.len(), V::zero());
             given = rest;
@@ -256,7 +256,7 @@ impl Step {
 
 fn append_given<V: Scalar>(line: &Line, constants: impl IntoIterator<Item = V>, given: &mut Vec<V>) {
     let start = given.len();
-    given.resize(start + line.values_of(), V::zero());
+    given.resize(start + line.given(), V::zero());
     line.give(constants, &mut given[start..]);
 }
 

@@ -66,7 +66,7 @@ impl ContentPredictor {
         let size = longest(&point);
         let is_long = size > WORTH_PREDICTING;
         if !is_long || self.pause == 0 {
-            let gamma = before.and_then(<[IBig]>::last).zip(weight_behind).and_then(factor_behind);
+            let gamma = before.and_then(<[IBig]>::last).zip(weight_behind).and_then(factor_of_step_back);
             self.behind.push_front(gamma.unwrap_or_default());
             self.behind.truncate(LAGS);
             let gamma = self.lag.filter(|_| is_long).and_then(|lag| self.behind.get(lag));

@@ -33,7 +33,7 @@ pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     if count > MOST_COLUMNS {
         return false;
     }
-    let Some(code) = MapAt::abreast_with_vectors(maps, (vectors, false), Vec::new()) else { return false };
+    let Some(code) = MapAt::group_code_with_vectors(maps, (vectors, false), Vec::new()) else { return false };
     if !MapAt::has_observed_group(maps, points, observers, PAUSE, tell) {
         return false;
     }

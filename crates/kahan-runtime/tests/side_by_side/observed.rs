@@ -12,11 +12,11 @@ const ORBITS: usize = 37;
 
 fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &ObservationRequest<'_>) -> Vec<End> {
     let go_on = |_| ControlFlow::Continue(());
-    let found = T::abreast(&[at; ORBITS], starts, asked, &go_on).expect("columns that fit");
+    let found = T::observe_many(&[at; ORBITS], starts, asked, &go_on).expect("columns that fit");
     for (orbit, found) in found.iter().enumerate() {
         let start: Vec<T> = starts.iter().map(|column| column[orbit]).collect();
-        let alone = T::alone(None, at, &start, asked, &go_on).expect("a number a variable");
-        assert_eq!(format!("{found:?}"), format!("{alone:?}"), "{:?}: orbit {orbit}", asked.of);
+        let single = T::observe_one(None, at, &start, asked, &go_on).expect("a number a variable");
+        assert_eq!(format!("{found:?}"), format!("{single:?}"), "{:?}: orbit {orbit}", asked.of);
     }
     found.iter().map(|found| found.end).collect()
 }

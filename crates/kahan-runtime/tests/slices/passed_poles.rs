@@ -254,12 +254,12 @@ fn orbits_side_by_side_are_counted_as_each_is_alone() {
         let mut random = Random(13);
         let starts: Vec<Vec<f64>> =
             (0..at.map().field().variables().len()).map(|_| random.point(37)).collect();
-        let beside = f64::abreast(&[&at; 37], &starts, &asked, &go_on).expect("columns that fit");
+        let beside = f64::observe_many(&[&at; 37], &starts, &asked, &go_on).expect("columns that fit");
         for (orbit, beside) in beside.iter().enumerate() {
             let start: Vec<f64> = starts.iter().map(|column| column[orbit]).collect();
-            let alone = f64::alone(None, &at, &start, &asked, &go_on).expect("a number a variable");
-            assert_eq!(format!("{beside:?}"), format!("{alone:?}"), "{name}: orbit {orbit}");
-            let ObservedValue::Passed(found) = alone.report[0] else { panic!("{alone:?}") };
+            let single = f64::observe_one(None, &at, &start, &asked, &go_on).expect("a number a variable");
+            assert_eq!(format!("{beside:?}"), format!("{single:?}"), "{name}: orbit {orbit}");
+            let ObservedValue::Passed(found) = single.report[0] else { panic!("{single:?}") };
             assert_eq!(found, passed(&at, &start, 40));
         }
     }

@@ -265,9 +265,9 @@ impl Observe {
         of: &[Observable],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<ObservedValue>>> {
-        let alone = |orbit: usize| self.observe_one(study, maps[orbit], &start_of(starts, orbit), of, tell).0;
+        let one = |orbit: usize| self.observe_one(study, maps[orbit], &start_of(starts, orbit), of, tell).0;
         if self.reembed {
-            return (0..maps.len()).map(alone).collect();
+            return (0..maps.len()).map(one).collect();
         }
         let asked = self.observing(study, of);
         if self.transient == 0 {
@@ -286,7 +286,7 @@ impl Observe {
         let found = self.side_by_side(study, maps, &settled, &asked, tell).into_iter().zip(ends).enumerate();
         let found = found.map(|(orbit, (found, before))| match before {
             End::Complete => later(found, self.transient),
-            _ => observe_one(orbit),
+            _ => one(orbit),
         });
         found.collect()
     }

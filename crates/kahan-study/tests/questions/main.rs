@@ -54,7 +54,7 @@ impl Watch for Listening {
         Some(self.clock.read())
     }
 
-    fn inspect(&self, _: &Progress<'_>) -> ControlFlow<()> {
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
         let heard = self.heard.lock().expect("no listener fails");
         if self.stops_at_first && !heard.is_empty() {
             ControlFlow::Break(())

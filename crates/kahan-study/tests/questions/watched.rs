@@ -37,7 +37,7 @@ impl Watch for Ending {
         Some(self.clock.read())
     }
 
-    fn inspect(&self, _: &Progress<'_>) -> ControlFlow<()> {
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
         self.looks.fetch_add(1, Ordering::Relaxed);
         ControlFlow::Break(())
     }

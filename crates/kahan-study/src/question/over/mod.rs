@@ -110,7 +110,7 @@ impl Over {
                 object.entry("eps").or_insert_with(|| json!(0));
             }
         }
-        let question = Box::new(Question::observe_one(name, object)?);
+        let question = Box::new(Question::from_fields(name, object)?);
         Ok(Over { question, over, starts, draws, seed })
     }
 
