@@ -457,7 +457,7 @@ impl Serialize for Observed {
                     object["spectrum_errors"] = all.iter().map(|one| one.error).collect();
                 }
                 ObservedValue::Passed(passed) => {
-                    object["passed_poles_lower_bound"] = json!(passed.is_lower_bound)
+                    object["passed_poles_lower_bound"] = json!(passed.is_lower_bound);
                 }
                 _ => {}
             }
