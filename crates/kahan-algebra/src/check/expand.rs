@@ -2,7 +2,7 @@
 //! parameters, q is free of states.
 //!
 //! Limits on sizes keep compile times bounded; degrees are checked by the caller on the result. The
-//! [written form](crate::kept) is stored beside p/q with two exceptions: sums in which a name or
+//! [written form](crate::subexpressions) is stored beside p/q with two exceptions: sums in which a name or
 //! the highest degree cancels, and quotients whose divisor cancels.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};

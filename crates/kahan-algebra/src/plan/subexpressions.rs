@@ -1,4 +1,4 @@
-//! Substitutes the [named subexpressions](crate::kept) of a field into plans, so that plans run on
+//! Substitutes the [named subexpressions](crate::subexpressions) of a field into plans, so that plans run on
 //! states and parameters. Each subexpression is computed once in a plan.
 
 use kahan_syntax::rational::Rational;

@@ -11,7 +11,7 @@
 //! | 4 | like 3, in the form N/D | increments that cancel against the state |
 //! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms too far apart for the other forms |
 //!
-//! [`stable_step`] selects the scalar, [`try_precisions`] tries the levels in order (`rungs.rs`), and each
+//! [`stable_step`] selects the scalar, [`try_precisions`] tries the levels in order (`precisions.rs`), and each
 //! level makes a [`BoundedStep`](bounded_step::BoundedStep), which runs the prepared step.
 
 mod bounded_step;

@@ -2,7 +2,7 @@
 //!
 //! In: an orbit. Out: its points, including those at infinity and after poles. Steps are ordinary
 //! while they preserve enough digits ([`memory`]). Otherwise the orbit follows lines ([`passage`])
-//! over numbers that depend on a small δ ([`germ`]), until points merged by the pole separate.
+//! over numbers that depend on a small δ ([`delta_series`]), until points merged by the pole separate.
 
 mod delta_series;
 mod memory;
