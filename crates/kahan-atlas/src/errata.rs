@@ -68,7 +68,7 @@ fn measured(
 fn statements(found: &AtlasContent<'_>) -> Markup {
     let linear = |figure: &'static Figure, variable: &str| measured(found, figure, variable, 1, |n| n);
     let logarithmic =
-        |figure: &'static Figure, variable: &str| measured(found, figure, variable, 100, f64::ln);
+        |figure: &'static Figure, variable: &str| measured(found, figure, variable, 100, libm::log);
     let rows: [(u8, &str, Markup); 12] = [
         (
             1,

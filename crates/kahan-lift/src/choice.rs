@@ -200,7 +200,7 @@ impl<'a> RatedCandidate<'a> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
         let damped = |factor: f64| {
-            let damping = Rational::from_f64((factor * rate).log2().ceil().exp2())?;
+            let damping = Rational::from_f64(libm::exp2(libm::log2(factor * rate).ceil()))?;
             let mut form = self.form.clone();
             for (variable, equation) in form.iter_mut().enumerate().skip(states) {
                 let own = Monomial::power(variable, 1);

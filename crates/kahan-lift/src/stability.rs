@@ -141,6 +141,7 @@ impl Orbit {
             let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
             entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i * count + k].abs() * scale(i, k)))
         };
+        let hopeless = libm::log(HOPELESS);
         let (mut logarithm, mut last, mut most, mut half, mut time) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);
         for (h, x) in &self.points {
             let values = entries.values(x, &self.parameters);
@@ -172,20 +173,20 @@ impl Orbit {
             if !norm.is_finite() {
                 return ErrorGrowth { exponent: f64::INFINITY, amplification: f64::INFINITY, half: 1.0 };
             }
-            last = logarithm + norm.ln();
+            last = logarithm + libm::log(norm);
             most = most.max(last);
             if time <= HORIZON / 2.0 {
                 half = most;
             }
-            if most > HOPELESS.ln() && most / time > 10.0 * LARGEST_EXPONENT {
-                return ErrorGrowth { exponent: most / time, amplification: most.exp(), half: 1.0 };
+            if most > hopeless && most / time > 10.0 * LARGEST_EXPONENT {
+                return ErrorGrowth { exponent: most / time, amplification: libm::exp(most), half: 1.0 };
             }
             if !(1e-100..1e100).contains(&norm) && norm > 0.0 {
-                logarithm += norm.ln();
+                logarithm += libm::log(norm);
                 matrix.iter_mut().for_each(|entry| *entry /= norm);
             }
         }
         let exponent = if time > 0.0 { last / time } else { 0.0 };
-        ErrorGrowth { exponent, amplification: most.exp(), half: half.exp() }
+        ErrorGrowth { exponent, amplification: libm::exp(most), half: libm::exp(half) }
     }
 }

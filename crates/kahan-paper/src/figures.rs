@@ -178,9 +178,9 @@ impl Measurement {
                 let points = (index(0)?..=index(1)?).map(|n| (n as f64, heights[n]));
                 match name {
                     "slope" => slope(points),
-                    "logslope" => slope(points.map(|(n, h)| (n.ln(), h))),
+                    "logslope" => slope(points.map(|(n, h)| (libm::log(n), h))),
                     _ => {
-                        let logarithms: Vec<f64> = points.map(|(n, h)| (h / n).ln()).collect();
+                        let logarithms: Vec<f64> = points.map(|(n, h)| libm::log(h / n)).collect();
                         logarithms.iter().sum::<f64>() / logarithms.len() as f64
                     }
                 }
@@ -219,9 +219,9 @@ pub fn level_curve(point: &SVector<f64, 3>, eps: f64, parts: usize) -> Vec<SVect
     let b = (1.0 - g) * (1.0 + (1.0 + h) / (1.0 - h));
     let sign = point[0].signum();
     let at = |phase: f64| {
-        let d = (a / b).sqrt() * phase.cos();
+        let d = (a / b).sqrt() * libm::cos(phase);
         let s = sign * ((4.0 * big_h + (1.0 + h) * d * d) / (1.0 - h)).sqrt();
-        SVector::<f64, 3>::new((s + d) / 2.0, (s - d) / 2.0, (a / 2.0).sqrt() * phase.sin())
+        SVector::<f64, 3>::new((s + d) / 2.0, (s - d) / 2.0, (a / 2.0).sqrt() * libm::sin(phase))
     };
     (0..=parts).map(|i| at(TAU * i as f64 / parts as f64)).collect()
 }

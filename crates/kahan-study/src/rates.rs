@@ -110,10 +110,10 @@ fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
         product.iter_mut().for_each(|entry| *entry /= length);
         std::mem::swap(&mut x, &mut product);
         if made >= before {
-            growth += length.ln();
+            growth += libm::log(length);
         }
     }
-    (growth / f64::from(measured)).exp()
+    libm::exp(growth / f64::from(measured))
 }
 
 #[cfg(test)]

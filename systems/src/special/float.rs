@@ -1,4 +1,4 @@
-//! `f64` as a [`Real`]: elementary functions of the standard library, Γ and ψ of other crates.
+//! `f64` as a [`Real`], with elementary functions and Γ of the crate `libm`.
 
 use std::sync::OnceLock;
 
@@ -7,10 +7,10 @@ use kahan_core::num_traits::ToPrimitive;
 
 use super::{Real, bernoulli, gamma};
 
-macro_rules! by_the_machine {
-    ($($function:ident)*) => { $(
+macro_rules! by {
+    ($($function:ident $path:path;)*) => { $(
         fn $function(&self) -> Self {
-            f64::$function(*self)
+            $path(*self)
         }
     )* };
 }
@@ -34,22 +34,28 @@ impl Real for f64 {
         core::f64::consts::PI
     }
 
-    by_the_machine! { abs sqrt exp exp_m1 ln ln_1p tanh floor }
+    by! {
+        abs f64::abs;
+        floor f64::floor;
+        sqrt f64::sqrt;
+        exp libm::exp;
+        exp_m1 libm::expm1;
+        ln libm::log;
+        ln_1p libm::log1p;
+        tanh libm::tanh;
+        atanh libm::atanh;
+    }
 
     fn sin_cos(&self) -> (Self, Self) {
-        f64::sin_cos(*self)
+        libm::sincos(*self)
     }
 
     fn atan2(&self, x: &Self) -> Self {
-        f64::atan2(*self, *x)
+        libm::atan2(*self, *x)
     }
 
     fn sinh_cosh(&self) -> (Self, Self) {
-        (f64::sinh(*self), f64::cosh(*self))
-    }
-
-    fn atanh(&self) -> Self {
-        libm::atanh(*self)
+        (libm::sinh(*self), libm::cosh(*self))
     }
 
     fn gamma(&self) -> Self {
@@ -66,6 +72,6 @@ impl Real for f64 {
     }
 
     fn power_real(&self, y: &Self) -> Self {
-        f64::powf(*self, *y)
+        libm::pow(*self, *y)
     }
 }

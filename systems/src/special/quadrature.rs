@@ -30,7 +30,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     }
     // At this u the weight is negligible: cosh u e^(−π sinh u) < ε².
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
-    let reach = (reach + (reach * reach + 1.0).sqrt()).ln() + 0.2;
+    let reach = libm::log(reach + (reach * reach + 1.0).sqrt()) + 0.2;
     let quarter_turn = T::pi() * T::half();
     // Returns the sum of weight·f at the nodes ±u. Nodes are computed by their distance to the
     // ends, 1 − tanh s = 2/(e^{2s} + 1).

@@ -27,7 +27,7 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));
-    let level = level(&format!("log {shown}"), 6, value.ln(), &series);
+    let level = level(&format!("log {shown}"), 6, libm::log(value), &series);
     drawing(description, ["n", label], vec![series, level])
 }
 
@@ -161,7 +161,7 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<FigureEntry> {
     let first = orbit.steps().min(200);
     let around_slopes = [("yₙ", 1, &y, slope_y), ("zₙ", 4, &z, slope_z)].map(|(name, colour, of, slope)| {
         let series = Series::new("", colour, Mark::Line, of.correction(1, shown));
-        let level = level(&format!("{name}: log {}", decimal(slope, 3)), colour, slope.ln(), &series);
+        let level = level(&format!("{name}: log {}", decimal(slope, 3)), colour, libm::log(slope), &series);
         [series, level]
     });
     Some(FigureEntry {
@@ -185,7 +185,7 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<FigureEntry> {
         data: html! { (orbit.data()) "; right: the first " (shown) },
         result: html! {
             "Least squares slopes over " (orbit.steps()) " iterates: " (decimal(slope_y, 3)) " for " i { "y" } " (log "
-            (decimal(slope_y.ln(), 3)) ") and " (decimal(slope_z, 3)) " for " i { "z" } " (log " (decimal(slope_z.ln(), 3))
+            (decimal(libm::log(slope_y), 3)) ") and " (decimal(slope_z, 3)) " for " i { "z" } " (log " (decimal(libm::log(slope_z), 3))
             "), ratio " (decimal(slope_z / slope_y, 3)) ". The mean of log(" i { "h" } "/" i { "n" } ") over the first "
             (first) " iterates of " i { "y" } " is " (decimal(mean(first), 4)) ". The fluctuations are those of prime "
             "numbers: the solution is a ratio of Γ functions, products over an arithmetic progression."

@@ -24,12 +24,12 @@ impl Heights {
     }
 
     pub(super) fn log_log(&self) -> Vec<(f64, f64)> {
-        self.pairs().map(|(n, h)| (n.ln(), h.ln())).collect()
+        self.pairs().map(|(n, h)| (libm::log(n), libm::log(h))).collect()
     }
 
     /// Returns log(h/nᵖ) against n for n ≤ `end`.
     pub(super) fn correction(&self, power: i32, end: usize) -> Vec<(f64, f64)> {
-        self.pairs().take(end).map(|(n, h)| (n, (h / n.powi(power)).ln())).collect()
+        self.pairs().take(end).map(|(n, h)| (n, libm::log(h / n.powi(power)))).collect()
     }
 
     pub(super) fn last(&self) -> (usize, f64) {

@@ -22,7 +22,7 @@ const RADII: [f64; 5] = [0.15, 0.3, 0.5, 0.65, 0.75];
 
 /// Returns log(xy) − (x + y), the integral of the flow.
 fn integral(point: &Point) -> f64 {
-    (point[0] * point[1]).ln() - (point[0] + point[1])
+    libm::log(point[0] * point[1]) - (point[0] + point[1])
 }
 
 fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {

@@ -102,7 +102,7 @@ fn text(found: &HeightsFound, asked: &Question) -> String {
     steps.extend(is_cut.then(|| "(--json and --out have every step)".to_owned()));
     let DiophantineTest { growth, entropy, .. } = &found.survey;
     let entropy = match growth {
-        Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
+        Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", libm::exp(*entropy)),
         _ => "entropy   0".to_owned(),
     };
     let seconds = format!("seconds   {:.3}", found.seconds.unwrap_or_default());

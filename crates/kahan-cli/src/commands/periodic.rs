@@ -201,7 +201,7 @@ fn text(found: &CycleFound) -> String {
 
 /// Formats a number to one digit more than its error, with the error.
 fn with_error(found: &Extrapolated) -> String {
-    let digits = (1.0 - found.error.log10().floor()).clamp(1.0, 15.0);
+    let digits = (1.0 - libm::log10(found.error).floor()).clamp(1.0, 15.0);
     format!("{:.*} ± {:.0e}", digits as usize, found.value, found.error)
 }
 

@@ -95,7 +95,7 @@ impl GrowthVerdict {
         }
         match exponential(&values) {
             Some(ratio) => verdict(
-                Growth::Exponential { entropy: ratio.ln() },
+                Growth::Exponential { entropy: libm::log(ratio) },
                 format!("the last ratio of {count} degrees is {ratio:.4}, and the ratios are steady"),
             ),
             None => verdict(

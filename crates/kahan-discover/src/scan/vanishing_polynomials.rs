@@ -210,7 +210,7 @@ impl<'a> Search<'a> {
         let points: Vec<usize> = (0..self.grid.points.len()).filter(vanishes).collect();
         let ordinary = self.grid.special.iter().filter(|special| !**special).count();
         let share = self.open.len() as f64 / (self.open.len() + ordinary) as f64;
-        let is_chance = share.powf((own.len() - coefficients) as f64) > CHANCE;
+        let is_chance = libm::pow(share, (own.len() - coefficients) as f64) > CHANCE;
         if is_chance || points.iter().any(|&at| !self.grid.special[at]) {
             return;
         }

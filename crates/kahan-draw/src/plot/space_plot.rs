@@ -50,8 +50,9 @@ const BROAD: f64 = 2.0;
 /// Rotates a point into the coordinates right, up and towards the eye. The eye is in front,
 /// slightly right of and above the box.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
-    let (right, back) = (x * TURN.cos() - y * TURN.sin(), x * TURN.sin() + y * TURN.cos());
-    [right, z * TILT.cos() + back * TILT.sin(), z * TILT.sin() - back * TILT.cos()]
+    let (right, back) =
+        (x * libm::cos(TURN) - y * libm::sin(TURN), x * libm::sin(TURN) + y * libm::cos(TURN));
+    [right, z * libm::cos(TILT) + back * libm::sin(TILT), z * libm::sin(TILT) - back * libm::cos(TILT)]
 }
 
 struct View {

@@ -134,7 +134,7 @@ fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
         if !left_out.is_finite() {
             return 0.0;
         }
-        let step = |k: usize| (allowed * (size(k, i) / left_out)).powf(1.0 / (last - k) as f64);
+        let step = |k: usize| libm::pow(allowed * (size(k, i) / left_out), 1.0 / (last - k) as f64);
         let longest = (0..=last / 2).map(step).fold(0.0, f64::max);
         if left_out > 0.0 { longest / T::PART_OF_RADIUS } else { f64::INFINITY }
     };
@@ -145,8 +145,8 @@ fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
 /// Returns the power of 2 nearest to a rate, clamped so that products do not overflow; 1 if the
 /// rate is 0 or NaN.
 fn power_of_two(rate: f64) -> f64 {
-    let exponent = rate.log2().round();
-    if exponent.is_finite() { exponent.clamp(-400.0, 400.0).exp2() } else { 1.0 }
+    let exponent = libm::log2(rate).round();
+    if exponent.is_finite() { libm::exp2(exponent.clamp(-400.0, 400.0)) } else { 1.0 }
 }
 
 fn times<T: SeriesScalar, const N: usize>(matrix: &SMatrix<T, N, N>, x: &SVector<T, N>) -> SVector<T, N> {

@@ -283,7 +283,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
             left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
         }
         // yᴴx = 1: each vector is 1 at i, and at other indices one of the two is 0.
-        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, f64::hypot);
+        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, libm::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };
     (0..n).map(condition).collect()
@@ -291,7 +291,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
 
 /// |μ|
 pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
-    multiplier.re.hypot(multiplier.im)
+    libm::hypot(multiplier.re, multiplier.im)
 }
 
 /// Finds a periodic point of a map near `start`, whose period divides `period`.

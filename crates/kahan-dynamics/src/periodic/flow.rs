@@ -272,7 +272,7 @@ impl Extrapolated {
         let (mut column, mut before) = (values.to_vec(), fine);
         for power in powers {
             before = column[column.len() - 1];
-            let factor = f64::from(*power).exp2() - 1.0;
+            let factor = libm::exp2(f64::from(*power)) - 1.0;
             column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
         }
         // Without an observed order of about 2, extrapolation gains nothing.

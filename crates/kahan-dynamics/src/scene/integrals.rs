@@ -33,8 +33,9 @@ where
 {
     let rate = rate(map, x0);
     let first = (0.5 * scene.horizon * rate).ceil().max(1.0);
-    let coarsest =
-        (0..HALVINGS).map(|k| first * f64::from(k).exp2()).find(|steps| is_borne(scene, map, x0, *steps));
+    let coarsest = (0..HALVINGS)
+        .map(|k| first * libm::exp2(f64::from(k)))
+        .find(|steps| is_borne(scene, map, x0, *steps));
     let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
     let cost = |setting: &Setting| {
         setting.steps as f64 * setting.scheme.cycles(<M::Prepared as PreparedStep<f64, N>>::COST)
@@ -42,7 +43,7 @@ where
     let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
     for scheme in [PLAIN, PLAIN.compensated(), WIDE] {
         for k in 0..HALVINGS {
-            let steps = coarsest * f64::from(k).exp2();
+            let steps = coarsest * libm::exp2(f64::from(k));
             let mut setting = scene.setting(scheme, steps as u64);
             let (eps, steps) = (setting.eps, setting.steps as f64);
             if !(eps > 0.0 && steps < MOST_STEPS) {

@@ -59,7 +59,7 @@ impl DiophantineTest {
         let growth = Growth::of(series(&heights, steepest(&heights)).get(1..).unwrap_or_default());
         let series = series(&heights, largest(&heights));
         let entropy = match series.as_slice() {
-            [.., before, last] if growth == Growth::Exponential => (last / before).ln(),
+            [.., before, last] if growth == Growth::Exponential => libm::log(last / before),
             _ => 0.0,
         };
         DiophantineTest { heights, growth, entropy, stopped: stopped.or(orbit.stopped()) }

@@ -53,7 +53,7 @@ impl Growth {
     /// Compares least-squares lines in n and in log n, and chooses the one that fits clearly
     /// better.
     fn of_lines(heights: &[f64]) -> Self {
-        let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, f64::ln));
+        let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, libm::log));
         if 2.0 * linear <= logarithmic {
             Growth::Linear
         } else if 2.0 * logarithmic <= linear {

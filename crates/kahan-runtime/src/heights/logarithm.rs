@@ -19,16 +19,16 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
     let bits = m.bit_len();
     if bits <= 53 {
         let small = u64::try_from(m).expect("it has at most 53 bits");
-        return if small == 0 { 0.0 } else { (small as f64).ln() };
+        return if small == 0 { 0.0 } else { libm::log(small as f64) };
     }
     let words = m.as_words();
     // Three words of 64 bits hold 128 significant bits despite leading zeros.
     let fraction = words.iter().rev().take(3).enumerate().fold(0.0, |sum, (i, &word)| {
         let place = (words.len() - 1 - i) as i64 * i64::from(Word::BITS) - bits as i64;
-        sum + word as f64 * (place as f64).exp2()
+        sum + word as f64 * libm::exp2(place as f64)
     });
     let bits = bits as f64;
-    bits * LN_2_HIGH + (bits * LN_2_LOW + fraction.ln())
+    bits * LN_2_HIGH + (bits * LN_2_LOW + libm::log(fraction))
 }
 
 /// Returns the number of decimal digits of m > 0, from the logarithm of m.

@@ -54,7 +54,7 @@ pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) 
 }
 
 fn power_of_two(exponent: i32) -> f64 {
-    f64::exp2(f64::from(exponent))
+    libm::exp2(f64::from(exponent))
 }
 
 fn fuses() -> bool {

@@ -98,7 +98,7 @@ impl Certificate {
                 return Ok(comparison.certificate(Method::Composition { steps }));
             }
             let order = f64::from(Composition::KAHAN_LI_8.order());
-            let missing = 1.05 * (comparison.difference / allowed).powf(1.0 / order);
+            let missing = 1.05 * libm::pow(comparison.difference / allowed, 1.0 / order);
             let more = if has_gained { missing.clamp(LEAST_MORE, MOST_MORE) } else { MOST_MORE };
             steps = (steps as f64 * more).ceil() as u64;
             before = Some(comparison);

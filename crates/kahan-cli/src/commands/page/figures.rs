@@ -308,7 +308,7 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
 
 /// Rounds a number to between 1/1000 and 1/100 of an interval of this length.
 fn between(value: f64, length: f64) -> String {
-    let unit = 10_f64.powf((length / 100.0).log10().floor());
+    let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };
     decimal(rounded)
 }

@@ -83,7 +83,7 @@ pub(crate) fn growth(
     let entropy = match (stable, verdict.growth, degrees) {
         (Some(_), ..) => std::f64::consts::LN_2,
         (None, Growth::Exponential { entropy }, _) => entropy,
-        (None, _, [.., before, last]) => (*last as f64 / (*before).max(1) as f64).ln(),
+        (None, _, [.., before, last]) => libm::log(*last as f64 / (*before).max(1) as f64),
         (None, ..) => 0.0,
     };
     verdict.growth = Growth::Exponential { entropy };

@@ -150,7 +150,7 @@ impl<L: Trials> Search<L> {
 
     /// Returns the number of steps at which the law predicts this error.
     fn by_law(trial: &Setting, error: f64) -> f64 {
-        trial.steps as f64 * (trial.error / error).powf(1.0 / f64::from(trial.scheme.order()))
+        trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
     /// Returns whether finer steps in `f64` had larger errors that exceed `roundings`. In stiff

@@ -41,7 +41,7 @@ impl ErrorReduction {
     fn of(before: &Setting, now: &Setting) -> Self {
         let factor = before.error / now.error;
         let by_law = (now.steps as f64 / before.steps as f64).powi(now.scheme.order() as i32);
-        Self { before: before.error, factor, part: factor.ln() / by_law.ln() }
+        Self { before: before.error, factor, part: libm::log(factor) / libm::log(by_law) }
     }
 }
 

@@ -43,7 +43,7 @@ impl<T: PromiseScalar> DeltaSeries<T> for Wide {
     }
 
     fn delta(effort: usize) -> Self {
-        if effort == 0 { Self::zero() } else { Self::from(f64::from(DELTA).exp2()) }
+        if effort == 0 { Self::zero() } else { Self::from(libm::exp2(f64::from(DELTA))) }
     }
 
     fn unit(point: &[T]) -> Self {
