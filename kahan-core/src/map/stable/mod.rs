@@ -1,8 +1,9 @@
 //! The stable step, whose error is at most 64 u of the largest component (u is the rounding unit).
 //!
 //! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. Error bounds are computed at increasing precision levels:
+//! the reason for failure. Error bounds are computed at increasing precision levels.
 //!
+//! # Precision levels
 //! | level | numbers | suffices for |
 //! |---|---|---|
 //! | 1 | the scalar; for `f32` in at most four variables | ordinary points |
