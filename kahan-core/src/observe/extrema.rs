@@ -1,6 +1,6 @@
 //! The minimum and maximum of an observable.
 
-/// An observer of the minimum and maximum of a function of the point; NaNs are skipped.
+/// An observer of the minimum and the maximum of a function of the point. NaNs are skipped.
 ///
 /// ```
 /// use kahan_core::observe::Extrema;
@@ -34,14 +34,14 @@ pub struct Extremes<T> {
 }
 
 impl<F: Fn(&[T]) -> T, T> Extrema<F, T> {
-    /// Creates an observer of the extremes of `quantity`.
+    /// Creates an observer of the extremes of the function `quantity`.
     pub fn of(quantity: F) -> Self {
         Self { quantity, seen: None }
     }
 }
 
 impl<F: Fn(&[T]) -> T, T: Clone + PartialOrd> super::Observer<T> for Extrema<F, T> {
-    /// The extremes; `None` if no value was a number.
+    /// The extremes, `None` if no value was a number.
     type Report = Option<Extremes<T>>;
 
     const MAY_END: bool = false;

@@ -1,4 +1,5 @@
-//! Magnitudes round by at most 2⁻⁵² in each operation, and become NaN beyond their range.
+//! Tests that magnitudes round by at most 2⁻⁵² in each operation, and become NaN beyond their
+//! range.
 
 use core::cmp::Ordering;
 
@@ -11,7 +12,7 @@ fn dyadic(size: Size) -> Dyadic {
     Dyadic::size(size)
 }
 
-/// Returns whether computed and exact differ by at most 2^−bits of the exact number.
+/// Returns whether `computed` and `exact` differ by at most 2^−bits of the exact number.
 fn is_near(computed: &Dyadic, exact: &Dyadic, bits: i64) -> bool {
     computed.minus(exact).scaled(bits).is_within(exact)
 }
