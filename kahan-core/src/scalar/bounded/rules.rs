@@ -53,7 +53,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
 
     /// Tightens the bound of a value v̂ with an error radius r. The magnitude m = |v̂| + r/u
     /// satisfies |v| ≤ m and |v̂ − v| ≤ γ₁·m after any cancellation, where v is the exact value and
-    /// γ₁ = u the rounding unit. If r = 0, the value is exact.
+    /// γ₁ is the rounding unit u. If r = 0, the value is exact.
     #[inline(always)]
     pub(super) fn settled(self) -> Self {
         let value = self.value();

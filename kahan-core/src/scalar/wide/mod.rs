@@ -4,8 +4,8 @@
 //! bounds. A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit
 //! denominator; therefore (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ and short fractions are exact. The *radius* bounds
 //! the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions by zero are
-//! *undefined*, and so are all results from them. Dense digits would take 3 kB: D(x,ε) has terms
-//! from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
+//! *undefined*, and so are all results from them. D(x,ε) of six variables has terms from 2⁻¹²⁸⁸⁸ to
+//! 2¹²²⁸⁸; with dense digits, a number of this range would take 3 kB.
 
 mod arithmetic;
 mod convert;

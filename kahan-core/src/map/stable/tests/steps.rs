@@ -19,13 +19,13 @@ const BITS: i32 = 24;
 type Number24 = Worst<BITS>;
 
 crate::kahan! {
-    /// A system whose step has a pole at 1 − 2εx + ε²k = 0.
+    /// A pole at 1 − 2εx + ε²k = 0.
     struct Riccati { k }
     xdot = x^2 - k;
 }
 
 crate::kahan! {
-    /// A system of three variables. The denominator of its step has two factors.
+    /// Three variables, two factors of the denominator.
     struct Chain { a }
     xdot = x*y - x;
     ydot = y^2 + a;
@@ -33,7 +33,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A system with a product of states, times a parameter that may be larger than any state.
+    /// A product of states whose factor may be larger than any state.
     struct Driven { a }
     xdot = a*y^2;
     ydot = -y;
@@ -45,7 +45,7 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A system whose step has a numerator with many roundings over a short denominator.
+    /// A numerator of many roundings over a short denominator.
     struct LongNumber { a }
     xdot = -x + a^12*y;
     ydot = 0;
@@ -287,7 +287,7 @@ fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
 }
 
 crate::kahan! {
-    /// A ring of nine sites, whose step is computed by sparse elimination.
+    /// A ring of nine sites, whose step is solved along its couplings.
     struct Ring { h }
     adot = a*(b - i); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = h*e*(f - d);
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
@@ -331,7 +331,7 @@ fn assert_answered<const N: usize>(
 }
 
 crate::kahan! {
-    /// A system whose field is undefined for a = b.
+    /// No field where a = b.
     struct Divided { a, b }
     xdot = x^2/(a - b) - x;
 }
