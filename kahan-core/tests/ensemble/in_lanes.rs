@@ -36,7 +36,7 @@ kahan! {
     p3dot = m2*p1 - m1*p2;
 }
 
-/// A handwritten Lotka–Volterra field: a map without a closed form.
+/// A Lotka–Volterra field written by hand, whose map has no closed form.
 #[derive(Clone, Copy)]
 pub(crate) struct ByElimination;
 

@@ -1,4 +1,4 @@
-//! Text against exact rationals.
+//! Compares numbers as text with exact rationals.
 
 use std::format;
 use std::string::ToString;
