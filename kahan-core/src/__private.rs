@@ -17,7 +17,7 @@ pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-/// The step of a dense field read at run time, for `kahan-runtime`.
+/// Elimination for dense fields that are read at run time, which `kahan-runtime` uses.
 #[cfg(feature = "std")]
 pub mod dense {
     pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
@@ -30,11 +30,11 @@ pub use crate::ensemble::{
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
-/// Elimination for fields without closed forms, for `kahan-runtime`.
+/// Elimination for fields without closed forms, which `kahan-runtime` uses.
 pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
-/// The solver of chains read at run time, for `kahan-runtime`.
+/// The solver of chains that are read at run time, which `kahan-runtime` uses.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::lattice::{Gathered, SiteLine, StencilMenu};

@@ -68,7 +68,7 @@ pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     }
 }
 
-/// The workspace of a step.
+/// The memory in which steps compute.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).

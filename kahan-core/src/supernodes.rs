@@ -15,7 +15,7 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The maximum number of rows in a panel, so few that a panel fits a fast cache.
+/// The maximum number of rows in a panel. A panel of this size fits a fast cache.
 const MOST_ROWS: usize = 32;
 /// The number of rows that are reduced together.
 const ROWS: usize = 4;
@@ -26,7 +26,7 @@ const FEWEST: usize = 4;
 /// The minimum number of columns for which loops over lanes pay.
 const SHORTEST: u32 = 4;
 
-/// The panels of an elimination.
+/// The panels of an elimination, and the tasks that reduce their rows.
 #[derive(Clone, Debug)]
 pub struct Supernodes {
     panels: Vec<Panel>,
@@ -84,7 +84,7 @@ struct ColumnRun {
     length: u32,
 }
 
-/// The workspace of a factorisation.
+/// The memory in which a factorisation computes.
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
     rows: Vec<T>,

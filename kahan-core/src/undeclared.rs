@@ -45,7 +45,7 @@ fn unanswered() -> ! {
 
 /// The methods that a block without integrals gets.
 pub trait WithoutIntegrals {
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
     where
         Block: DeclaresIntegral<Self, T>,
@@ -56,7 +56,7 @@ pub trait WithoutIntegrals {
 
 /// The methods that a block without a density gets.
 pub trait WithoutDensity {
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
     where
         Block: DeclaresDensity<Self, T>,
@@ -67,7 +67,7 @@ pub trait WithoutDensity {
 
 /// The methods that a system with integer parameters gets.
 pub trait IntegerParameters {
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -75,7 +75,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -84,7 +84,7 @@ pub trait IntegerParameters {
     }
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
         Block: HasScalars<Self, T>,
@@ -92,7 +92,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
         Block: HasScalars<Self, T>,
@@ -100,7 +100,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn at<T>(&mut self, _: T)
     where
         Block: HasScalars<Self, T>,
@@ -108,7 +108,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -116,7 +116,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
         Block: HasScalars<Self, T>,

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 /// A placeholder for big rationals, which need the feature `exact`.
 pub type BigRational = Unavailable<FeatureExact>;
 
-/// A number type that is not available.
+/// A number type that this build does not provide; F is the missing feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unavailable<F>(PhantomData<F>);
 

@@ -66,7 +66,7 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     let found = advanced(&at, &start, workspace);
     let own = || {
         let mut x = start.clone();
-        // The chain's own method is called, although the trait is in scope.
+        // The chain's own method `advance` is called, although the trait is in scope.
         at.advance(&mut x, STEPS);
         x
     };

@@ -53,14 +53,15 @@ impl<T: 'static> Code<T> {
         self.check(states, constants);
         let [.., r] = self.extent.numbers();
         assert!(results.len() >= r, "room for {r} results, not {}", results.len());
-        // SAFETY: `check` and the assertion bound the slices; `results` is borrowed exclusively.
+        // SAFETY: `check` and the assertion bound the slices, and `results` is borrowed
+        // exclusively.
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
     pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check(state, constants);
         let state = written(state);
-        // SAFETY: `check` bounds the slices; `state` is borrowed exclusively.
+        // SAFETY: `check` bounds the slices, and `state` is borrowed exclusively.
         unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
     }
 

@@ -20,7 +20,7 @@ pub enum CompileError {
     },
     /// An operation reads a later or missing operation, or a result does not exist.
     Malformed,
-    /// Run-time code is not supported on this system.
+    /// This system does not support run-time code.
     System,
     /// The system refused executable memory.
     Pages(std::io::Error),

@@ -6,10 +6,11 @@ use crate::assembler::{Element, OperandForm, Width};
 /// An extension of the processor: Intel's name, and a test whether processor and system support it.
 type Extension = (&'static str, fn() -> bool);
 
-/// An instruction set. Within one architecture, a later set includes the earlier ones.
+/// An instruction set of a processor. Within one architecture, a later set includes the earlier
+/// ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
-    /// AVX: sixteen registers, used with 128 bits.
+    /// AVX, with sixteen registers that are used with 128 bits.
     Avx,
     /// AVX2 and FMA, with sixteen registers of 256 bits and fused multiply-adds.
     Avx2,
@@ -108,7 +109,7 @@ impl InstructionSet {
 /// The number of lanes on which an instruction works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LaneCount {
-    /// One lane.
+    /// One lane of a register.
     One,
     /// All lanes of a register.
     All,
@@ -117,11 +118,11 @@ pub enum LaneCount {
 /// The form of compiled code: instruction set, lanes and fusing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
-    /// The instruction set.
+    /// The instruction set of the code.
     pub instructions: InstructionSet,
     /// The lanes on which each instruction works.
     pub lanes: LaneCount,
-    /// Whether multiply-adds are fused.
+    /// Whether the code fuses multiply-adds.
     pub fuses: bool,
 }
 

@@ -10,14 +10,14 @@ use kahan_program::{Builder, Float, Node};
 
 use crate::program::{CalledFunction, Input, Instruction, Program};
 
-/// The destination of a program's results.
+/// The place where a program's results end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ResultDestination {
-    /// Result i becomes state i of the next round, in register i.
+    /// Result i becomes state i of the next round, and stays in register i.
     Carried,
     /// Result i is stored in the location of state i.
     InPlace,
-    /// Results are stored in a separate array.
+    /// The results are stored in a separate array.
     Elsewhere,
 }
 

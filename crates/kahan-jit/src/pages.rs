@@ -11,7 +11,7 @@ use std::io;
 
 #[cfg(feature = "pages")]
 type Memory = memmap2::Mmap;
-/// A placeholder without the feature `pages`.
+/// A placeholder for the type of memory, used without the feature `pages`.
 #[cfg(not(feature = "pages"))]
 type Memory = &'static [u8; 0];
 

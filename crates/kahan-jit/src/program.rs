@@ -11,7 +11,7 @@ pub enum Input {
     Constant(usize),
 }
 
-/// A function that a program may call.
+/// A function that an operation of a program may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CalledFunction {
     /// Returns a if a > b, else b.

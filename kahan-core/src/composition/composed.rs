@@ -13,7 +13,7 @@ use crate::{
 
 use super::Composition;
 
-/// A [`Composition`] of a map at its ε, half the time step; see [`KahanAt::composed`].
+/// A [`Composition`] of a map at a fixed ε, half the time step; see [`KahanAt::composed`].
 #[derive(Clone, Copy)]
 pub struct Composed<S: Step> {
     pub(super) stages: Palindrome<S>,
@@ -60,7 +60,7 @@ impl<S: Step> Composed<S> {
         Self { stages: Palindrome::new(gammas.len(), stage), composition, eps }
     }
 
-    /// Returns the composition.
+    /// Returns the composition that combines the stages.
     pub fn composition(&self) -> Composition {
         self.composition
     }

@@ -1,4 +1,4 @@
-//! Constants with 40 decimals, rounded at compile time by exact long division.
+//! Constants with 40 decimal places, rounded at compile time by exact long division.
 
 use crate::Constant;
 

@@ -115,7 +115,7 @@ impl Composition {
         Self::BEST.into_iter().find(|best| best.order == order)
     }
 
-    /// Returns the name of the constant, as written in Rust.
+    /// Returns the name of the composition's constant, as written in Rust.
     pub const fn name(&self) -> &'static str {
         self.name
     }
@@ -126,7 +126,7 @@ impl Composition {
         self.order
     }
 
-    /// Returns the number s of stages.
+    /// Returns the number s of stages, the Kahan steps in a composed step.
     pub const fn stages(&self) -> usize {
         2 * self.first_half.len() - 1
     }

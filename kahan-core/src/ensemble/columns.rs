@@ -9,7 +9,7 @@ use std::vec::Vec;
 /// The number of points in a group, the `f32` lanes of the widest register (512 bits).
 pub const GROUP: usize = 16;
 
-/// Consecutive entries of one column.
+/// The entries of one column for a group of consecutive points.
 pub type Group<T> = [T; GROUP];
 
 /// The bytes of a cache line. Loading a register that crosses a line costs two loads.

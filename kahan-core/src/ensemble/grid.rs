@@ -14,11 +14,11 @@ use super::{Ensemble, EnsembleScalar};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis<T> {
-    /// The first value.
+    /// The first value of the variable.
     pub start: T,
     /// The last value, which is unused if `count` is 1.
     pub end: T,
-    /// The number of values.
+    /// The number of values of the variable.
     pub count: usize,
 }
 

@@ -94,7 +94,7 @@ pub trait OverLanes<T> {
     fn run<L: Lanes<T>>(self) -> Self::Output;
 }
 
-/// A float with SIMD lanes.
+/// A floating-point type with SIMD lanes.
 pub trait InLanes: EnsembleScalar {
     /// The number of numbers in a 512-bit register, the widest register.
     const MOST: usize = 64 / size_of::<Self>();

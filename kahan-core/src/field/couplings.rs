@@ -18,11 +18,11 @@ pub const LARGEST_FACTOR: i64 = 16;
 /// are in elimination order.
 #[derive(Clone, Copy, Debug)]
 pub struct Couplings<'a> {
-    /// The variables in elimination order.
+    /// The variables in the order of elimination.
     pub order: &'a [u32],
     /// For each row, the range of its entries.
     pub rows: &'a [CouplingRow],
-    /// The column of each entry.
+    /// For each entry, its column.
     pub columns: &'a [u32],
     /// For each diagonal block, the index of its last row plus 1. Blocks are solved in order.
     pub blocks: &'a [u32],

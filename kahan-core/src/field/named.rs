@@ -6,7 +6,7 @@ use crate::Scalar;
 
 /// The names of a system's variables and parameters, as written in the `kahan!` block.
 pub trait Named {
-    /// Returns the names of the state variables, in the order of a state's entries.
+    /// Returns the names of the state variables, in the order of the entries of a state.
     fn variables(&self) -> &'static [&'static str];
 
     /// Returns the names of the parameters, in the order of their declaration. The default is

@@ -6,7 +6,7 @@
 pub enum Boundary {
     /// After the last site follows site 0.
     Periodic,
-    /// States and parameters beyond the ends are 0.
+    /// States and parameters beyond the ends of the chain are 0.
     Open,
 }
 

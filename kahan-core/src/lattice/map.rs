@@ -72,7 +72,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         self.at(eps_from_dt(dt), sites)
     }
 
-    /// The kernels: a [`Stencil`] with the family's sizes, or a [`StencilMenu`](super::StencilMenu).
+    /// The kernels of steps: a [`Stencil`] with the family's sizes, or a
+    /// [`StencilMenu`](super::StencilMenu).
     #[doc(hidden)]
     type Kernels: Kernels;
 

@@ -22,13 +22,13 @@ use super::parts::{NoPartSolver, PartSolver, PartWorkspace};
 )]
 #[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
 pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
-    /// Returns |self|.
+    /// Returns the absolute value |self|.
     fn absolute(&self) -> Self;
 }
 
 /// The types that solve the steps of a scalar's chains and bound the errors of these steps.
 pub(super) trait ChainArithmetic: Sized {
-    /// Wider numbers with error bounds.
+    /// The wider numbers with error bounds that are tried first.
     type BoundedWorking: BoundedScalar<Self>;
 
     type Parts: PartSolver<Self>;

@@ -55,7 +55,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         Self { map, eps, prepared }
     }
 
-    /// Returns the underlying map.
+    /// Returns the map M.
     pub fn map(&self) -> &M {
         &self.map
     }

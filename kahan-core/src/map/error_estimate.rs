@@ -78,7 +78,7 @@ fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
 /// A point of an orbit, with an estimate of the point's distance from the flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimated<T, const N: usize> {
-    /// The point xₙ.
+    /// The point xₙ of the orbit.
     pub point: SVector<T, N>,
     /// An estimate of xₙ − (flow from x₀ for the time 2εn), which is 0 at the first point.
     pub error: SVector<T, N>,

@@ -42,7 +42,7 @@ pub(crate) use tangent::{push_forward, push_forward_to};
 pub use through_f64::StepThroughF64;
 pub use through_f64::ThroughF64;
 
-/// Returns ε = dt/2.
+/// Returns ε = dt/2, half the time step.
 #[inline]
 pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
     T::constant(&Constant::ratio(1, 2)) * dt

@@ -10,7 +10,7 @@ use crate::{Dd, Scalar};
     note = "`step` and `orbit` need `Scalar` only"
 )]
 pub trait Pivot: Scalar {
-    /// Returns whether |self| > |other|; false if either is NaN.
+    /// Returns whether |self| > |other|. The result is false if either number is NaN.
     fn magnitude_exceeds(&self, other: &Self) -> bool;
 
     /// Returns whether the number is neither NaN nor infinite, which is always true for exact

@@ -39,7 +39,7 @@ pub struct Drift<F, T, const M: usize> {
 pub struct Drifted {
     /// The maximum over all steps, NaN if the integral was ever NaN.
     pub max: f64,
-    /// The distance after the last step.
+    /// The relative distance after the last step.
     pub last: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The minimum and maximum of an observable.
+//! The minimum and the maximum of a function of the point.
 
 /// An observer of the minimum and the maximum of a function of the point. NaNs are skipped.
 ///
@@ -27,9 +27,9 @@ pub struct Extrema<F, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extremes<T> {
-    /// The least value.
+    /// The least value of the function.
     pub least: T,
-    /// The greatest value.
+    /// The greatest value of the function.
     pub greatest: T,
 }
 

@@ -35,7 +35,7 @@
 //! | the points themselves | [`Visit`] |
 //!
 //! Times are in steps. Exponents are per unit of time, where a step takes Δt = 2ε. Elementary
-//! functions come from the `libm` crate, so equal points give equal bits on every machine.
+//! functions come from the `libm` crate; equal points give equal bits on every machine.
 //! Observers of derivatives take the prepared map ([`TangentMap`]), by value or reference.
 
 #[cfg(feature = "std")]

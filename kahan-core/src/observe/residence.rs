@@ -1,4 +1,4 @@
-//! Histograms of observables.
+//! Histograms of functions of the point.
 
 use core::marker::PhantomData;
 use core::ops::Range;

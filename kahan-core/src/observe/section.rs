@@ -83,7 +83,7 @@ pub enum Direction {
     Rising,
     /// The function s changes from positive to negative.
     Falling,
-    /// Both directions.
+    /// Sign changes in both directions are observed.
     Both,
 }
 
@@ -160,7 +160,7 @@ pub struct FirstCrossings<C> {
 pub struct StoredCrossings<C> {
     /// The first crossings, at most as many as the capacity.
     pub kept: Vec<C>,
-    /// The total number of crossings.
+    /// The total number of crossings, including those that are not stored.
     pub all: u64,
 }
 

@@ -75,7 +75,7 @@ impl<'a> Constant<'a> {
         matches!(self.0, ConstantForm::Integer(n) if n.unsigned_abs() <= 1 << 53)
     }
 
-    /// Returns the nearest `f32`.
+    /// Returns the `f32` nearest to the number.
     #[inline(always)]
     pub const fn to_f32(&self) -> f32 {
         match self.0 {
@@ -85,7 +85,7 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns the nearest `f64`.
+    /// Returns the `f64` nearest to the number.
     #[inline(always)]
     pub const fn to_f64(&self) -> f64 {
         match self.0 {
@@ -119,7 +119,7 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns the exact number.
+    /// Returns the number as an exact rational.
     #[cfg(feature = "exact")]
     pub fn to_ratio(&self) -> num_rational::BigRational {
         use num_bigint::{BigInt, Sign};

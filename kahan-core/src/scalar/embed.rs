@@ -11,9 +11,9 @@ use crate::Scalar;
     note = "embed a point of `f64`, then convert the numbers of the result"
 )]
 pub trait EmbedScalar: Scalar + Copy {
-    /// Returns the number as `f64`.
+    /// Returns the number converted to `f64`.
     fn widened(self) -> f64;
-    /// Returns the nearest number of this type.
+    /// Returns the number of this type that is nearest to `value`.
     fn narrowed(value: f64) -> Self;
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Dd, Scalar};
 
-/// A scalar whose results are rounded to a fixed relative precision.
+/// A scalar with a fixed relative precision, to which results are rounded.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a floating-point scalar",
     label = "not a `FloatScalar`",

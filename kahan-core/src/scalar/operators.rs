@@ -1,4 +1,4 @@
-//! Macros that implement arithmetic operators from functions.
+//! Macros that implement the arithmetic operators of a type from functions.
 
 /// Implements + − × ÷ and the assignment operators, each operator from a function of two numbers.
 /// The generic parameters of the type stand in brackets.

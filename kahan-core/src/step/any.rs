@@ -82,7 +82,7 @@ pub trait Step {
     where
         Self: Sized;
 
-    /// Returns the length of a state.
+    /// Returns the number of entries in a state.
     fn dimension(&self) -> usize;
 
     /// Returns ε, half the time step.
@@ -345,7 +345,7 @@ impl fmt::Debug for Workspace {
     }
 }
 
-/// The report on a run that stopped early.
+/// The report on a run that stopped before its last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stopped {
     /// The number of steps taken before the failure.

@@ -22,7 +22,7 @@ pub struct SingularStep {
 pub enum Reason {
     /// The point is an exact pole of the map.
     Pole,
-    /// The point, ε or a parameter is not a finite number.
+    /// The point, ε or a parameter is infinite or NaN.
     NotFinite,
     /// The field divides by zero at these parameters.
     NoField,
@@ -30,7 +30,7 @@ pub enum Reason {
     BeyondRange,
     /// Numbers with this many 64-bit digits do not determine the step.
     Digits(usize),
-    /// Elimination with iterative refinement left too large a backward error.
+    /// After elimination with iterative refinement, the backward error was too large.
     Refined,
     /// Numbers overflowed before any other reason was found.
     Overflow,

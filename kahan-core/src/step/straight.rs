@@ -35,7 +35,7 @@ pub trait Kernel<const N: usize, const C: usize> {
 pub struct Padded<T>(T, [u32; 3]);
 
 impl<T: Scalar> Padded<T> {
-    /// Returns the constant.
+    /// Returns the constant without its padding.
     #[inline(always)]
     pub fn get(&self) -> T {
         self.0.prepared()

@@ -1,4 +1,5 @@
-//! More maps for ensembles: one to six variables, with or without parameters, one by elimination.
+//! More maps for ensembles. They have one to six variables; some have parameters, and one
+//! eliminates.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};

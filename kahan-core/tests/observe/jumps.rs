@@ -191,7 +191,8 @@ fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     }
 }
 
-/// Steps of a relative 10⁻⁹ leave seven digits of the function's change.
+/// Each step moves the point by a relative 10⁻⁹, which leaves seven digits of the function's
+/// change.
 #[test]
 fn crossings_of_slow_orbits_are_found() {
     for eps in [1e-3_f64, 1e-6, 1e-9] {

@@ -179,7 +179,7 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add; its `FusedOrder` says which operand is overwritten.
+    /// Writes a fused multiply-add. Its `FusedOrder` tells which operand the result overwrites.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
@@ -236,7 +236,7 @@ impl<'a> Allocator<'a> {
         self.free_slots_of(&operands);
     }
 
-    /// Writes an instruction whose operands are ready, and allocates its result register.
+    /// Writes an instruction whose operands are ready, and allocates the register of the result.
     fn finish(&mut self, operands: &[usize], instruction: impl FnOnce(Vector) -> MachineInstruction) {
         self.release(operands);
         let to = self.target();

@@ -110,7 +110,7 @@ impl Allocation {
         self.all().count()
     }
 
-    /// Returns one more than the number of the highest register written.
+    /// Returns the number of vector registers in use, one more than the highest register written.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)

@@ -19,7 +19,7 @@ impl Allocator<'_> {
         self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
-    /// Returns the register of an operand, loading it if necessary.
+    /// Returns the register of an operand. If the operand is in memory, it is loaded first.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
         if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
@@ -67,7 +67,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register to write to, spilling a value if necessary.
+    /// Returns a register to write to. If no register is free, a value is spilled first.
     pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,
@@ -78,7 +78,7 @@ impl Allocator<'_> {
         Vector(index as u8)
     }
 
-    /// Spills the unlocked register with the farthest next use.
+    /// Spills the unlocked register whose value has the farthest next use.
     pub(super) fn give_up(&mut self) -> usize {
         let next = |register: &usize| {
             self.registers[*register]

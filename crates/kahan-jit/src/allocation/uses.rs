@@ -1,4 +1,4 @@
-//! The later uses of each value, which decide which value is spilled.
+//! The later uses of each value decide which value is spilled.
 
 use crate::lowering::SIGN;
 use crate::program::{Instruction, Program};

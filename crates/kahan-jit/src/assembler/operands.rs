@@ -8,7 +8,7 @@ pub(crate) enum Element {
     Double,
 }
 
-/// The part of a register that an instruction works on.
+/// The part of a register on which an instruction works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Width {
     /// Only the lowest lane.
@@ -18,7 +18,7 @@ pub(crate) enum Width {
     Bits512,
 }
 
-/// The element type and width of an operand.
+/// The element type and the width of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OperandForm {
     pub(crate) element: Element,

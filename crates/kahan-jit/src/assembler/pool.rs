@@ -1,11 +1,11 @@
-//! The constant pool behind the code.
+//! The pool of constants that follows the code.
 
 use super::operands::{Element, OperandForm};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Entry(usize);
 
-/// The constants of a function and the instructions that refer to them.
+/// The constants of a function, and the places in the code that refer to them.
 #[derive(Debug)]
 pub(super) struct Pool {
     form: OperandForm,

@@ -37,7 +37,7 @@ impl<T: Float> Function<T> {
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
-    /// Returns the length of the results, in numbers.
+    /// Returns how many numbers the results take.
     #[must_use]
     pub fn results(&self) -> usize {
         let [_, _, results] = self.code.extent().numbers();

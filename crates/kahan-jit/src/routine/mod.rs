@@ -16,7 +16,7 @@ use crate::lowering::{ResultDestination, lowered};
 use crate::program::{Program, entries};
 use crate::{CompileError, Shape};
 
-/// The maximum number of instructions, so that all jumps and offsets fit.
+/// The maximum number of instructions. Jumps and offsets of longer code might not fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
 /// The maximum stack for slots in bytes, half of a thread's stack.
 const MOST_STACK: usize = 1 << 20;

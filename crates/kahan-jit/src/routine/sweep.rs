@@ -80,7 +80,7 @@ impl<T: Float> Sweep<T> {
         self.code.extent().width
     }
 
-    /// Returns the length of one set of constants, in numbers.
+    /// Returns how many numbers one set of constants takes.
     #[must_use]
     pub fn constants(&self) -> usize {
         let [_, constants, _] = self.code.extent().numbers();

@@ -1,4 +1,4 @@
-//! Programs drawn at random from a seed.
+//! Random programs, drawn from a seed.
 
 use kahan_program::{Float, Node};
 

@@ -1,4 +1,4 @@
-//! Tests which programs are refused, and which instruction sets are available.
+//! Tests that some programs are refused, and that instruction sets are available.
 
 use kahan_program::Node;
 

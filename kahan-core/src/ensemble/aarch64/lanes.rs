@@ -20,7 +20,7 @@ macro_rules! machine {
     };
 }
 
-/// Defines a lane type over a NEON register, with the multiply-adds of the named module.
+/// Defines a lane type over a NEON register. The multiply-adds are those of the named module.
 macro_rules! lanes_of_neon {
     ($name:ident(float64x2_t), $multiply_adds:ident) => {
         lanes! {
@@ -127,7 +127,7 @@ fn singles(rows: Square<f32>) -> Square<f32> {
     // SAFETY: the four rows together have sixteen numbers.
     let columns = unsafe { vld4q_f32(rows.as_flattened().as_ptr()) };
     for (column, register) in square.iter_mut().zip([columns.0, columns.1, columns.2, columns.3]) {
-        // SAFETY: a column has four numbers.
+        // SAFETY: `column` has four numbers.
         unsafe { vst1q_f32(column.as_mut_ptr(), register) };
     }
     square

@@ -49,7 +49,8 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let FirstPass { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The final system: last interior, right separator, left separator, right-hand side.
+        // The columns of the final system belong to the last rows of the interior, to the right and
+        // the left separator, and to the right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(separators::size(s));

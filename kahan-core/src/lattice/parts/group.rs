@@ -8,7 +8,7 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
 use crate::lattice::{LatticeMap, LatticeScalar};
 
-/// Consecutive parts of one length, one per lane.
+/// Consecutive parts of equal length, one in each lane.
 #[derive(Clone, Copy)]
 pub(super) struct PartGroup {
     /// The first site of the first part, which is the first site of its separator.

@@ -40,7 +40,7 @@ pub(super) struct PartWorkspace<T> {
     partition: Partition,
     level: Level,
     scratch: Vec<Scratch<T>>,
-    /// The results of the first pass, part by part.
+    /// The results of the first pass for each part; see [`separators::size`].
     joints: Vec<T>,
     /// The old states of the separators and of the remaining sites at the end of the chain.
     kept: Vec<T>,

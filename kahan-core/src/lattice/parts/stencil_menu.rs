@@ -15,7 +15,7 @@ use super::second_pass::SecondPass;
 #[derive(Clone, Copy, Debug)]
 pub enum StencilMenu {}
 
-/// Declares stencils by arrays, reach, lower and upper bandwidth, sites, and entries per row.
+/// Declares stencils. Each is given by its arrays, reach, bandwidths, sites, and entries per row.
 macro_rules! menu {
     ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
         impl StencilMenu {

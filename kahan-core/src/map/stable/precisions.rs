@@ -181,7 +181,7 @@ fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     is_settled.then_some(Err(Reason::BeyondRange))
 }
 
-/// Fails, because long numbers need a heap.
+/// Fails, because long numbers need a heap, which `std` provides.
 #[cfg(not(feature = "std"))]
 fn by_elimination<T, M, const N: usize>(
     _map: &M,

@@ -40,7 +40,7 @@ pub(crate) struct Range {
     pub(crate) allowance: f64,
     /// The exponent B of the upper limit 2ᴮ of products of inputs.
     pub(crate) bits_of_products: u32,
-    /// The lower limit of divisors is 2 to the power −`bits_of_divisors`.
+    /// The exponent of the lower limit of divisors, which is 2 to the power −`bits_of_divisors`.
     pub(crate) bits_of_divisors: u32,
     /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`. The number 0 forbids
     /// division.

@@ -9,7 +9,7 @@ use crate::scalar::bounded::power_of_two;
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
-/// The bound on leading sums and products below which all later additions stay finite.
+/// An upper bound on leading sums and products. Below this bound all later additions stay finite.
 const ROOM: f64 = power_of_two(1022);
 
 /// The lower bound of operands whose quotients lose no bits. Such quotients lie between 2⁻⁹⁰⁰ and

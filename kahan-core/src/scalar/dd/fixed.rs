@@ -1,4 +1,5 @@
-//! Binary fixed-point numbers that hold any sum of two `f64`, for conversion from and to text.
+//! Binary fixed-point numbers that hold any sum of two `f64`. Conversions from and to text use
+//! these.
 
 use crate::scalar::bounded::power_of_two;
 

@@ -63,7 +63,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 
     pub(crate) fn to_f32(self) -> f32 {
-        // The low half contains the bits of the format.
+        // The lower half of the result contains the bits of the format.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }

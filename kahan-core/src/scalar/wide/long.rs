@@ -12,7 +12,7 @@ use super::{Digits, Size, Wide};
 use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
-/// The largest number of digits in an elimination.
+/// The capacity of the numbers in an elimination, their largest number of digits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
     Few,
@@ -34,7 +34,7 @@ enum Number {
     Most(Box<Most>),
 }
 
-/// Evaluates an expression for a number of any capacity.
+/// Evaluates an expression for a number, whichever capacity the number has.
 macro_rules! of_any_capacity {
     ($number:expr, |$digits:ident| $value:expr) => {
         match $number {
@@ -45,7 +45,7 @@ macro_rules! of_any_capacity {
     };
 }
 
-/// Applies an operator to two numbers in the smaller of their capacities.
+/// Applies an operator to two numbers. The smaller of both capacities is used.
 macro_rules! of_common_capacity {
     ($a:expr, $operator:tt, $b:expr) => {
         match ($a, $b) {

@@ -26,7 +26,7 @@ pub(crate) use size::Size;
 
 use rows::{DigitRow, leading, size_of};
 
-/// Numbers of 17 digits of 64 bits, for the error bounds of a step.
+/// Numbers of 17 digits of 64 bits, with which the error bounds of a step are computed.
 pub(crate) type Wide = Digits<17, 40>;
 
 /// The largest magnitude of a place, the power of 2⁶⁴ that the leading digit has.

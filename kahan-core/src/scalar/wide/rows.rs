@@ -183,7 +183,7 @@ impl<const M: usize> DigitRow<M> {
         let (&(top, _), &(low, _)) = (these.first()?, these.last()?);
         let (&(factor_top, _), &(factor_low, _)) = (those.first()?, those.last()?);
         let lowest = low + factor_low;
-        // Carries reach at most two further places.
+        // A carry reaches at most two places beyond the product's places.
         let places = usize::try_from(top + factor_top - lowest).ok().filter(|span| span + 3 <= M)? + 3;
         if !self.cut.is_zero() {
             return None;
@@ -264,7 +264,7 @@ pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
     Size::from(leading.abs()).scaled(exponent)
 }
 
-/// Returns a finite float as an integer and a binary exponent.
+/// Returns an integer and a binary exponent whose product is a finite float.
 pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);

@@ -8,7 +8,7 @@ use super::Assembler;
 pub(crate) struct GeneralRegister(u8);
 
 impl GeneralRegister {
-    /// The argument registers of a function, in order.
+    /// The argument registers of a function, in the order of the arguments.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
     /// Caller-saved registers that are free for other uses.
     pub(crate) const SPARE: [Self; 3] = [Self(9), Self(10), Self(11)];
@@ -28,7 +28,8 @@ impl GeneralRegister {
         Self(23),
         Self(24),
     ];
-    /// The callee-saved registers among [`POINTERS`](Self::POINTERS), in adjacent pairs.
+    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller, in
+    /// adjacent pairs.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
     pub(crate) const STACK: Self = Self(31);
     /// Scratch register for offsets and addresses that do not fit into an instruction.
@@ -42,7 +43,7 @@ impl GeneralRegister {
 /// The kind of two adjacent registers that one instruction saves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pair {
-    /// The lower 64 bits of vector registers.
+    /// Two vector registers, of which the lower 64 bits are saved.
     Vectors,
     General,
 }
@@ -77,7 +78,7 @@ impl Assembler {
         self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
     }
 
-    /// Adds an unsigned 12-bit immediate.
+    /// Adds a 12-bit number without sign, which the instruction contains.
     pub(crate) fn add_immediate(&mut self, to: GeneralRegister, number: i32) {
         let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
         let number = number.expect("the bytes of a register") << 10;
@@ -176,7 +177,7 @@ impl Assembler {
         self.word(0xd65f_03c0);
     }
 
-    /// Returns the current position as the target of later jumps.
+    /// Returns the current position in the code, to which later instructions can jump back.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
     }

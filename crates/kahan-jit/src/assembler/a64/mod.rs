@@ -26,7 +26,7 @@ const OPERAND: Vector = Vector(31);
 /// The first of the eight callee-saved vector registers, in the numbering of [`Vector`].
 const FIRST_SAVED: u8 = 22;
 
-/// The range of a 19-bit branch or load offset, in bytes.
+/// The number of bytes that a 19-bit offset of a branch or load can reach.
 const REACH: usize = 1 << 20;
 
 #[derive(Debug)]
@@ -57,7 +57,7 @@ impl Assembler {
         self.form
     }
 
-    /// Begins a function: saves registers and reserves stack slots.
+    /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
         /// The most bytes that one machine instruction takes, including its pool entry.
         const LONGEST: usize = 12 * 4 + 16;
@@ -269,7 +269,7 @@ impl Assembler {
         self.pool.entry(bits)
     }
 
-    /// Returns the code followed by its pool.
+    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         /// A word of zeros is a permanently undefined instruction (udf).
         const UNDEFINED: u8 = 0;

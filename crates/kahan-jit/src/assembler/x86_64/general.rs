@@ -24,13 +24,13 @@ pub(crate) enum GeneralRegister {
 }
 
 impl GeneralRegister {
-    /// The argument registers of a function, in order.
+    /// The argument registers of a function, in the order of the arguments.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
     /// Caller-saved registers that are free for other uses.
     pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
     /// The registers that hold the addresses of columns.
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// The callee-saved registers among [`POINTERS`](Self::POINTERS).
+    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller.
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
     pub(crate) const STACK: Self = Self::Rsp;
 }
@@ -127,7 +127,7 @@ impl Assembler {
         self.bytes.push(0xc3);
     }
 
-    /// Returns the current position as the target of later jumps.
+    /// Returns the current position in the code, to which later instructions can jump back.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
     }

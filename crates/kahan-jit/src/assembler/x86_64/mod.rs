@@ -40,7 +40,7 @@ impl Assembler {
         self.form
     }
 
-    /// Begins a function: saves registers and reserves stack slots.
+    /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
         /// Slots of every width start on a cache line of this many bytes.
         const LINE: i32 = 64;
@@ -143,7 +143,7 @@ impl Assembler {
         self.pool.entry(bits)
     }
 
-    /// Returns the code followed by its pool.
+    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         const BREAKPOINT: u8 = 0xcc;
 

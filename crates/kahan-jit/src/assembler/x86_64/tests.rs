@@ -63,7 +63,7 @@ fn decoded(write: impl FnOnce(&mut Assembler), form: OperandForm) -> Instruction
     instruction
 }
 
-/// Asserts that the instruction has no mask, broadcast or embedded rounding.
+/// Asserts that the instruction has no mask, no broadcast and no rounding mode.
 fn assert_is_plain(instruction: &Instruction) {
     assert_eq!(instruction.op_mask(), Register::None, "{instruction:?}");
     assert!(!instruction.zeroing_masking() && !instruction.is_broadcast(), "{instruction:?}");
@@ -71,7 +71,7 @@ fn assert_is_plain(instruction: &Instruction) {
     assert!(!instruction.suppress_all_exceptions(), "{instruction:?}");
 }
 
-/// Returns the decoder's name of a vector register.
+/// Returns the name that the decoder gives a vector register.
 fn vector(form: OperandForm, Vector(number): Vector) -> Register {
     let first = match form.width {
         Width::Scalar | Width::Bits128 => Register::XMM0,
@@ -377,7 +377,8 @@ fn the_pool_begins_with_a_cache_line() {
     }
 }
 
-/// Offsets take one byte if they fit, except in EVEX, which would scale them.
+/// Offsets take one byte if they fit into it. In EVEX they take four, because EVEX scales short
+/// ones.
 #[test]
 fn offsets_are_as_short_as_they_can_be() {
     let length = |offset: i32, register: u8| {
@@ -392,7 +393,7 @@ fn offsets_are_as_short_as_they_can_be() {
     }
 }
 
-/// Decodes one integer instruction.
+/// Decodes code that consists of one integer instruction.
 fn general(write: impl FnOnce(&mut Assembler)) -> Instruction {
     decoded(write, FORMS[0])
 }

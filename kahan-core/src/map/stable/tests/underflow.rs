@@ -315,7 +315,7 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
-/// The limits on inputs, tested with hardware floats.
+/// Tests the limits on inputs with the floats of the processor.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
         #[test]

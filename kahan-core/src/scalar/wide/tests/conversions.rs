@@ -8,7 +8,7 @@ use num_traits::One;
 
 use super::{Dyadic, Random, Wide};
 
-/// Returns a random finite float of any exponent, with few or many bits.
+/// Returns a random finite float of any exponent. Its mantissa has few or many bits.
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };
@@ -60,7 +60,7 @@ fn a_float_is_taken_exactly() {
     }
 }
 
-/// Returns x·2¹⁰⁷⁴ by halving and doubling.
+/// Returns x·2¹⁰⁷⁴ as an integer, computed by halving and doubling.
 fn scaled_integer(x: f64) -> BigInt {
     let (mut size, mut shift) = (x.abs(), 1074_u64);
     while size >= 9_007_199_254_740_992.0 {
