@@ -7,7 +7,7 @@ use super::growth::Size;
 /// An observer of MEGNO, the mean exponential growth factor of nearby orbits. With the tangent
 /// vector vₖ after k steps,
 ///
-/// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n,
+/// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n.
 ///
 /// The report holds Y(n) and the mean of Y(1), …, Y(n). The mean tends to 2 for quasi-periodic
 /// motion, and to 0 if tangent vectors stay bounded. For chaotic motion the mean grows like λ·εn,
