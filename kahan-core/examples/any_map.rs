@@ -1,6 +1,7 @@
-//! One function over any map: a mass on a spring by Kahan's method, by order eight, and as a chain.
+//! Applies one function to any map: a mass on a spring by Kahan's method, by order eight, and as a
+//! chain.
 //!
-//! Every map at its ε implements `Step`, also maps and chains that `kahan_runtime` reads.
+//! Every map at its ε implements `Step`, including maps and chains that `kahan_runtime` reads.
 
 use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;
@@ -24,12 +25,12 @@ struct Clock {
     hand: SVector<f64, 2>,
 }
 
-/// Returns the time of the first zero of a state's first entry, for any map.
+/// Returns the time at which the first entry of a state is zero for the first time, for any map.
 fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
     first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// Prints and returns the times; a quarter of a period takes π/2.
+/// Prints and returns the times. A quarter of a period takes π/2.
 pub(crate) fn run() -> [f64; 4] {
     let eps = 0.01; // half the time step
     let clock = Clock { spring: Spring.at(eps), hand: vector![1.0, 0.0] };
@@ -40,7 +41,7 @@ pub(crate) fn run() -> [f64; 4] {
     let maps: [(&str, Box<dyn Step<Scalar = f64>>); 3] =
         [("plain", Box::new(clock.spring)), ("order 8", Box::new(order_eight)), ("chain", Box::new(chain))];
     let [plain, of_order_eight, of_chain] = maps.map(|(name, map)| {
-        // Equal masses swing like one.
+        // Equal masses swing as one mass does.
         let start = [1.0, 0.0].repeat(map.dimension() / 2);
         let time = zero(&*map, start).expect("it swings");
         println!("{name:8} {time:.15}");

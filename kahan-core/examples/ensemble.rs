@@ -1,6 +1,7 @@
-//! Many trajectories at once: 2 500 springs that start close together lose their common phase.
+//! Advances many trajectories at once: 2 500 springs that start close together lose their common
+//! phase.
 //!
-//! Larger oscillations take longer, so the points lose step and the mean velocity decays.
+//! Larger oscillations take longer. Therefore the springs lose step, and the mean velocity decays.
 
 use kahan_core::prelude::*;
 
@@ -12,7 +13,7 @@ kahan! {
     integral H = (3*x^2 + 3*v^2 + 2*x^3 - eps^2*(x^2 + v^2 + 2*x*v^2))/(1 + eps^2*(1 + 2*x));
 }
 
-/// Prints the mean motion; returns the last mean velocity, and the largest change of H.
+/// Prints the mean motion. Returns the last mean velocity, and the largest change of the energy H.
 pub(crate) fn run() -> (f64, f64) {
     let eps = 0.05;
     let map = Spring.at(eps);

@@ -1,7 +1,8 @@
-//! Exact orbits over big rationals, whose growth of digits reveals integrals.
+//! Exact orbits over big rationals. The growth of their digits reveals integrals.
 //!
-//! The number of digits grows like n² if integrals confine the orbit to a curve (E6), and doubles
-//! with every step otherwise (Lotka–Volterra). Steps forward and back are exactly the identity.
+//! After n steps, the number of digits has grown like n² if integrals confine the orbit to a curve
+//! (E6). Otherwise it doubles with every step (Lotka–Volterra). Steps forward and back are exactly
+//! the identity.
 
 use kahan_core::prelude::*;
 
@@ -18,7 +19,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Returns the digits of x's denominator after each of twelve steps, and checks the steps back.
+/// Returns the number of digits in the denominator of x after each of twelve steps. Also checks the
+/// steps back.
 fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N]) -> Vec<usize> {
     let start = SVector::from(x.map(|(p, q)| BigRational::new(p.into(), q.into())));
     let eps = BigRational::new(1.into(), 3.into());

@@ -1,5 +1,5 @@
-//! Two solitons of the Korteweg–de Vries equation on a ring of 512 sites: what the map conserves
-//! over 100 000 steps, and a picture if a file is named.
+//! Two solitons of the Korteweg–de Vries equation on a ring of 512 sites. Prints how well the map
+//! conserves integrals over 100 000 steps, and draws a picture if a file is named.
 //!
 //! `cargo run --release -p kahan-core --example kdv [picture.svg]`
 
@@ -65,7 +65,7 @@ fn kept(chain: &mut LatticeAt<Kdv<f64>, f64>, u: &[f64]) -> [f64; 4] {
     [chain.integrals(u)[0], momentum, chain.hamiltonian(u), chain.modified_energy(u)]
 }
 
-/// Returns the rise of the least-squares line through evenly spaced values, from end to end.
+/// Returns how far the least-squares line through evenly spaced values rises from end to end.
 fn trend(values: &[f64]) -> f64 {
     let middle = (values.len() - 1) as f64 / 2.0;
     let place = |k: usize| k as f64 - middle;
@@ -81,7 +81,7 @@ fn picture(profiles: &[Vec<f64>]) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" \
          font-size=\"13\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n"
     );
-    // The last time is drawn behind the others.
+    // The last time is drawn first, behind the other times.
     for (k, profile) in profiles.iter().enumerate().rev() {
         let base = height - 24.0 - gap * k as f64;
         let mut points = format!("8,{base:.1}");

@@ -1,6 +1,6 @@
-//! An orbit and its integrals: a freely rotating rigid body, ten thousand steps.
+//! An orbit of a freely rotating rigid body over ten thousand steps, and its integrals.
 //!
-//! Kahan's map of the Euler top has two proved integrals; in floats they change only by rounding.
+//! Kahan's map of the Euler top has two proved integrals. In floats only rounding changes these.
 
 use kahan_core::prelude::*;
 
@@ -14,7 +14,7 @@ kahan! {
     integral G = (1 - eps^2*a*b*z^2)/(1 - eps^2*b*c*x^2);
 }
 
-/// Prints every thousandth point; returns the largest change of an integral.
+/// Prints every thousandth point. Returns the largest change of an integral.
 pub(crate) fn run() -> f64 {
     let top = EulerTop { a: 1.0, b: -2.0, c: 1.0 };
     let (start, eps) = (vector![1.0, 0.01, 0.5], 0.05); // eps is half the time step

@@ -1,6 +1,7 @@
-//! The interface for generated code: not public, not stable, versioned with the macro.
+//! The interface for generated code, which is neither public nor stable and has the macro's
+//! version.
 //!
-//! Generated code names items only through this module. It therefore works in scopes without a
+//! Generated code names items only through this module. Therefore it works in scopes without a
 //! prelude and beside user types called `Option` or `Clone`.
 
 pub use core;
@@ -16,12 +17,12 @@ pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-/// The step of a dense field read at run time, for `kahan-runtime`.
+/// Elimination for dense fields that are read at run time, which `kahan-runtime` uses.
 #[cfg(feature = "std")]
 pub mod dense {
     pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
-/// SIMD lanes as scalars, for interpretation over columns in `kahan-runtime`.
+/// SIMD lanes as scalars, with which `kahan-runtime` interprets programs over columns.
 #[cfg(feature = "std")]
 pub use crate::ensemble::{
     lanes::{InLanes, Lanes, OverLanes},
@@ -29,11 +30,11 @@ pub use crate::ensemble::{
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
-/// Elimination for fields without closed forms, for `kahan-runtime`.
+/// Elimination for fields without closed forms, which `kahan-runtime` uses.
 pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
-/// The solver of chains read at run time, for `kahan-runtime`.
+/// The solver of chains that are read at run time, which `kahan-runtime` uses.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::lattice::{Gathered, SiteLine, StencilMenu};
@@ -61,14 +62,14 @@ pub fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))
 }
 
-/// Returns p/q as a scalar; |p| and q must not exceed 2²⁴.
+/// Returns p/q as a scalar. Neither |p| nor q may exceed 2²⁴.
 #[inline(always)]
 pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Stores a result, by a call unless the scalar is a float. Compilers examine every pair of
-/// adjacent stores, which takes minutes for thousands of them.
+/// Stores a result. Unless the scalar is a float, this is a call. Compilers examine every pair of
+/// adjacent stores, and thousands of stores would take minutes.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -78,7 +79,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions named like method arguments; imported, so that no user constant captures a pattern.
+/// Functions that have the names of method arguments. Because they are imported, no constant of the
+/// user captures a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}
@@ -93,21 +95,22 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Returns whether a step at this ε may use its form divided by ε.
+/// Returns whether a step at this ε may use the form that is divided by ε.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }
 
-/// Returns a matrix from its rows.
+/// Returns a matrix made of these rows.
 #[inline]
 pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> {
     SMatrix::from_fn(|i, j| rows[i][j].clone())
 }
 
-/// Returns ∂x̃/∂x = I + ∂(x̃ − x)/∂x by forward differentiation with dual numbers.
+/// Returns the derivative ∂x̃/∂x = I + ∂(x̃ − x)/∂x of a step, by forward differentiation with dual
+/// numbers.
 ///
 /// # Panics
-/// At a pole of an exact scalar.
+/// If the scalar is exact and `x` is a pole.
 #[inline]
 pub fn jacobian_by_duals<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N>
 where
@@ -124,7 +127,7 @@ where
     })
 }
 
-/// Returns the antisymmetric matrix whose entries above the diagonal are given row by row.
+/// Returns the antisymmetric matrix with these entries above the diagonal, given row by row.
 pub fn antisymmetric<T: Scalar, const N: usize, const ABOVE: usize>(above: [T; ABOVE]) -> SMatrix<T, N, N> {
     let place = |i: usize, j: usize| i * (2 * N - i - 1) / 2 + (j - i - 1);
     SMatrix::from_fn(|i, j| match i.cmp(&j) {

@@ -1,8 +1,9 @@
-//! Elimination for dense fields, with loops over rows or over the points of an ensemble.
+//! Elimination for dense fields, in loops over rows or over the points of an ensemble.
 //!
-//! In: coefficients packed in reading order, a state, ε. Out: A(x,ε)⁻¹f(x), in the operation order
-//! of the field's plans and of [`Couplings`](crate::__private::Couplings), with any number of
-//! lanes. Zero coefficients of missing products change at most signs of zeros.
+//! In: coefficients packed in reading order, a state x, ε. Out: A(x,ε)⁻¹f(x) with A(x,ε) = I −
+//! εf′(x). The operations have the order of the field's generated programs and of
+//! [`Couplings`](crate::__private::Couplings), for any number of lanes. If a product is missing in
+//! the field, its coefficient is zero, which changes at most signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -19,22 +20,22 @@ use crate::{Constant, Level};
 pub use points::{points, velocities};
 
 const PIVOTS: usize = 8;
-/// The number of columns reduced together.
+/// The number of columns that are reduced together.
 const COLUMNS: usize = 4;
 
-/// Returns the number of coefficients of a component: the constant, those of the variables, and
-/// those of the products xⱼxₖ with j ≤ k, row by row.
+/// Returns the number of coefficients of a component of a field. A component has a constant, one
+/// coefficient per variable, and one per product xⱼxₖ with j ≤ k, ordered by j and then by k.
 #[must_use]
 pub const fn coefficients(variables: usize) -> usize {
     1 + variables + variables * (variables + 1) / 2
 }
 
-/// Returns the index of xⱼxₖ, j ≤ k, among the coefficients of a component.
+/// Returns the index of the product xⱼxₖ, j ≤ k, among the coefficients of a component.
 const fn place(variables: usize, j: usize, k: usize) -> usize {
     1 + variables + j * variables - j * (j + 1) / 2 + k
 }
 
-/// Returns the padded height of a column, a multiple of the register width.
+/// Returns the height of a column, padded to a multiple of the register width.
 const fn height<T: InLanes>(variables: usize) -> usize {
     variables.next_multiple_of(T::ROWS)
 }
@@ -45,8 +46,8 @@ fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     blocks.chain((whole..columns.end).map(|column| column..column + 1))
 }
 
-/// Appends the coefficients of a field in the order in which [`velocity`] reads them. `field` holds
-/// `coefficients(variables)` numbers per component.
+/// Appends the coefficients of a field to `packed`, in the order in which [`velocity`] reads them.
+/// `field` holds `coefficients(variables)` numbers per component.
 pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     let mut places: Vec<usize> = (0..=variables).collect();
     for block in blocks(0..variables) {
@@ -67,14 +68,14 @@ pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     }
 }
 
-/// The workspace of a step.
+/// The memory in which steps compute.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
-    /// A(x,ε), column by column, then f(x).
+    /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
-    /// The elimination factors of each row for the current group of pivots.
+    /// The factors with which each row subtracts the pivot rows of the current group.
     factors: Vec<T>,
-    /// The pivots with a factor above the limit, to be checked again.
+    /// The pivots with a factor above the limit, which are checked again.
     suspects: Vec<usize>,
 }
 
@@ -85,13 +86,13 @@ impl<T> Default for Workspace<T> {
 }
 
 impl<T: InLanes> Workspace<T> {
-    /// Returns the last column: f(x), or the solution.
+    /// Returns the last column, which holds f(x) or the solution.
     #[must_use]
     pub fn last(&self, variables: usize) -> &[T] {
         &self.columns[height::<T>(variables) * variables..][..variables]
     }
 
-    /// Returns an entry of A(x,ε) after [`assemble`].
+    /// Returns the entry (i, j) of A(x,ε). [`assemble`] must have computed the matrix.
     #[must_use]
     pub fn entry(&self, variables: usize, [i, j]: [usize; 2]) -> T {
         self.columns[height::<T>(variables) * j + i]
@@ -99,14 +100,14 @@ impl<T: InLanes> Workspace<T> {
 }
 
 /// Computes A(x,ε)⁻¹f(x) from [packed](pack) coefficients into the [last](Workspace::last) column.
-/// Returns `false` if a pivot is 0 or too small by the rule of
+/// Returns `false` if a pivot is 0, or too small by the rule of
 /// [`Couplings::factor`](crate::__private::Couplings::factor).
 #[must_use]
 pub fn velocity<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
     run(Work { packed, x, eps, eliminates: true, workspace }, Level::Avx2)
 }
 
-/// Computes A(x,ε) and f(x).
+/// Computes the matrix A(x,ε) = I − εf′(x) and the column f(x).
 pub fn assemble<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
     run(Work { packed, x, eps, eliminates: false, workspace }, Level::Avx2);
 }
@@ -140,7 +141,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// Loops over lanes L of T, which hold rows, or points if `POINTS`.
+/// Loops over registers L of T. Each lane holds a row, or a point if `POINTS` is true.
 #[derive(Clone, Copy)]
 struct Loops<T, L, const POINTS: bool> {
     variables: usize,
@@ -162,7 +163,8 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         self.at(0, j)
     }
 
-    /// Loads coefficient number `place` for the rows of a register from `row` on.
+    /// Loads the coefficient at `place` for all rows of a register. The register's first row is
+    /// `row`.
     #[inline(always)]
     fn coefficient(packed: &[T], place: usize, row: usize) -> L {
         let place = place * T::ROWS + row % T::ROWS;
@@ -174,7 +176,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// Returns the register indices between two aligned offsets; `step_by` may not be inlined.
+    /// Returns the registers between two aligned offsets. Loops over `step_by` may not be inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -211,7 +213,8 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds the products with W variables, from `first` on, to f and to f′ in a register's rows.
+    /// Adds products with W variables, beginning with `first`, to f and f′ in the rows of a
+    /// register.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -267,7 +270,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
 }
 
 impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
-    /// Solves for the last column in place; `false` if a pivot is 0 or too small.
+    /// Solves for the last column in place. Returns `false` if a pivot is 0 or too small.
     #[inline(always)]
     fn eliminate(self, workspace: &mut Workspace<T>) -> bool {
         let Workspace { columns, factors, suspects } = workspace;
@@ -310,8 +313,9 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
-    /// Writes the factors of a pivot (0 down to the pivot's row) and replaces the pivot by its
-    /// reciprocal. Returns whether a factor exceeds `most`; `None` if the pivot is 0.
+    /// Replaces pivot k by its reciprocal, and writes the factors with which the rows below
+    /// subtract its row. The factors of the other rows are 0. Returns whether a factor exceeds
+    /// `most`, or `None` if the pivot is 0.
     #[inline(always)]
     fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
         let own = &mut columns[self.column(k)..][..self.height];
@@ -347,7 +351,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts the multiples of one pivot row, down to row `end`, in W columns from `column` on.
+    /// Subtracts multiples of one pivot row from the rows up to `end`, in W columns beginning at
+    /// `column`.
     #[inline(always)]
     fn subtract<const W: usize>(
         self,
@@ -368,7 +373,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts the multiples of all `PIVOTS` pivot rows, from row `below` on, in W columns.
+    /// Subtracts multiples of all `PIVOTS` pivot rows from the rows beginning at `below`, in W
+    /// columns.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(

@@ -1,12 +1,12 @@
 //! Kahan's method for quadratic differential equations: [`kahan!`] turns ẋ = f(x) into its
 //! birational map x ↦ x̃.
 //!
-//! A field f(x) = Q(x) + Bx + c, with Q(x,y) the symmetric bilinear form of Q, has the map
-//! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
+//! A field f(x) = Q(x) + Bx + c, with Q(x,y) the symmetric bilinear form of Q, has the map (x̃ −
+//! x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c. This equation is linear in x̃, and ε ↦ −ε inverts the map.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! In: code that the macro makes from a block, a point, ε. Out: steps, orbits, ensembles of
-//! trajectories. `kahan-algebra` handles syntax, polynomials and claims at compile time;
+//! In: code that the macro generates from a block, a point, ε. Out: steps, orbits, ensembles of
+//! trajectories. `kahan-algebra` handles syntax, polynomials and claims at compile time.
 //! `kahan-dynamics` finds periodic points, step sizes for a tolerance, and exact solutions.
 //!
 //! ```
@@ -59,7 +59,7 @@
 //! | tangent vectors, an observer of your own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
 //! | modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
-//! With the feature `serde` numbers, points, crossings and reports are serialisable; `serde_json`
+//! With the feature `serde` numbers, points, crossings and reports are serialisable. `serde_json`
 //! needs its feature `float_roundtrip` to read back every bit. Without default features the crate
 //! is `no_std`. Float scalars never allocate.
 
@@ -69,7 +69,7 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
-// Layers from bottom to top; `tests/tests/layers.rs` checks the imports.
+// The layers from bottom to top. The test in `tests/tests/layers.rs` checks the imports.
 mod scalar;
 
 mod field;
@@ -93,7 +93,7 @@ pub mod observe;
 #[cfg(feature = "std")]
 mod lattice;
 
-// Entry points for users and generated code.
+// The entry points for users and for generated code.
 mod macros;
 #[cfg(feature = "serde")]
 mod stored;

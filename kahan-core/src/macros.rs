@@ -1,31 +1,33 @@
 //! The macros of the crate.
 //!
-//! `kahan!` passes `$crate` to the procedural macro, so that renamed dependencies work. `vector!`
+//! `kahan!` passes `$crate` to the procedural macro; therefore renamed dependencies work. `vector!`
 //! replaces nalgebra's macro, whose expansion would require a dependency on `nalgebra`.
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
-/// [The language](crate::language) has its own chapter with grammar, limits and examples. In short:
+/// [The language](crate::language) has its own chapter with grammar, limits and examples. This is a
+/// summary.
 ///
 /// A block is an optional header, one equation `NAMEdot = expression;` per state variable, and
 /// claims. Expressions are polynomials of degree at most 2 in the variables, with the usual
 /// precedence: `x^2 - z^2` is (x²) − (z²). Numbers are exact: `0.1` is one tenth.
 ///
 /// - With a header, `struct Name;` or `struct Name { a, b }`, the block becomes that struct
-///   (`Name<T>` with one public field for each parameter) and its implementations of
+///   (`Name<T>` with one public field for each parameter). The struct implements
 ///   [`QuadraticField`](crate::QuadraticField), [`KahanMap`](crate::KahanMap) and
 ///   [`Named`](crate::Named).
-/// - Without a header, the block is an expression: a value of an anonymous type that captures its
+/// - Without a header, the block is an expression of an anonymous type. Its value captures the
 ///   parameters from the scope.
 ///
-/// A block that begins with `lift` may contain functions, quotients and arbitrary powers: `lift pub
-/// struct Pendulum { g }`, or `lift;` without a header. New variables make the equations quadratic;
-/// `embed` maps states to points of the lift, and `project` maps points back to states.
+/// A block that begins with `lift` may contain functions, quotients and arbitrary powers. Write
+/// `lift pub struct Pendulum { g }`, or `lift;` without a header. New variables make the equations
+/// quadratic. `embed` maps states to points of the lift, and `project` maps points back to states.
 ///
-/// `integral NAME = expression;` claims a function that the map conserves, `density` an invariant
-/// measure, `bracket` a Poisson tensor, and `drift` a function whose next value depends only on its
-/// current value. Claims are proved at compile time, and a false claim does not compile. In claims
-/// and coefficients `eps` is ε, **half** the time step.
+/// Claims state properties of the map. `integral NAME = expression;` claims a function that the map
+/// conserves, `density` an invariant measure, and `bracket` a Poisson tensor. `drift` claims a
+/// function whose next value depends only on its current value. Claims are proved at compile time,
+/// and a false claim does not compile. In claims and coefficients `eps` is ε, **half** the time
+/// step.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -59,10 +61,10 @@ macro_rules! kahan {
     };
 }
 
-/// Turns the block in a file into its Kahan map, like [`kahan!`](crate::kahan).
+/// Turns the block in a file into its Kahan map, as [`kahan!`](crate::kahan) does for a block.
 ///
-/// The path is relative to the file of the macro call, and changes of the file trigger
-/// recompilation. Errors are shown with line and caret, as the command `kahan` shows them.
+/// The path is relative to the file of the macro call. If the file changes, the crate is compiled
+/// again. Errors are shown with line and caret, as the command `kahan` shows them.
 ///
 /// ```ignore
 /// include_kahan!("toda.kahan");

@@ -1,4 +1,4 @@
-//! Imports for a file that writes or runs a Kahan map: `use kahan_core::prelude::*;`.
+//! The imports for a file that writes or runs a Kahan map: `use kahan_core::prelude::*;`.
 
 #[cfg(feature = "std")]
 pub use crate::{Axis, Ensemble, LatticeMap};
@@ -9,7 +9,7 @@ pub use crate::{
 
 pub use nalgebra::{SMatrix, SVector};
 
-// Lets rustc explain what a block lacks.
+// With these traits, rustc can explain which declaration a block lacks.
 #[doc(hidden)]
 pub use crate::undeclared::{IntegerParameters as _, WithoutDensity as _, WithoutIntegrals as _};
 

@@ -1,21 +1,21 @@
 //! Serialisation of double-doubles and compositions, with the feature `serde`.
 //!
-//! A double-double is stored as its two parts, a composition as its name. `serde_json` needs its
-//! feature `float_roundtrip` to read back every bit of a float.
+//! A double-double is stored as its two parts, and a composition as its name. `serde_json` needs
+//! its feature `float_roundtrip` to read back every bit of a float.
 
 use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{Composition, Dd};
 
-/// Writes \[high, low\], which is exact.
+/// Writes the two parts \[high, low\], which lose no bits.
 impl Serialize for Dd {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         (self.high(), self.low()).serialize(serializer)
     }
 }
 
-/// Accepts any two floats and adds them.
+/// Reads any two floats and adds them.
 impl<'a> Deserialize<'a> for Dd {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         let (high, low) = Deserialize::deserialize(deserializer)?;
@@ -23,14 +23,14 @@ impl<'a> Deserialize<'a> for Dd {
     }
 }
 
-/// Writes the [name](Composition::name) of the constant.
+/// Writes the [name](Composition::name) of the composition's constant.
 impl Serialize for Composition {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
     }
 }
 
-/// Refuses names outside of [`Composition::ALL`].
+/// Reads the name of a composition, and refuses names that are not in [`Composition::ALL`].
 impl<'a> Deserialize<'a> for Composition {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         struct Name;

@@ -1,9 +1,9 @@
-//! Sparse LU elimination over floats by panels (supernodes): consecutive rows with equal columns
-//! right of the diagonal, reduced together in SIMD lanes.
+//! Sparse LU elimination over floats by panels (supernodes). A panel holds consecutive rows with
+//! equal columns to the right of the diagonal. These rows are reduced together in SIMD lanes.
 //!
-//! In: the tables of [`Couplings`], and the entries of A(x,ε). Out: the LU factors in place, with
-//! the operation order and therefore the bits of [`Couplings::factor`]. On supernodes see J. W. H.
-//! Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252.
+//! In: the tables of [`Couplings`], and the entries of A(x,ε). Out: the LU factors in place. The
+//! order of operations, and therefore the bits, are those of [`Couplings::factor`]. On supernodes
+//! see J. W. H. Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252.
 
 #[cfg(test)]
 mod tests;
@@ -15,32 +15,33 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The maximum number of rows of a panel, which fit a fast cache.
+/// The maximum number of rows in a panel. A panel of this size fits a fast cache.
 const MOST_ROWS: usize = 32;
-/// The number of rows reduced together.
+/// The number of rows that are reduced together.
 const ROWS: usize = 4;
-/// The maximum number of pivots applied to rows at once.
+/// The maximum number of pivot rows that are subtracted from rows at once.
 const PIVOTS: usize = 16;
-/// The maximum number of pivots of a panel that may reduce rows one pivot at a time along a list.
+/// The maximum number of pivots of a panel that reduce rows one at a time, along a list of columns.
 const FEWEST: usize = 4;
-/// The minimum number of columns for loops over lanes.
+/// The minimum number of columns for which loops over lanes pay.
 const SHORTEST: u32 = 4;
 
-/// The panels of an elimination.
+/// The panels of an elimination, and the tasks that reduce their rows.
 #[derive(Clone, Debug)]
 pub struct Supernodes {
     panels: Vec<Panel>,
     reductions: Vec<PanelReduction>,
     tasks: Vec<RowReduction>,
     runs: Vec<ColumnRun>,
-    /// For each entry of A, its column within its panel.
+    /// For each entry of A, the index of its column among the columns of the entry's panel.
     columns: Vec<u32>,
-    /// Lists of panel columns, one per entry of a pivot row.
+    /// Lists of panel columns, with one column for each entry of a pivot row.
     lists: Vec<u32>,
 }
 
-/// Consecutive rows. Right of the diagonal, each has entries in the next row's column and in all of
-/// that row's columns. The panel's columns are the union of its rows' columns.
+/// Consecutive rows. To the right of the diagonal, each row has entries in the column of the next
+/// row, and in all columns of the next row. The panel's columns are the union of the columns of its
+/// rows.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
@@ -48,52 +49,52 @@ struct Panel {
     reductions: Range<usize>,
 }
 
-/// The reduction of a panel's rows by the pivots of a panel.
+/// The reduction of a panel's rows by the pivots of one panel.
 #[derive(Clone, Debug)]
 struct PanelReduction {
-    /// The row after the last pivot.
+    /// The index of the row after the last pivot.
     end: usize,
-    /// The panel column after that of the last pivot.
+    /// The index of the panel column after the column of the last pivot.
     behind: usize,
     tasks: Range<usize>,
     runs: Range<usize>,
-    /// The position in `lists` of the columns right of the last pivot, preceded by the pivots'
-    /// columns. `Some` if rows are reduced one pivot at a time.
+    /// The position in `lists` of the columns to the right of the last pivot. The columns of the
+    /// pivots precede it. `Some` if rows are reduced one pivot at a time.
     list: Option<usize>,
 }
 
-/// The reduction of one or [`ROWS`] rows by consecutive pivots.
+/// The reduction of one row, or of [`ROWS`] rows, by consecutive pivots.
 #[derive(Clone, Debug)]
 struct RowReduction {
-    /// The rows within the panel; only the first counts if `is_alone`.
+    /// The indices of the rows within the panel. If `is_alone` is true, only the first counts.
     rows: [u32; ROWS],
     is_alone: bool,
-    /// Whether the row is fully reduced afterwards.
+    /// Whether the row is completely reduced after this reduction.
     is_last: bool,
     first: u32,
     count: u32,
 }
 
-/// Consecutive panel columns in which a pivot row has entries.
+/// A range of consecutive panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
 struct ColumnRun {
-    /// The number of entries of the last pivot row between the diagonal and this run.
+    /// The number of entries of the last pivot row between the diagonal and this range.
     before: u32,
     column: u32,
     length: u32,
 }
 
-/// The workspace of a factorisation.
+/// The memory in which a factorisation computes.
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
     rows: Vec<T>,
     /// For each row, the magnitude below which an entry is negligible within the row.
     limits: Vec<T>,
     /// For each column of A, the magnitude below which an entry is negligible within the column. An
-    /// entry counts as 0 if it is negligible in both.
+    /// entry counts as 0 if it is negligible in both its row and its column.
     column_limits: Vec<T>,
     factors: Vec<T>,
-    /// The offsets of the entries of the pivot rows.
+    /// For each pivot row, the offset of its entries.
     uppers: Vec<usize>,
 }
 
@@ -105,7 +106,7 @@ impl<T> Default for PanelWorkspace<T> {
 }
 
 impl Supernodes {
-    /// Divides the rows into panels.
+    /// Divides the rows of the matrix into panels.
     #[must_use]
     pub fn of(couplings: &Couplings<'_>) -> Self {
         let count = couplings.rows.len();
@@ -131,8 +132,8 @@ impl Supernodes {
         all
     }
 
-    /// Appends a panel of these rows. `panel_of` maps each row to its panel, up to the last of
-    /// `rows`; `places` is scratch space with one number per row.
+    /// Appends a panel of these rows. `panel_of` maps each row, up to the last of `rows`, to its
+    /// panel. `places` is scratch memory with one number per row.
     fn push(
         &mut self,
         couplings: &Couplings<'_>,
@@ -182,7 +183,8 @@ impl Supernodes {
         self.panels.push(Panel { rows, width: columns.len(), reductions });
     }
 
-    /// Appends the tasks that reduce a panel's rows by pivots, if `apart` each row separately.
+    /// Appends the tasks that reduce a panel's rows by these pivots. If `apart` is true, each row
+    /// has its own tasks.
     fn push_tasks(
         &mut self,
         couplings: &Couplings<'_>,
@@ -227,7 +229,7 @@ impl Supernodes {
     }
 
     /// Appends the joint reduction of `ROWS` rows by the pivots before `end`. Pivots that only some
-    /// of the rows need are applied to each row separately.
+    /// of the rows need are applied to these rows separately.
     fn push_together(&mut self, rows: [usize; ROWS], firsts: [usize; ROWS], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
@@ -236,7 +238,8 @@ impl Supernodes {
         self.push_pivots(rows, false, first..end);
     }
 
-    /// Appends the reduction of one row by these pivots; `is_last` marks it as the row's last.
+    /// Appends the reduction of one row by these pivots. `is_last` marks the last reduction of the
+    /// row.
     fn push_alone(&mut self, r: usize, pivots: Range<usize>, is_last: bool) {
         self.push_pivots([r, 0, 0, 0], true, pivots);
         if is_last {
@@ -258,14 +261,15 @@ impl Supernodes {
         }
     }
 
-    /// Replaces A by its LU factors, like [`Couplings::factor`]. Returns `false` if a pivot is 0 or
-    /// too small; the values are then useless.
+    /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
+    /// or too small; the values are then useless.
     ///
-    /// With `flushes`, an entry counts as 0 if it is below [`InLanes::NEGLIGIBLE`] times the
-    /// largest off-diagonal entry of its row in A, and likewise of its column. Otherwise factors,
-    /// which shrink like a power of ε with the distance between variables, become subnormal and
-    /// slow. Changing a variable's unit scales a row and, inversely, a column. In f64, solutions
-    /// keep their bits if the ratios of units are at least 2¹⁰⁰ times `NEGLIGIBLE`.
+    /// With `flushes`, small entries count as 0. An entry is small if it is below
+    /// [`InLanes::NEGLIGIBLE`] times the largest off-diagonal entry of its row in A, and also of
+    /// its column. Without `flushes`, factors shrink like a power of ε with the distance between
+    /// variables, and finally become subnormal and slow. If a variable gets another unit, its row
+    /// of A is multiplied by a factor and its column divided by it. In `f64`, solutions keep their
+    /// bits if the ratios of units are at least 2¹⁰⁰ times `NEGLIGIBLE`.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -288,7 +292,8 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Returns whether the next row's columns right of the diagonal are this row's but the first.
+    /// Returns whether the next row has the columns that this row has to the right of the diagonal,
+    /// except the first of these.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {
             Some((&next, others)) => next as usize == row + 1 && self.columns_right(row + 1) == others,
@@ -326,7 +331,8 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// Returns the magnitude that is negligible beside the largest entry; 0 if not finite.
+/// Returns the magnitude that is negligible beside the largest entry, or 0 if the magnitude is not
+/// finite.
 #[inline(always)]
 fn negligible<T: InLanes>(largest: T) -> T {
     let limit = largest * T::NEGLIGIBLE;
@@ -335,7 +341,8 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> Work<'_, T> {
-    /// Each function has one call site per number of rows, because its body is inlined there.
+    /// Computes the factors of a panel. For each number of rows, each function is called at one
+    /// place, because its body is inlined there. Returns `false` if a pivot is 0 or too small.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;
@@ -367,7 +374,7 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// Reduces a row one pivot at a time, in the columns of a list.
+    /// Reduces a row by one pivot at a time, in the columns of a list.
     #[inline(always)]
     fn has_reduced_along(
         &mut self,
@@ -428,7 +435,8 @@ impl<T: InLanes> Work<'_, T> {
         self.workspace.limits[r] = negligible(largest);
     }
 
-    /// Returns an entry of row r of the panel in a column of A, or 0 if it is negligible.
+    /// Returns `entry`, or 0 if it is negligible. The entry is in row r of the panel and in this
+    /// column of A.
     #[inline(always)]
     fn flushed(&self, entry: T, r: usize, column: usize) -> T {
         let PanelWorkspace { limits, column_limits, .. } = &*self.workspace;
@@ -437,7 +445,8 @@ impl<T: InLanes> Work<'_, T> {
         if is_negligible { T::zero() } else { entry }
     }
 
-    /// Copies row r of the panel back with its reciprocal pivot; `false` if the pivot is 0.
+    /// Copies row r of the panel back, with its reciprocal pivot. Returns `false` if the pivot is
+    /// 0.
     #[inline(always)]
     fn has_scattered(&mut self, panel: &Panel, r: usize) -> bool {
         let own = &self.workspace.rows[r * panel.width..][..panel.width];
@@ -458,14 +467,14 @@ impl<T: InLanes> Work<'_, T> {
         true
     }
 
-    /// Returns the index of a pivot's entry, and the end of its row.
+    /// Returns the index of a pivot's entry, and the end of the pivot's row.
     #[inline(always)]
     fn pivot(&self, row: usize) -> [usize; 2] {
         let right = self.couplings.rows[row].right();
         [right.start - 1, right.end]
     }
 
-    /// Reduces R rows together; `false` if a pivot is too small.
+    /// Reduces R rows together. Returns `false` if a pivot is too small.
     #[inline(always)]
     fn has_reduced<L: Lanes<T>, const R: usize>(
         &mut self,
@@ -483,7 +492,7 @@ impl<T: InLanes> Work<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // The panel columns right of these pivots; the pivot rows have entries in all of them.
+        // The panel columns to the right of these pivots. All these pivot rows have entries there.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
@@ -507,8 +516,9 @@ impl<T: InLanes> Work<'_, T> {
         }
     }
 
-    /// Returns the factor of a row for a pivot, and reduces the row's columns before `end`; `None`
-    /// if the pivot is too small. `place` is the index of the row's entry in the pivot's column.
+    /// Returns the factor of a row for a pivot, and reduces the row's columns before `end`. Returns
+    /// `None` if the pivot is too small. `place` is the index of the row's entry in the pivot's
+    /// column.
     #[inline(always)]
     fn factor(&mut self, row: usize, place: usize, pivot: usize, end: usize) -> Option<T> {
         let [diagonal, behind] = self.pivot(pivot);
@@ -530,7 +540,7 @@ impl<T: InLanes> Work<'_, T> {
         Some(factor)
     }
 
-    /// Subtracts the multiples of `count` pivot rows from R rows, which start at `places`.
+    /// Subtracts multiples of `count` pivot rows from R rows, whose first numbers are at `places`.
     #[inline(always)]
     fn subtract<L: Lanes<T>, const R: usize>(&mut self, places: [usize; R], count: usize, run: &ColumnRun) {
         let (mut before, mut column) = (run.before as usize, run.column as usize);

@@ -1,9 +1,9 @@
-//! Methods that a system lacks, with diagnostics that say what to declare.
+//! Methods that a system lacks, with diagnostics that say which declaration is missing.
 //!
 //! A block without an integral, without a density, or with integer parameters gets these methods
-//! instead. Their bounds are never satisfied, so every call is a compile error. They take `&mut
-//! self`, because rustc tries `&self` methods first; handwritten integrals, and maps with a scalar
-//! not yet inferred, therefore take precedence.
+//! instead. Their bounds are never satisfied, and therefore every call is a compile error. They
+//! take `&mut self`, because rustc tries `&self` methods first. Therefore handwritten integrals
+//! take precedence, and so do maps whose scalar is not yet inferred.
 
 use core::iter::Empty;
 
@@ -11,11 +11,11 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// A type that implements none of the traits below, so that their diagnostics appear.
+/// A type that implements none of the traits below; therefore their diagnostics appear.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 
-/// The block of S declares an integral; never implemented.
+/// States that the block of S declares an integral. No type implements this trait.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no integral",
     label = "declare one in the block: `integral H = …;`",
@@ -23,7 +23,7 @@ pub struct Block;
 )]
 pub trait DeclaresIntegral<S: ?Sized, T> {}
 
-/// The block of S declares a density; never implemented.
+/// States that the block of S declares a density. No type implements this trait.
 #[diagnostic::on_unimplemented(
     message = "the block of `{S}` declares no density",
     label = "declare one in the block: `density rho = …;`",
@@ -31,7 +31,7 @@ pub trait DeclaresIntegral<S: ?Sized, T> {}
 )]
 pub trait DeclaresDensity<S: ?Sized, T> {}
 
-/// S has scalars for parameters; never implemented.
+/// States that the parameters of S are scalars. No type implements this trait.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
     label = "its parameters are integers: write `1.0`, not `1`",
@@ -43,9 +43,9 @@ fn unanswered() -> ! {
     unreachable!("no type has what this asks for")
 }
 
-/// The methods of a block without integrals.
+/// The methods that a block without integrals gets.
 pub trait WithoutIntegrals {
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
     where
         Block: DeclaresIntegral<Self, T>,
@@ -54,9 +54,9 @@ pub trait WithoutIntegrals {
     }
 }
 
-/// The methods of a block without a density.
+/// The methods that a block without a density gets.
 pub trait WithoutDensity {
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
     where
         Block: DeclaresDensity<Self, T>,
@@ -65,9 +65,9 @@ pub trait WithoutDensity {
     }
 }
 
-/// The methods of a system with integer parameters.
+/// The methods that a system with integer parameters gets.
 pub trait IntegerParameters {
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -75,7 +75,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -84,7 +84,7 @@ pub trait IntegerParameters {
     }
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
         Block: HasScalars<Self, T>,
@@ -92,7 +92,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
         Block: HasScalars<Self, T>,
@@ -100,7 +100,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn at<T>(&mut self, _: T)
     where
         Block: HasScalars<Self, T>,
@@ -108,7 +108,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
@@ -116,7 +116,7 @@ pub trait IntegerParameters {
         unanswered()
     }
 
-    /// Always a compile error.
+    /// Fails to compile, whatever the arguments are.
     fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
         Block: HasScalars<Self, T>,

@@ -1,19 +1,19 @@
-//! A placeholder for `BigRational` without the feature `exact`; rustc then says how to enable it.
+//! A placeholder for `BigRational` without the feature `exact`. rustc then says how to enable it.
 
 use core::marker::PhantomData;
 
 /// A placeholder for big rationals, which need the feature `exact`.
 pub type BigRational = Unavailable<FeatureExact>;
 
-/// A number type that is not available.
+/// A number type that this build does not provide; F is the missing feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unavailable<F>(PhantomData<F>);
 
-/// The feature `exact`, disabled in this build.
+/// The feature `exact`, which is disabled in this build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FeatureExact;
 
-/// Never implemented.
+/// States that a feature is enabled. No type implements this trait.
 #[diagnostic::on_unimplemented(
     message = "`BigRational` needs the feature `exact` of `kahan-core`",
     label = "enable it in Cargo.toml: `kahan-core = {{ …, features = [\"exact\"] }}`"
@@ -22,7 +22,8 @@ trait IsEnabled {}
 
 #[expect(private_bounds, reason = "no feature that is off can be enabled by a type")]
 impl<F> Unavailable<F> {
-    /// numer/denom; needs the feature `exact`.
+    /// Stands for the rational number numer/denom. A call does not compile without the feature
+    /// `exact`.
     pub fn new(_numer: i128, _denom: i128) -> Self
     where
         F: IsEnabled,
@@ -30,7 +31,7 @@ impl<F> Unavailable<F> {
         Self(PhantomData)
     }
 
-    /// An integer; needs the feature `exact`.
+    /// Stands for an integer as a rational. A call does not compile without the feature `exact`.
     pub fn from_integer(_integer: i128) -> Self
     where
         F: IsEnabled,
@@ -38,7 +39,7 @@ impl<F> Unavailable<F> {
         Self(PhantomData)
     }
 
-    /// The value of a float; needs the feature `exact`.
+    /// Stands for a float as a rational. A call does not compile without the feature `exact`.
     pub fn from_float(_float: f64) -> Option<Self>
     where
         F: IsEnabled,

@@ -1,4 +1,4 @@
-//! The interface of any map at its ε, compared with the methods of each map.
+//! Compares the interface of any map at its ε with the methods of each map.
 
 use kahan_core::observe::{
     Direction, Drift, Escape, Extrema, FirstCrossings, Observer, Section, TangentMap, first_crossing,
@@ -12,7 +12,7 @@ use super::systems::{Burst, E6, Turn};
 const EPS: f64 = 0.03;
 const STEPS: u64 = 9;
 
-/// Takes `STEPS` steps of `map`, one by one, at once, with a used workspace, and through `dyn`.
+/// Takes `STEPS` steps of `map`: one by one, all at once, with a used workspace, and through `dyn`.
 fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspace) -> Vec<f64> {
     assert_eq!((map.dimension(), *map.eps()), (start.len(), EPS));
     let mut x = start.to_vec();
@@ -22,7 +22,7 @@ fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspa
         one_by_one = Step::next(&map, &one_by_one, workspace).unwrap();
     }
     assert_eq!(x, one_by_one);
-    // A whole step and an empty step as parts of a step.
+    // Takes a whole step and an empty step as fractions of a step.
     let (mut whole, mut none) = (start.to_vec(), start.to_vec());
     map.part(&EPS, &mut whole, workspace).unwrap();
     assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), workspace));
@@ -41,7 +41,7 @@ fn every_map_has_the_bits_of_its_own_methods() {
     let start = [0.5, 1.0, 0.25];
     let plain = E6.at(EPS);
     let composed = plain.composed(Composition::KAHAN_LI_8);
-    // One workspace serves all maps.
+    // One workspace serves all maps in turn.
     for _ in 0..2 {
         let expected = plain.orbit(start.into()).nth(STEPS as usize).unwrap();
         assert_eq!(advanced(&plain, &start, &mut workspace), expected.as_slice());
@@ -66,12 +66,12 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     let found = advanced(&at, &start, workspace);
     let own = || {
         let mut x = start.clone();
-        // The chain's own method is called, although the trait is in scope.
+        // The chain's own method `advance` is called, although the trait is in scope.
         at.advance(&mut x, STEPS);
         x
     };
     assert_eq!(found, own());
-    // One of the two threads may find the chain's memory in use.
+    // One of the two threads may find that the other uses the chain's memory.
     std::thread::scope(|scope| {
         for run in [scope.spawn(own), scope.spawn(own)] {
             assert_eq!(found, run.join().unwrap());
@@ -79,7 +79,7 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     });
 }
 
-/// A mode is a map, whose states include the numbers stored beside the point.
+/// A mode is a map. Its states include the numbers that are stored beside the point.
 #[test]
 fn modes_are_maps() {
     let (start, mut workspace) = (vector![0.5, 1.0, 0.25], Workspace::new());
@@ -90,7 +90,7 @@ fn modes_are_maps() {
     Compensated(plain).advance(&mut carried, STEPS, &mut workspace).unwrap();
     assert_eq!(&carried[..3], points[STEPS as usize].as_slice());
     assert!(carried[3..].iter().any(|lacks| *lacks != 0.0));
-    // States of the map's type, and of a map chosen at run time.
+    // The states have the map's own type, or that of a map chosen at run time.
     let map = plain.compensated();
     assert_eq!(map.state(start.as_slice()), SMatrix::<f64, 3, 2>::from_columns(&[start, SVector::zeros()]));
     assert_eq!(Orbit::new(map, map.state(start.as_slice())).nth(9).unwrap(), points[9]);
@@ -98,10 +98,10 @@ fn modes_are_maps() {
     let state = chosen.state(start.as_slice());
     assert_eq!(state, [0.5, 1.0, 0.25, 0.0, 0.0, 0.0]);
     assert_eq!(Orbit::new(chosen, state).nth(9).unwrap()[..3], *points[9].as_slice());
-    // With its rounding errors an orbit continues exactly; without them it changes.
+    // With its rounding errors, an orbit continues exactly. Without these, its points change.
     let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
-    // A part of a step is that of the plain map, from the point.
+    // A fraction of a step is that of the plain map, and starts from the point.
     let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);
     Compensated(&plain).part(&0.01, &mut part, &mut workspace).unwrap();
     plain.part(&0.01, &mut alone, &mut workspace).unwrap();
@@ -122,7 +122,7 @@ fn modes_are_maps() {
     plain.part(&0.01, &mut alone, &mut workspace).unwrap();
     assert_eq!((&part[..3], &part[3..]), (&alone[..], &beside[3..]));
 
-    // A step over `f64` on `f32` states, at an ε exact in both.
+    // Takes a step over `f64` on `f32` states, at an ε that is exact in both types.
     let eps = 1.0 / 32.0;
     let through = ThroughF64::of_step(E6.at(eps));
     let single = start.map(|entry| entry as f32);
@@ -135,7 +135,8 @@ fn modes_are_maps() {
     assert_eq!(x, ThroughF64(E6).step(&single, eps as f32 / 2.0).as_slice());
 }
 
-/// Compares a map's tangent propagation with an orbit that has vectors beside its point.
+/// Compares the tangent vectors that a map propagates with an orbit that has vectors beside its
+/// point.
 fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, start: &[f64]) {
     let carried = Orbit::new(Tangent::new(map, 2), start.to_vec()).nth(STEPS as usize).unwrap();
     let columns = |numbers: &[f64]| SMatrix::<f64, 3, 3>::from_column_slice(numbers);
@@ -149,7 +150,8 @@ fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, st
     assert_eq!(columns(&carried), SMatrix::<f64, 3, 3>::from_columns(&[x, v, w]));
 }
 
-/// Observers read the orbit of a chain, or of a map chosen at run time, like that of a typed map.
+/// Observers read the orbit of a chain, or of a map chosen at run time, as they read that of a
+/// typed map.
 #[test]
 fn every_map_has_orbits() {
     let chain = LatticeMap::at(&Ring, EPS, 5).unwrap();
@@ -172,7 +174,7 @@ fn every_map_has_orbits() {
     let found = orbits.0.first_crossing(500, |x| x[2] - 0.2).unwrap();
     let expected = orbits.1.first_crossing(500, |x| x[2] - 0.2).unwrap();
     assert_eq!((found.time, found.point.as_slice()), (expected.time, expected.point.as_slice()));
-    // A compensated orbit also works; its points and parts of steps are those of the map.
+    // A compensated orbit also works. Its points and fractions of steps are those of the map.
     let carried = plain.orbit(start.into()).compensated().first_crossing(500, |x| x[2] - 0.2).unwrap();
     assert_eq!(carried.step, expected.step);
     assert!((carried.time - expected.time).abs() < 1e-13);
@@ -206,12 +208,13 @@ fn a_state_of_another_length_panics() {
     let _ = E6.at(EPS).run(&mut [0.5, 1.0], 1);
 }
 
-/// A circle with the angle 2 arctan ε per step; x = 0 first after a quarter of it.
+/// On a circle, a step turns by the angle 2 arctan ε. After a quarter of the circle, x = 0 for the
+/// first time.
 #[test]
 fn a_first_crossing_is_told_of_any_map() {
     let map = Turn.at(EPS);
     let crossing = first_crossing(&map, vector![1.0, 0.0], 1000, |x| x[0]).unwrap();
-    // A part θ of a step has the angle 2 arctan(θε).
+    // A fraction θ of a step turns by the angle 2 arctan(θε).
     let turn = 2.0 * EPS.atan();
     let steps = (std::f64::consts::FRAC_PI_2 / turn).floor();
     let part = ((std::f64::consts::FRAC_PI_2 - steps * turn) / 2.0).tan() / EPS;
@@ -227,7 +230,7 @@ fn a_first_crossing_is_told_of_any_map() {
     assert!(first_crossing(any, vec![1.0, 0.0], steps as u64, |x| x[0]).is_none());
 }
 
-/// Observes this number of points.
+/// An observer that is done after this number of points.
 struct Until(u64, Vec<u64>);
 
 impl Observer<f64> for Until {
@@ -262,7 +265,7 @@ fn a_run_ends_with_the_first_observer_that_is_done() {
     assert_eq!(reports, [[0, 1]]);
 }
 
-/// Groups have 16 trajectories and bursts 16 steps; each trajectory ends in another burst.
+/// Groups have 16 trajectories, and bursts have 16 steps. Each trajectory ends in another burst.
 #[test]
 fn in_an_ensemble_each_trajectory_is_seen_until_it_is_done() {
     let map = E6.at(EPS);
@@ -305,10 +308,10 @@ fn escapes_and_crossings_can_end_a_run() {
     assert_eq!(orbit.next(), map.orbit(start).nth(ended.kept[1].step as usize + 2));
 }
 
-/// On a circle the map rotates by 2 arctan ε per step, and by 2 arctan θε per part θ of it.
+/// On a circle the map rotates by 2 arctan ε per step, and a fraction θ of a step by 2 arctan θε.
 #[test]
 fn orbits_are_told_by_time() {
-    // Times are multiples of the time step ¼, and half-way between.
+    // The times are multiples of the time step ¼, and times half-way between these.
     let eps = 0.125_f64;
     let start = vector![0.6, 0.8];
     let points: Vec<_> = Turn.orbit(start, eps).take(9).collect();
@@ -316,13 +319,13 @@ fn orbits_are_told_by_time() {
     let times = [0.0, 0.125, 0.25, 1.0, 1.0, 1.125, 1.875];
     let expected = [points[0], half(0), points[1], points[4], points[4], half(4), half(7)];
     assert!(Turn.orbit(start, eps).at_times(&times).eq(expected));
-    // Times count from the orbit's current point, and backwards for negative ε.
+    // Times count from the orbit's current point, and backwards if ε is negative.
     let mut orbit = Turn.orbit(start, eps);
     orbit.nth(2);
     assert!(orbit.at_times(&[0.25, 0.375]).eq([points[4], half(4)]));
     let back: Vec<_> = Turn.orbit(start, -eps).at_times(&[-0.25, -0.375]).collect();
     assert_eq!(back[1], Turn.step(&Turn.step(&start, -eps), -eps / 2.0));
-    // An earlier time is reached by a negative part of a step.
+    // A negative fraction of a step reaches an earlier time.
     let back: Vec<_> = Turn.orbit(start, eps).at_times(&[0.5, 0.25]).collect();
     assert_eq!(back[1], Turn.step(&points[2], -eps));
 
@@ -330,7 +333,7 @@ fn orbits_are_told_by_time() {
     assert_eq!(timed(0.5), [(0.0, points[0]), (0.25, points[1]), (0.5, points[2])]);
     assert_eq!(timed(0.375), [(0.0, points[0]), (0.25, points[1]), (0.375, half(1))]);
     assert_eq!(timed(0.0), [(0.0, points[0])]);
-    // A composition has its own parts of a step.
+    // A composition has its own fractions of a step.
     let composed = Turn.orbit(start, eps).composed(Composition::KAHAN_LI_8).compensated();
     let last = composed.until(1.9).last().unwrap().1;
     let turn = |part: f64| -> f64 {
@@ -338,7 +341,7 @@ fn orbits_are_told_by_time() {
         stages.map(|stage| 2.0 * (stage * part * eps).atan()).sum()
     };
     let angle = 0.6_f64.atan2(0.8) + 7.0 * turn(1.0) + turn(1.9 / (2.0 * eps) - 7.0);
-    // About a hundred stages, each of which rounds by one or two units of 2⁻⁵³.
+    // The orbit has about a hundred stages, each of which rounds by one or two units of 2⁻⁵³.
     assert!((last[0] - angle.sin()).abs() < 2e-14, "{last}");
 
     let mut orbit = Turn.orbit(start, eps);

@@ -1,4 +1,4 @@
-//! The flow against closed solutions, including limits of its domain.
+//! Compares the flow with closed solutions, up to the limits of their domain.
 
 use kahan_core::prelude::*;
 use kahan_core::{FloatScalar, QuadraticField};
@@ -34,8 +34,9 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// About forty pieces each err by less than u relative to x ≤ 1. The flow finally contracts, and
-/// amplifies an early error by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
+/// The flow is computed in about forty pieces. Each errs by less than a rounding unit u relative to
+/// x ≤ 1. The flow finally contracts. It amplifies an early error by at most e^{t} x(1−x)… ≤
+/// 1/(4x₀) = 2.5.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -43,7 +44,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     for k in 0..=1000 {
         let t = f64::from(k) / 100.0;
         let (narrow, wide) = (f64s.at(t.into())[0], dds.at(t.into())[0]);
-        // `exp` and the four operations around it round by 3 u in all.
+        // The function `exp` and the four operations around it round by 3 u in all.
         let exact = 0.1 / (0.1 + 0.9 * (-t).exp());
         assert!((f64::from(wide) - exact).abs() <= 3.0 * f64::EPSILON, "t = {t}");
         let apart = f64::from((Dd::from(narrow) - wide).abs());
@@ -51,7 +52,8 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     }
 }
 
-/// Both integrals of the top in `Dd`, with a hundred errors 2⁻¹⁰⁶ that the flow adds linearly.
+/// Both integrals of the top are conserved in `Dd`, up to a hundred errors 2⁻¹⁰⁶ that the flow adds
+/// linearly.
 #[test]
 fn the_integrals_of_the_top_are_kept_in_double_double() {
     let flow = through::<_, Dd, 3>(&Top, [0.5, 1.0, 0.75], 40.0).expect("it exists");
@@ -70,7 +72,7 @@ fn the_integrals_of_the_top_are_kept_in_double_double() {
 
 #[test]
 fn pieces_follow_the_motion() {
-    // Slow until t = 23, then all change within a few units of time.
+    // The solution is slow until t = 23. Then it changes completely within a few units of time.
     let flow = through::<_, f64, 1>(&Logistic, [1e-10], 60.0).expect("it exists");
     assert_eq!(flow.breaks().next(), Some(0.0));
     let within = |low: f64, high: f64| flow.breaks().filter(|t| (low..high).contains(t)).count();
@@ -94,7 +96,7 @@ kahan! {
     sdot = 100*s*(n - 1);
 }
 
-/// x + y + z is always 1. After an initial layer of about 1e-3, y is about 3.6e-5.
+/// The sum x + y + z is always 1. After an initial layer of about 1e-3, y is about 3.6e-5.
 #[test]
 fn a_stiff_beginning_is_seen() {
     let flow = through::<_, Dd, 3>(&Kinetics, [1.0, 0.0, 0.0], 1.0).expect("it exists");
@@ -106,7 +108,7 @@ fn a_stiff_beginning_is_seen() {
     }
 }
 
-/// While s is small, n = 2 - 2e^{-t}, so s = s₀ exp(100(t - 2 + 2e^{-t})).
+/// While s is small, n = 2 - 2e^{-t}. Hence s = s₀ exp(100(t - 2 + 2e^{-t})).
 #[test]
 fn a_component_that_is_small_keeps_its_digits() {
     let flow = through::<_, f64, 2>(&Laser, [0.0, 1e-9], 1.5).expect("it exists");
@@ -114,8 +116,8 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // ∫ns dt, by which n is smaller, stays below 1e-12 for t < 0.1 and is negligible later. The
-        // exponent multiplies it by 100.
+        // The integral ∫ns dt is subtracted from n. It stays below 1e-12 for t < 0.1 and is
+        // negligible later. The exponent multiplies it by 100.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

@@ -1,6 +1,6 @@
-//! Runs the example programs, and checks the claims in their heads.
+//! Runs the example programs, and checks the statements in their module heads.
 
-// The examples' `main` is for cargo; the tests call `run`, which returns what they print.
+// The examples' `main` is for cargo. The tests call `run`, which returns the printed numbers.
 #![allow(dead_code)]
 
 #[path = "../examples/any_map.rs"]
@@ -20,7 +20,7 @@ mod trade;
 
 #[test]
 fn an_orbit_keeps_its_integrals_to_roundings() {
-    // Ten thousand steps; each changes an integral near 1 by a few roundings.
+    // Each of ten thousand steps changes an integral near 1 by a few roundings.
     let change = orbit::run();
     assert!(change < 1e-12, "{change:e}");
 }
@@ -28,7 +28,8 @@ fn an_orbit_keeps_its_integrals_to_roundings() {
 #[test]
 fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
     let [confined, free] = exact::run();
-    // From step 6 to step 12 the digits grow by a factor of 4 or of 2⁶.
+    // From step 6 to step 12, the number of digits grows by the factor 4 (E6) or 2⁶
+    // (Lotka–Volterra).
     let growth = |digits: &[usize]| digits[11] as f64 / digits[5] as f64;
     assert!((3.0..5.0).contains(&growth(&confined)), "{confined:?}");
     assert!((50.0..80.0).contains(&growth(&free)), "{free:?}");
@@ -47,7 +48,7 @@ fn a_checked_step_beside_a_pole_is_right_where_the_fast_one_is_infinite() {
     let answers = near_pole::run();
     let [.., beside, behind, pole] = answers.as_slice() else { panic!("six cases") };
     assert!(beside.0.is_infinite());
-    // The float 0.1 lies above one tenth, and 1 − 2ε·5 is −2⁻⁵⁴ exactly.
+    // The float 0.1 lies above one tenth, and 1 − 2ε·5 is exactly −2⁻⁵⁴.
     let exact = -5.0 * 2.0_f64.powi(54);
     let is_near = |a: f64, b: f64| (a - b).abs() <= 64.0 * f64::EPSILON * b.abs();
     assert!(beside.1.as_ref().is_ok_and(|next| is_near(*next, exact)));
@@ -75,7 +76,7 @@ fn a_smaller_tolerance_is_kept_by_a_higher_order() {
 fn one_function_tells_when_any_map_crosses_zero() {
     let [by_type, plain, of_order_eight, of_chain] = any_map::run();
     let quarter = std::f64::consts::FRAC_PI_2;
-    // A second-order step rotates by 2 arctan ε instead of 2ε; eps² is 10⁻⁴, eps⁸ is 10⁻¹⁶.
+    // A step of order two rotates by 2 arctan ε instead of 2ε. Here ε² is 10⁻⁴ and ε⁸ is 10⁻¹⁶.
     assert!(by_type == plain && (plain / quarter - 1.0).abs() < 1e-4);
     assert!((of_order_eight / quarter - 1.0).abs() < 1e-13);
     assert!((of_chain - plain).abs() < 1e-13);

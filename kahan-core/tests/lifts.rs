@@ -1,4 +1,4 @@
-//! Blocks that the macro lifts: initial values, steps, and integrals.
+//! Tests blocks that the macro lifts: initial values, steps, and integrals.
 
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
@@ -59,7 +59,7 @@ fn rational(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
-/// Returns a point of distinct rationals.
+/// Returns a point whose coordinates are distinct rationals.
 fn rationals<const N: usize>() -> SVector<BigRational, N> {
     SVector::from_fn(|i, _| rational(3 * i as i64 + 1, i as i64 + 5))
 }
@@ -85,7 +85,7 @@ fn first_values_are_those_of_libm() {
     assert_eq!(kepler, vector![3.0, 4.0, 0.5, -0.25, 0.024, 0.032, 1.5625, 0.02, 0.008, -0.2]);
 
     let morse = Morse { depth: 2.0, a: 0.5 }.embed(&vector![1.0, 0.0]);
-    // exp(a x); the new variables are its powers.
+    // The exponential is exp(a x). The new variables are powers of it.
     let exponential = 1.648_721_270_700_128_2_f64;
     assert_eq!(morse, vector![1.0, 0.0, (exponential * exponential).recip(), exponential.recip()]);
 }
@@ -105,7 +105,7 @@ fn exact_steps_keep_the_energy_of_the_lift() {
     assert_eq!(pendulum.project(&x), vector![x[0].clone(), x[1].clone()]);
 }
 
-/// Returns the largest change of a function along an orbit of floats.
+/// Returns the largest change of a function along an orbit over floats.
 fn change<M: KahanMap<f64, N> + Clone, const N: usize>(
     map: &M,
     start: SVector<f64, N>,
@@ -129,7 +129,7 @@ fn orbits_keep_the_energy_to_rounding() {
     assert!(change(&morse, start, 0.05, 20_000, |x| morse.E(x, 0.05)) < 1e-13);
 }
 
-/// Halving ε divides the error by four; the limit cycle is attracting, so errors do not grow.
+/// If ε is halved, the error is a quarter. The limit cycle is attracting, and errors do not grow.
 #[test]
 fn the_lift_has_the_solutions_of_the_equations() {
     let neuron = FitzHughNagumo { a: 0.7, b: 0.8, tau: 12.5, current: 0.5 };

@@ -1,4 +1,4 @@
-//! Tests of kahan-core through its public interface, in one program that compiles shared code once.
+//! Tests kahan-core through its public interface, in one program that compiles shared code once.
 
 mod any_map;
 mod closed_solutions;

@@ -1,4 +1,4 @@
-//! Systems shared by several test modules.
+//! Systems that several test modules share.
 
 use kahan_core::prelude::*;
 

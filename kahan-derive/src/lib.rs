@@ -1,7 +1,7 @@
 //! The procedural macros behind `kahan_core::kahan!` and `include_kahan!`.
 //!
-//! In: compiler tokens. Out: the tokens that `kahan-emit` makes of them. A proc-macro crate can
-//! export only macros, so it contains nothing else.
+//! In: compiler tokens. Out: the tokens that `kahan-emit` generates from these. A proc-macro crate
+//! can export only macros, and therefore this crate contains nothing else.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -10,8 +10,9 @@ use std::time::Instant;
 use kahan_emit::Expansion;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-/// Expands a block. `kahan_core::kahan!` inserts the first token, `[path]`, the path of the crate
-/// that holds `__private`. The environment variable `KAHAN_TIMING` prints the expansion time.
+/// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`;
+/// `kahan_core::kahan!` inserts this token. If the environment variable `KAHAN_TIMING` is set, the
+/// macro prints the time of the expansion.
 #[proc_macro]
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     timed(|| {
@@ -31,7 +32,7 @@ fn timed(expand: impl FnOnce() -> Expansion) -> proc_macro::TokenStream {
 }
 
 /// Expands the block in a file. The tokens are `[path]`, as in [`kahan!`](macro@kahan), and a
-/// literal: the file's path, relative to the source file that contains the literal.
+/// literal. The literal is the file's path, relative to the source file that contains the literal.
 #[proc_macro]
 pub fn include_kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     timed(|| {

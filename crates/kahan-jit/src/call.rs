@@ -1,7 +1,7 @@
 //! Calls into machine code.
 //!
-//! In: compiled code and slices. Out: computed numbers. Each call checks the lengths of its slices
-//! against the extent of the code. No other module enters machine code.
+//! In: compiled code and slices. Out: computed numbers. Each call checks that its slices are as
+//! long as the code requires. No other module enters machine code.
 #![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
 
 use std::marker::PhantomData;
@@ -9,10 +9,10 @@ use std::marker::PhantomData;
 use crate::CompileError;
 use crate::pages::Pages;
 
-/// The minimum sizes of the arrays that code reads and writes.
+/// The minimum sizes of the arrays that the code reads and writes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MemoryExtent {
-    /// Numbers per register; the other fields count registers.
+    /// The number of numbers in a register. The other fields count registers.
     pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
@@ -36,10 +36,11 @@ impl<T: 'static> Code<T> {
     /// Copies code into executable memory.
     ///
     /// # Safety
-    /// The bytes must begin with a function on numbers of type `T`, with the calling convention of
-    /// System V on x86-64 or of C on 64-bit Arm, in instructions of this processor. It may be
-    /// entered only by the method below that passes its arguments. With these, and slices of the
-    /// lengths in `extent`, it must read and write nothing else but its own stack.
+    /// The bytes must begin with a function on numbers of type `T`, in instructions of this
+    /// processor. Its calling convention must be that of System V on x86-64, or of C on 64-bit Arm.
+    /// Of the methods below, only the one that passes the function's arguments may enter it. If the
+    /// slices have the lengths in `extent`, the function must access no other memory than these
+    /// slices and its stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: MemoryExtent) -> Result<Self, CompileError> {
         Ok(Code { pages: Pages::new(bytes).map_err(CompileError::Pages)?, extent, floats: PhantomData })
     }
@@ -52,22 +53,24 @@ impl<T: 'static> Code<T> {
         self.check(states, constants);
         let [.., r] = self.extent.numbers();
         assert!(results.len() >= r, "room for {r} results, not {}", results.len());
-        // SAFETY: `check` and the assertion bound the slices; `results` is borrowed exclusively.
+        // SAFETY: `check` and the assertion bound the slices, and `results` is borrowed
+        // exclusively.
         unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
     }
 
     pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check(state, constants);
         let state = written(state);
-        // SAFETY: `check` bounds the slices; `state` is borrowed exclusively.
+        // SAFETY: `check` bounds the slices, and `state` is borrowed exclusively.
         unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
     }
 
-    /// Runs one round from `state` to `next`, for code that writes only the last state.
+    /// Runs one round from `state` to `next`, for code that writes the state only at the end.
     pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check(state, constants);
         self.check(next, constants);
-        // SAFETY: `check` bounds the slices; code writes only `next`, borrowed exclusively.
+        // SAFETY: `check` bounds the slices. The code writes only `next`, which is borrowed
+        // exclusively.
         unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
     }
 
@@ -77,7 +80,7 @@ impl<T: 'static> Code<T> {
         stages: impl Iterator<Item = &'a [T]>,
         steps: u64,
     ) {
-        /// The maximum number of stages, beyond the longest composition.
+        /// The maximum number of stages; every composition has fewer.
         const MOST: usize = 64;
 
         let (mut table, mut count) = ([0; MOST], 0);
@@ -88,7 +91,7 @@ impl<T: 'static> Code<T> {
             count += 1;
         }
         assert!(count > 0, "at least one stage");
-        // SAFETY: `check` bounds the slices, `state` is exclusive, `table` has every stage.
+        // SAFETY: `check` bounds the slices, `state` is exclusive, and `table` holds every stage.
         unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
@@ -102,11 +105,13 @@ impl<T: 'static> Code<T> {
         );
     }
 
-    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep); if `own`, each register has its constants.
+    /// Runs `steps` rounds of a [`Sweep`](crate::Sweep). If `own` is true, each register of
+    /// trajectories has its own constants.
     pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
-        /// Enough columns for nearly every field; clearing a larger table would take longer.
+        /// The table size for nearly every field, because clearing a larger table would take
+        /// longer.
         const FEW: usize = 32;
-        /// The maximum number of columns; the interpreter steps larger fields.
+        /// The maximum number of columns. The interpreter steps larger fields.
         const MOST: usize = 256;
 
         if columns.len() <= FEW {
@@ -141,30 +146,31 @@ impl<T: 'static> Code<T> {
         let most = (len / width - 1).saturating_mul(stride).saturating_add(c);
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();
-        // SAFETY: the columns have equal lengths, a multiple of the register width, and are
-        // borrowed exclusively; the table holds their addresses. The constants suffice for the last
-        // register.
+        // SAFETY: the columns have equal lengths, which are multiples of the register width, and
+        // are borrowed exclusively. The table holds their addresses. The constants are long enough
+        // for the last register.
         unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), counted(steps)]) }
     }
 
     /// Enters the code.
     ///
     /// # Safety
-    /// The arguments must be those of the routine: addresses of all memory that it reads and
-    /// writes, with written memory borrowed exclusively by the caller.
+    /// The arguments must be those that the code expects: addresses of all memory that it reads or
+    /// writes. The caller must borrow the written memory exclusively.
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
     unsafe fn enter(&self, [a, b, c, d, e]: [usize; 5]) {
         #[cfg(target_arch = "x86_64")]
         type Entry = unsafe extern "sysv64" fn(usize, usize, usize, usize, usize);
         #[cfg(target_arch = "aarch64")]
         type Entry = unsafe extern "C" fn(usize, usize, usize, usize, usize);
-        // SAFETY: the pages begin with a function of this calling convention and outlive the call.
+        // SAFETY: the pages begin with a function of this calling convention, and outlive the call.
         let entry: Entry = unsafe { core::mem::transmute(self.pages.entry()) };
-        // SAFETY: the caller guarantees the arguments; code is compiled only for supported sets.
+        // SAFETY: the caller guarantees the arguments. Code is compiled only for an available
+        // instruction set.
         unsafe { entry(a, b, c, d, e) }
     }
 
-    /// Panics: no code is made for other processors.
+    /// Panics, because no code is compiled for other processors.
     ///
     /// # Safety
     /// Every call is safe.
@@ -182,7 +188,7 @@ fn written<T>(numbers: &mut [T]) -> usize {
     numbers.as_mut_ptr().expose_provenance()
 }
 
-/// Converts a number of steps, saturating; a saturated count never completes anyway.
+/// Converts a number of steps to `usize`. A number that is too large never completes anyway.
 fn counted(steps: u64) -> usize {
     usize::try_from(steps).unwrap_or(usize::MAX)
 }

@@ -2,25 +2,25 @@
 
 use crate::Shape;
 
-/// The reason why a program is not compiled; the caller must compute in another way.
+/// The reason why a program is not compiled. The caller must compute in another way.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum CompileError {
-    /// The processor lacks the instructions, or the set lacks fused multiply-adds.
+    /// The processor lacks the instruction set, or the instruction set lacks fused multiply-adds.
     Unavailable(Shape),
-    /// The program is too long, or has too many live values.
+    /// The program is too long, or too many values are live at once.
     TooLong {
-        /// The number of instructions, or of results if larger.
+        /// The number of instructions, or the number of results if this is larger.
         instructions: usize,
     },
-    /// The states or constants exceed 2 GiB, the range of an instruction's offset.
+    /// The states or constants exceed 2 GiB, the range of an offset in an instruction.
     OutOfReach {
-        /// The longer length of states and constants.
+        /// The number of states or of constants, whichever is larger.
         entries: usize,
     },
-    /// An operation reads a later or missing one, or a result does not exist.
+    /// An operation reads a later or missing operation, or a result does not exist.
     Malformed,
-    /// Run-time code is not supported on this system.
+    /// This system does not support run-time code.
     System,
     /// The system refused executable memory.
     Pages(std::io::Error),

@@ -3,19 +3,22 @@
 use crate::CompileError;
 use crate::assembler::{Element, OperandForm, Width};
 
-/// An extension: Intel's name, and a test whether processor and system support it.
+/// An extension of the processor: Intel's name, and a test whether processor and system support it.
 type Extension = (&'static str, fn() -> bool);
 
-/// An instruction set. Within one architecture, a later set includes the earlier ones.
+/// An instruction set of a processor. Within one architecture, a later set includes the earlier
+/// ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
-    /// AVX: sixteen registers, used with 128 bits.
+    /// AVX, with sixteen registers that are used with 128 bits.
     Avx,
-    /// AVX2 and FMA: sixteen registers of 256 bits, fused multiply-adds.
+    /// AVX2 and FMA, with sixteen registers of 256 bits and fused multiply-adds.
     Avx2,
-    /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer bits.
+    /// AVX-512F and AVX-512VL, with thirty-two registers of 512 bits that are also used with fewer
+    /// bits.
     Avx512,
-    /// A64 with Advanced SIMD, on every 64-bit Arm: 32 registers of 128 bits, fused multiply-adds.
+    /// A64 with Advanced SIMD, on every 64-bit Arm processor: 32 registers of 128 bits, fused
+    /// multiply-adds.
     Neon,
 }
 
@@ -23,7 +26,7 @@ impl InstructionSet {
     /// All instruction sets.
     pub const ALL: [Self; 4] = [Self::Avx, Self::Avx2, Self::Avx512, Self::Neon];
 
-    /// Returns the smallest set of this architecture for scalar code.
+    /// Returns the smallest instruction set of this architecture that suffices for scalar code.
     #[must_use]
     pub const fn least(fuses: bool) -> Self {
         match (cfg!(target_arch = "aarch64"), fuses) {
@@ -33,7 +36,7 @@ impl InstructionSet {
         }
     }
 
-    /// Returns whether code of this set can run here. Requires the feature `pages`.
+    /// Returns whether code of this instruction set can run here. Requires the feature `pages`.
     #[must_use]
     pub fn is_available(self) -> bool {
         let is_of_this = match self {
@@ -45,8 +48,8 @@ impl InstructionSet {
             && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
-    /// Checks that run-time code is supported on this system. On 64-bit Arm only Linux and Android
-    /// are; macOS would need `MAP_JIT`, and other systems are untested.
+    /// Checks that run-time code is supported on this system. On 64-bit Arm, only Linux and Android
+    /// are supported; macOS would need `MAP_JIT`, and other systems are untested.
     ///
     /// # Errors
     /// [`CompileError::System`].
@@ -58,7 +61,8 @@ impl InstructionSet {
         Ok(())
     }
 
-    /// Returns the extensions needed; code of larger sets uses short forms of smaller ones too.
+    /// Returns the extensions that the code needs. Larger sets also use short encodings of smaller
+    /// sets.
     pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
         macro_rules! extensions {
@@ -73,19 +77,20 @@ impl InstructionSet {
         match self {
             Self::Avx => extensions!["avx"],
             Self::Avx2 => extensions!["avx", "avx2", "fma"],
-            // Registers beyond the first sixteen need AVX-512; below 512 bits, AVX-512VL.
+            // Registers beyond the first sixteen need AVX-512F; with fewer than 512 bits these need
+            // AVX-512VL.
             Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
             Self::Neon => &[],
         }
     }
 
-    /// Returns whether the set has fused multiply-adds.
+    /// Returns whether the instruction set has fused multiply-adds.
     #[must_use]
     pub fn has_fused(self) -> bool {
         self != Self::Avx
     }
 
-    /// Returns the largest available set.
+    /// Returns the largest available instruction set.
     #[must_use]
     pub fn best() -> Option<Self> {
         Self::ALL.into_iter().rev().find(|set| set.is_available())
@@ -95,34 +100,34 @@ impl InstructionSet {
         match self {
             Self::Avx | Self::Avx2 => 16,
             Self::Avx512 => 32,
-            // Two registers are reserved as temporaries.
+            // The assembler reserves two of the 32 registers as temporaries.
             Self::Neon => 30,
         }
     }
 }
 
-/// The number of lanes that an instruction works on.
+/// The number of lanes on which an instruction works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LaneCount {
-    /// One lane.
+    /// One lane of a register.
     One,
     /// All lanes of a register.
     All,
 }
 
-/// The form of compiled code.
+/// The form of compiled code: instruction set, lanes and fusing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shape {
-    /// The instruction set.
+    /// The instruction set of the code.
     pub instructions: InstructionSet,
-    /// The lanes that each instruction works on.
+    /// The lanes on which each instruction works.
     pub lanes: LaneCount,
-    /// Whether multiply-adds are fused.
+    /// Whether the code fuses multiply-adds.
     pub fuses: bool,
 }
 
 impl Shape {
-    /// Returns the number of lanes of type `T` that an instruction works on.
+    /// Returns the number of lanes of type `T` on which an instruction works.
     #[must_use]
     pub fn width<T: Float>(self) -> usize {
         self.form::<T>().bytes() / size_of::<T>()
@@ -148,7 +153,7 @@ mod sealed {
 
 pub(crate) use sealed::Sealed;
 
-/// A float of the machine: `f32` or `f64`.
+/// A floating-point type of the processor, `f32` or `f64`.
 pub trait Float: Copy + Send + Sync + Sealed + 'static {}
 
 impl Sealed for f32 {
@@ -166,7 +171,7 @@ impl Float for f64 {}
 mod tests {
     use super::InstructionSet;
 
-    /// Compares availability with the processor's features; other tests skip missing sets.
+    /// Compares availability with the processor's features. Other tests skip unavailable sets.
     #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {

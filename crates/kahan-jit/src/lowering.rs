@@ -1,7 +1,7 @@
 //! Lowering of programs to machine operations.
 //!
-//! In: a caller's program. Out: an equivalent one without duplicate or unneeded operations, with
-//! unfused multiply-adds separated, and with a copy for each result that is an input or constant.
+//! In: a caller's program. Out: an equivalent program without duplicate or unneeded operations.
+//! Unfused multiply-adds are separated, and each result that is an input or constant gets a copy.
 
 use kahan_program::Operation::{
     Add, Call, Constant, Multiply, MultiplyAdd, MultiplySubtract, Negate, Subtract, SubtractProduct,
@@ -10,24 +10,24 @@ use kahan_program::{Builder, Float, Node};
 
 use crate::program::{CalledFunction, Input, Instruction, Program};
 
-/// The destination of a program's results.
+/// The place where a program's results end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ResultDestination {
-    /// Result i becomes state i of the next round, in register i.
+    /// Result i becomes state i of the next round, and stays in register i.
     Carried,
     /// Result i is stored in the location of state i.
     InPlace,
-    /// Results are stored in a separate array.
+    /// The results are stored in a separate array.
     Elsewhere,
 }
 
-/// −0: flipping its only set bit negates a number.
+/// The constant −0, of which only the sign bit is set. A negation flips this bit of a number.
 pub(crate) const SIGN: Instruction = Constant(Float::of(-0.0));
 
-/// Lowers a program. If a number is negated, [`SIGN`] is an operation without being an operand.
+/// Lowers a program. If the program negates a number, the constant [`SIGN`] is added to it.
 pub(crate) fn lowered(program: &Program, fuses: bool, ends: ResultDestination) -> Program {
     let mut lowering = Lowering { lowered: Builder::default(), fuses };
-    // Unneeded operations are skipped; their entry in `places` is never read.
+    // Unneeded operations are skipped, and no later operation reads their entry in `places`.
     let (is_needed, mut places) = (program.needed(), vec![Node(usize::MAX); program.operations.len()]);
     for (index, operation) in program.operations.iter().enumerate() {
         if is_needed[index] {
@@ -45,7 +45,7 @@ struct Lowering {
 }
 
 impl Lowering {
-    /// Adds an operation on nodes of the lowered program, and returns its node.
+    /// Adds an operation on nodes of the lowered program, and returns the new node.
     fn write(&mut self, operation: Instruction) -> Node {
         let operation = match operation {
             Call(CalledFunction::Copy, a, _) => return a,
@@ -64,7 +64,7 @@ impl Lowering {
         self.lowered.push(operation)
     }
 
-    /// Returns the node of result `i`: a copy if the value lives in another location.
+    /// Returns the node of result `i`, which is a copy if the value lives in another location.
     fn result(&mut self, i: usize, place: Node, ends: ResultDestination) -> Node {
         let stays = match (self.lowered.operations()[place.0], ends) {
             (Instruction::Input(Input::State(_)), ResultDestination::Carried) => true,

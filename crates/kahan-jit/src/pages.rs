@@ -1,8 +1,8 @@
 //! Executable memory.
 //!
-//! In: code and its constants as bytes. Out: read-and-execute pages, or the system's error. Pages
-//! are never writable and executable at once, and are unmapped when dropped. On 64-bit Arm the
-//! separate instruction cache is synchronised here.
+//! In: code and its constants as bytes. Out: pages that can be read and executed, or the system's
+//! error. Pages are never writable and executable at once, and are unmapped when dropped. On 64-bit
+//! Arm this module also synchronises the separate instruction cache.
 
 #[cfg(all(target_arch = "aarch64", feature = "pages"))]
 mod cache;
@@ -11,7 +11,7 @@ use std::io;
 
 #[cfg(feature = "pages")]
 type Memory = memmap2::Mmap;
-/// A placeholder without the feature `pages`.
+/// A placeholder for the type of memory, used without the feature `pages`.
 #[cfg(not(feature = "pages"))]
 type Memory = &'static [u8; 0];
 
@@ -19,10 +19,10 @@ type Memory = &'static [u8; 0];
 pub(crate) struct Pages(Memory);
 
 impl Pages {
-    /// Copies code into pages of its own.
+    /// Copies code into newly allocated pages.
     ///
     /// # Errors
-    /// The system's error, if memory is exhausted or run-time code is forbidden.
+    /// Returns the system's error, if memory is exhausted or run-time code is forbidden.
     #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;
@@ -33,13 +33,14 @@ impl Pages {
         Ok(Pages(pages))
     }
 
-    /// Fails: without the feature `pages` code cannot run.
+    /// Fails, because code cannot run without the feature `pages`.
     #[cfg(not(feature = "pages"))]
     pub(crate) fn new(_: &[u8]) -> io::Result<Self> {
         Err(io::ErrorKind::Unsupported.into())
     }
 
-    /// Returns the address of the first byte, ready to run on this thread whoever made the pages.
+    /// Returns the address of the first byte. Code may run on this thread even if another thread
+    /// wrote it.
     #[inline]
     pub(crate) fn entry(&self) -> *const u8 {
         #[cfg(all(target_arch = "aarch64", feature = "pages"))]

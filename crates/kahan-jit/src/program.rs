@@ -1,26 +1,26 @@
-//! Programs over two input arrays, states and constants.
+//! Programs over two input arrays, which hold states and constants.
 
 use kahan_program::{Float, Function, Operation};
 
 /// An entry of one of the two input arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// An entry of the states.
+    /// An entry of the array of states.
     State(usize),
-    /// An entry of the constants.
+    /// An entry of the array of constants.
     Constant(usize),
 }
 
-/// A function that a program may call.
+/// A function that an operation of a program may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CalledFunction {
-    /// a if a > b, else b.
+    /// Returns a if a > b, else b.
     Maximum,
-    /// a if a < b, else b.
+    /// Returns a if a < b, else b.
     Minimum,
-    /// The nearest single-precision number; the identity in single-precision programs.
+    /// Rounds to the nearest single-precision number. In single-precision programs nothing changes.
     RoundToSingle,
-    /// A copy, for results that no operation computes.
+    /// Copies a number, for results that no operation computes.
     Copy,
 }
 
@@ -33,13 +33,13 @@ impl Function for CalledFunction {
     }
 }
 
-/// An operation. Single-precision code rounds the program's constants.
+/// An operation of a program. Single-precision code rounds the program's constants.
 pub type Instruction = Operation<Input, Float, CalledFunction>;
 
 /// A straight-line program with several results.
 pub type Program = kahan_program::Program<Vec<Instruction>>;
 
-/// Returns the minimum lengths of states and constants that a program reads.
+/// Returns the minimum lengths of the states and of the constants that a program reads.
 pub(crate) fn entries(program: &Program) -> [usize; 2] {
     let mut entries = [0; 2];
     for input in program.inputs() {
@@ -47,7 +47,7 @@ pub(crate) fn entries(program: &Program) -> [usize; 2] {
             Input::State(i) => (0, i),
             Input::Constant(k) => (1, k),
         };
-        // Saturates for index `usize::MAX`, which no code can address.
+        // The addition saturates for the index `usize::MAX`, which no code can address.
         entries[array] = index.saturating_add(1).max(entries[array]);
     }
     entries

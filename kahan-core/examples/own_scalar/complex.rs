@@ -1,4 +1,4 @@
-//! Complex numbers as a scalar: the operators, 0 and 1, and the conversion of constants.
+//! Complex numbers as a scalar, with the operators, 0 and 1, and the conversion of constants.
 //!
 //! A new type is necessary, because Rust forbids implementing a foreign trait for a foreign type.
 

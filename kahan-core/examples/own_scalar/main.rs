@@ -1,7 +1,7 @@
-//! A user-defined scalar: over complex numbers an orbit goes around a pole of its solution.
+//! A user-defined scalar. Over complex numbers, an orbit goes around a pole of its solution.
 //!
-//! x(t) = tan t has a pole at π/2. A half circle in complex time leads from 0 to 3 around it, to
-//! tan 3. The complex type is in `complex.rs`.
+//! The solution x(t) = tan t has a pole at π/2. A half circle in complex time leads from 0 around
+//! the pole to 3, where x is tan 3. The complex type is in `complex.rs`.
 
 mod complex;
 
@@ -15,13 +15,14 @@ kahan! {
     xdot = 1 + x^2;
 }
 
-/// Returns the time at a fraction of the path: 3/2 + 3/2 exp(iθ), θ from π down to 0.
+/// Returns the time at a fraction of the path, 3/2 + 3/2 exp(iθ). Along the path θ falls from π to
+/// 0.
 fn time(fraction: f64) -> nalgebra::Complex<f64> {
     let (sine, cosine) = (std::f64::consts::PI * (1.0 - fraction)).sin_cos();
     nalgebra::Complex::new(1.5 + 1.5 * cosine, 1.5 * sine)
 }
 
-/// Prints and returns the end of the path and tan 3.
+/// Prints and returns x at the end of the path, and tan 3.
 pub(crate) fn run() -> [nalgebra::Complex<f64>; 2] {
     let mut x = vector![Complex(0.0.into())];
     for step in 0..1_000 {

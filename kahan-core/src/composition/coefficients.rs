@@ -1,8 +1,9 @@
 //! The coefficients of the compositions, with 40 digits after the point.
 //!
-//! The published 20 to 26 digits were refined by Newton's iteration on the order conditions (by
-//! least change, because two sets have a free parameter), then rounded. A test checks conditions,
-//! sums and rounding. The last entry of each set is the middle coefficient, 1 − 2Σ of the others.
+//! The published coefficients have 20 to 26 digits. Newton's iteration on the order conditions
+//! refined them before they were rounded; where two sets have a free parameter, each step made the
+//! least change. A test checks the order conditions, the sums and the rounding. The last entry of a
+//! set is the middle coefficient, which is 1 minus twice the sum of the other entries.
 
 use crate::Constant;
 

@@ -1,7 +1,7 @@
 //! A composition at fixed ε, and its orbits.
 //!
-//! In: a map at its ε, and a composition. Out: steps that run the stages in order. The distinct
-//! stages lie in an array of fixed size, so nothing is allocated.
+//! In: a map at its ε, and a composition. Out: steps that run the stages (Kahan steps) in order.
+//! The distinct stages lie in an array of fixed size, and therefore nothing is allocated.
 
 use core::array::from_fn;
 use core::fmt;
@@ -13,7 +13,7 @@ use crate::{
 
 use super::Composition;
 
-/// A [`Composition`] of a map at its ε, half the time step; see [`KahanAt::composed`].
+/// A [`Composition`] of a map at a fixed ε, half the time step; see [`KahanAt::composed`].
 #[derive(Clone, Copy)]
 pub struct Composed<S: Step> {
     pub(super) stages: Palindrome<S>,
@@ -23,7 +23,7 @@ pub struct Composed<S: Step> {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palindrome<P> {
-    /// The distinct stages: the first `len` entries, then copies of the middle stage.
+    /// The distinct stages in the first `len` entries, followed by copies of the middle stage.
     pub(super) steps: [P; MOST],
     pub(super) len: usize,
 }
@@ -32,7 +32,8 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates the palindrome of 2·`len` − 1 stages with k-th stage `step(k)`, 1 ≤ `len` ≤ 9.
+    /// Creates the palindrome of 2·`len` − 1 stages. Its k-th stage is `step(k)`, and `len` is 1 to
+    /// 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -52,14 +53,14 @@ impl<P> Palindrome<P> {
 }
 
 impl<S: Step> Composed<S> {
-    /// Composes a map; `at` prepares it at the ε of each stage.
+    /// Composes a map. The function `at` prepares the map at the ε of a stage.
     fn new(composition: Composition, eps: S::Scalar, at: impl Fn(S::Scalar) -> S) -> Self {
         let gammas = composition.first_half;
         let stage = |k: usize| at(S::Scalar::constant(&gammas[k]) * eps.clone());
         Self { stages: Palindrome::new(gammas.len(), stage), composition, eps }
     }
 
-    /// Returns the composition.
+    /// Returns the composition that combines the stages.
     pub fn composition(&self) -> Composition {
         self.composition
     }
@@ -69,7 +70,7 @@ impl<S: Step> Composed<S> {
         &self.eps
     }
 
-    /// Returns the orbit that starts at `x`. It owns a copy of the prepared stages.
+    /// Returns the orbit that starts at `x`. The orbit owns a copy of the prepared stages.
     #[inline]
     pub fn orbit(&self, x: S::State) -> Orbit<Self>
     where
@@ -78,7 +79,8 @@ impl<S: Step> Composed<S> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the state one time step 2ε later; infinite or NaN if a stage meets a pole.
+    /// Returns the state after one time step 2ε. The state is infinite or NaN if a stage meets a
+    /// pole.
     #[inline]
     pub fn step(&self, x: &S::State) -> S::State {
         let Some(next) = self.next(x, &mut Workspace::new()) else {
@@ -106,7 +108,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // Every stage can step at any ε.
+        // The first stage can step at any ε, and therefore takes the steps of all stages.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -140,7 +142,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Composes this map at its ε; a composed step still advances the time by 2ε.
+    /// Composes this map at its ε. A composed step still advances the time by 2ε.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -170,9 +172,10 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Continues this orbit with a composition of steps with γ₁ε, …, γₛε in place of each step, for
-    /// a higher order. Every stage is prepared once. A step still advances the time by 2ε and
-    /// yields one point. [`Composition`] lists conserved properties and cost.
+    /// Replaces each step of this orbit by a composition, for a higher order. The composition runs
+    /// steps with γ₁ε, …, γₛε, where the γᵢ are its coefficients. Every stage is prepared once. A
+    /// composed step still advances the time by 2ε and yields one point. [`Composition`] lists
+    /// conserved properties and cost.
     ///
     /// ```
     /// use kahan_core::Composition;
@@ -203,7 +206,7 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Composes the steps, like a plain orbit, and keeps the compensation of rounding.
+    /// Composes the steps of this orbit, and keeps the compensation of rounding errors.
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
         self.with_map(|Compensated(at)| Compensated(at.composed(composition)), |state| state)

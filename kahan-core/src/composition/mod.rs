@@ -1,8 +1,9 @@
 //! Compositions: steps of higher order made of several Kahan steps.
 //!
-//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. As φ_ε⁻¹ = φ₋ε,
-//! a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with symmetric γ and Σγ = 1 is symmetric too, of even order;
-//! it has order p if its [`coefficients`] satisfy the order conditions.
+//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. A Kahan step
+//! φ_ε is symmetric: its inverse is φ₋ε. Therefore a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with
+//! symmetric γᵢ of sum 1 is symmetric, too, and its order is even. The order is p if the
+//! [`coefficients`] γᵢ satisfy the order conditions up to p.
 
 mod coefficients;
 mod composed;
@@ -16,28 +17,31 @@ use crate::{Constant, StepCost};
 pub use composed::Composed;
 pub(crate) use stages::Staged;
 
-/// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ. A step with ε
-/// runs the steps with γ₁ε, …, γₛε in this order.
+/// A symmetric composition of s Kahan steps, with coefficients γ₁, …, γₛ and γᵢ = γₛ₊₁₋ᵢ. A
+/// composed step at ε runs Kahan steps at γ₁ε, …, γₛε in this order.
 ///
 /// The constants below are all available compositions.
 ///
 /// # What survives
-/// - **Reversibility**: the inverse is the composition with −ε.
+/// - **Reversibility**: the inverse of a composition is the composition with −ε.
 /// - **Affine equivariance** and **linear integrals**, as for Kahan's map.
-/// - **Integrals and invariant measures that do not depend on ε**: y/x of E1 and E3; and the ratio
-///   H/K of two integrals whose dependence on ε cancels (E2, E4, E5, E6, the Euler top).
+/// - **Integrals and invariant measures that do not depend on ε**: for example y/x of the systems
+///   E1 and E3, or the ratio H/K of two integrals whose dependence on ε cancels (E2, E4, E5, E6,
+///   Euler top).
 ///
 /// # What does not
-/// - **Integrals and measures that depend on ε**: each stage conserves its own at γᵢε, but the
-///   composition conserves none. H and K of E2, E4, E5, E6 and the Euler top oscillate by O(εᵖ)
-///   around the flow's integral, without drift.
+/// - **Integrals and measures that depend on ε**: stage i conserves the integral at γᵢε, but the
+///   composition conserves no integral. In a method of order p, H and K of E2, E4, E5, E6 and the
+///   Euler top oscillate by O(εᵖ) around the flow's integral, without drift.
 /// - **Exactness**: the coefficients are irrational, so a composition exists only over floats.
-/// - **Short binary ε** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.
+/// - **Short binary ε** ([`nearest_short_eps`](crate::nearest_short_eps)): the products γᵢε are
+///   rounded.
 ///
 /// # Cost
-/// A step costs s Kahan steps; (s + 1)/2 distinct ones are prepared once. Σ|γᵢ| is the total length
-/// of the stages relative to 2ε, and a smaller sum means a smaller error. Some γᵢ are negative, so
-/// a composition also steps back, and may meet a pole that the plain step avoids.
+/// A composed step costs s Kahan steps, of which (s + 1)/2 are distinct and prepared once. The sum
+/// Σ|γᵢ| is the total length of the stages relative to 2ε; a smaller sum means a smaller error.
+/// Some γᵢ are negative. Hence a composition also steps back, and may meet a pole that the plain
+/// step avoids.
 ///
 /// | constant | order | stages | Σ\|γ\| |
 /// |---|---|---|---|
@@ -51,40 +55,43 @@ pub(crate) use stages::Staged;
 pub struct Composition {
     name: &'static str,
     order: u32,
-    /// γ₁, …, γ_{(s+1)/2}; the middle coefficient is last.
+    /// The coefficients γ₁, …, γ_{(s+1)/2} of s stages. The last of these is the middle
+    /// coefficient.
     first_half: &'static [Constant<'static>],
 }
 
 impl Composition {
-    /// Kahan's map itself: order 2, one stage.
+    /// Kahan's map itself, of order 2 with one stage.
     pub const KAHAN: Self = Self::new("KAHAN", 2, coefficients::KAHAN);
 
-    /// Order 4 with 3 stages, the minimum; γ₁ = 1/(2 − 2^{1/3}), Σ|γ| = 4.40.
+    /// Order 4 with 3 stages, the minimum. The first coefficient is γ₁ = 1/(2 − 2^{1/3}), and Σ|γ|
+    /// = 4.40.
     ///
-    /// For reference: [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost. M. Creutz, A.
-    /// Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth, Physica D 43 (1990) 105; H.
-    /// Yoshida, Phys. Lett. A 150 (1990) 262.
+    /// This composition serves as a reference; [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for
+    /// its cost. M. Creutz, A. Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth,
+    /// Physica D 43 (1990) 105; H. Yoshida, Phys. Lett. A 150 (1990) 262.
     pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, coefficients::TRIPLE_JUMP);
 
-    /// Order 4 with 5 stages, γ₁ = γ₂ = 1/(4 − 4^{1/3}), Σ|γ| = 2.32: recommended at order 4. M.
-    /// Suzuki, Phys. Lett. A 146 (1990) 319.
+    /// Order 4 with 5 stages, recommended at order 4. The coefficients begin with γ₁ = γ₂ = 1/(4 −
+    /// 4^{1/3}), and Σ|γ| = 2.32. M. Suzuki, Phys. Lett. A 146 (1990) 319.
     pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, coefficients::SUZUKI_4);
 
-    /// Order 6, 9 stages, Σ|γ| = 3.82; s9odr6a of W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
+    /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a. W. Kahan, R.-C. Li, Math. Comp. 66
+    /// (1997) 1089.
     pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, coefficients::KAHAN_LI_6);
 
-    /// Order 8 with 15 stages, the minimum, Σ|γ| = 6.53.
+    /// Order 8 with 15 stages, the minimum. The coefficients have Σ|γ| = 6.53.
     ///
-    /// For reference: [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate for its cost. M. Suzuki, K.
-    /// Umeno, in Computer Simulation Studies in Condensed-Matter Physics VI (1993) 74; R. I.
-    /// McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
+    /// This composition serves as a reference; [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate
+    /// for its cost. M. Suzuki, K. Umeno, in Computer Simulation Studies in Condensed-Matter
+    /// Physics VI (1993) 74; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
     pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, coefficients::SUZUKI_UMENO_8);
 
-    /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a: recommended at order 8. W. Kahan,
+    /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a and recommended at order 8. W. Kahan,
     /// R.-C. Li, Math. Comp. 66 (1997) 1089.
     pub const KAHAN_LI_8: Self = Self::new("KAHAN_LI_8", 8, coefficients::KAHAN_LI_8);
 
-    /// All compositions, by order and number of stages.
+    /// All compositions, sorted by order and then by number of stages.
     pub const ALL: [Self; 6] = [
         Self::KAHAN,
         Self::TRIPLE_JUMP,
@@ -99,30 +106,33 @@ impl Composition {
         Self { name, order, first_half }
     }
 
-    /// The recommended compositions; others cost more for an equal error.
+    /// The recommended compositions. The other compositions cost more for an equal error.
     pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
 
-    /// Returns the member of [`BEST`](Self::BEST) of this order, if any.
+    /// Returns the recommended composition of this order from [`BEST`](Self::BEST), if there is
+    /// one.
     pub fn of_order(order: u32) -> Option<Self> {
         Self::BEST.into_iter().find(|best| best.order == order)
     }
 
-    /// Returns the name of the constant, as written in Rust.
+    /// Returns the name of the composition's constant, as written in Rust.
     pub const fn name(&self) -> &'static str {
         self.name
     }
 
-    /// Returns the order p: a step has error O(εᵖ⁺¹), an orbit at a fixed time O(εᵖ).
+    /// Returns the order p. A step has an error O(εᵖ⁺¹), and an orbit at a fixed time has an error
+    /// O(εᵖ).
     pub const fn order(&self) -> u32 {
         self.order
     }
 
-    /// Returns the number s of stages.
+    /// Returns the number s of stages, the Kahan steps in a composed step.
     pub const fn stages(&self) -> usize {
         2 * self.first_half.len() - 1
     }
 
-    /// Iterates over γ₁, …, γₛ, exact 40-digit decimals whose sum is exactly 1.
+    /// Iterates over the coefficients γ₁, …, γₛ, exact decimals with 40 digits whose sum is exactly
+    /// 1.
     pub fn coefficients(
         &self,
     ) -> impl DoubleEndedIterator<Item = &'static Constant<'static>> + ExactSizeIterator {
@@ -130,7 +140,7 @@ impl Composition {
         (0..self.stages()).map(move |k| &half[k.min(last - k)])
     }
 
-    /// Returns the cost of a step, from the cost of one stage.
+    /// Returns the cost of a composed step, computed from the cost of one stage.
     pub const fn cost(&self, stage: StepCost) -> StepCost {
         let stages = self.stages() as u32;
         StepCost {

@@ -1,8 +1,8 @@
-//! Advancing an ensemble in one pass or over threads.
+//! Advances an ensemble, on one thread or on several threads.
 //!
 //! In: a prepared map, plain or composed, and a number of steps. Out: every point after these
-//! steps. Each trajectory goes through one fixed sequence of operations. Its bits therefore depend
-//! neither on its index nor on how the columns are divided among threads.
+//! steps. Each trajectory goes through one fixed sequence of operations. Therefore its bits depend
+//! neither on its index nor on the way the columns are divided among threads.
 
 use crate::composition::Staged;
 use crate::step::error::pole;
@@ -12,8 +12,8 @@ use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
-/// A map, or one map per trajectory, that advances points of N variables: a [`KahanAt`], plain or
-/// composed, or a slice or vector with one `KahanAt` per trajectory.
+/// One or more maps that advance points of N variables. One map is a [`KahanAt`], plain or
+/// composed. A slice or vector has one `KahanAt` per trajectory.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no map that moves points of {N} numbers of the type `{T}`",
     label = "not one prepared map, in the dimension and the type of number of the points",
@@ -21,14 +21,14 @@ use super::{Ensemble, EnsembleScalar};
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
 pub trait Advances<T: EnsembleScalar, const N: usize> {
-    /// Returns the number of trajectories that the maps are for; `None` if any number will do.
+    /// Returns the number of trajectories that the maps serve, `None` if the maps serve any number.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None
     }
 
-    /// Advances columns of equal length, which start at group number `first`. For a scalar without
-    /// a reciprocal of zero, the error holds the ε of the map that met a pole.
+    /// Advances columns of equal length, whose first group has the number `first`. If the scalar
+    /// has no reciprocal of zero, the error holds the ε of the map that met a pole.
     #[doc(hidden)]
     fn advance(
         &self,
@@ -39,7 +39,7 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
-// One implementation per kind of map, so that compiler errors name the points a map would move.
+// Each kind of map has its own implementation. Compiler errors then name the points of the map.
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
 where
@@ -95,19 +95,19 @@ where
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Advances every point by `steps` steps of `map`, each of time 2ε with the map's ε.
+    /// Advances every point by `steps` steps of `map`. A step takes the time 2ε, with the map's ε.
     ///
-    /// `map` is a [`KahanAt`], or a [`composed`](KahanAt::composed) one for a higher order. Where ε
-    /// or parameters differ, pass a slice or vector with one map per point. These also run in SIMD
-    /// lanes and always [divide](crate::Reciprocal::Divided). Each point gets the bits it would get
-    /// from its map in an ensemble of its own.
+    /// `map` is a [`KahanAt`], or for a higher order a [`composed`](KahanAt::composed) map. If ε or
+    /// the parameters differ, pass a slice or vector with one map per point. Such maps also run in
+    /// SIMD lanes, and always [divide](crate::Reciprocal::Divided). Each point has the bits that
+    /// its map would give in any other ensemble.
     ///
     /// No memory is allocated. With the feature `parallel`, large ensembles run on rayon's current
-    /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN; after
-    /// overflow they may be wrong. Other trajectories are unaffected.
+    /// thread pool, with equal bits. After a pole, a trajectory's floats are infinite or NaN. After
+    /// an overflow, the trajectory may be wrong. Other trajectories are unaffected.
     ///
     /// # Panics
-    /// If a trajectory meets a pole and the scalar has no reciprocal of zero; some points are then
+    /// If a trajectory meets a pole and the scalar has no reciprocal of zero. Some points are then
     /// further advanced than others. If the number of maps differs from the number of points.
     ///
     /// ```
@@ -150,8 +150,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Splits the columns over threads where that pays, otherwise calls `work` once. `work` gets the
-/// number of its first group. Results of neighbouring stretches are joined in order.
+/// Splits the columns over threads if this pays, otherwise calls `work` once. Each call gets the
+/// number of its first group. `join` combines the results of neighbouring ranges in order.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: ColumnSlices<'_, T, N>,
@@ -180,10 +180,10 @@ where
     work(first, columns)
 }
 
-/// One range of groups, taken from every column.
+/// A range of groups, as one slice of each column.
 pub(crate) type ColumnSlices<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
-/// Splits the columns into two halves of whole tiles; `Err` if two tasks would not pay.
+/// Splits the columns into two halves of whole tiles. Returns `Err` if two tasks would not pay.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
     mut columns: ColumnSlices<'_, T, N>,
@@ -192,7 +192,7 @@ fn halves<T, const N: usize>(
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 
-    /// Minimum work per task, some tens of microseconds.
+    /// The minimum work of a task in steps, which take some tens of microseconds.
     const STEPS_PER_TASK: u64 = 1 << 16;
 
     let tile = groups_per_tile::<T, N>();

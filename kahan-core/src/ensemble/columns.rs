@@ -1,44 +1,45 @@
-//! The memory of an ensemble: an aligned column per variable, in whole groups of points.
+//! The memory of an ensemble: one aligned column per variable, in whole groups of points.
 //!
-//! In: points. Out: columns whose length every register width divides, so loops need no tail.
-//! Copies of the last point pad the last group; they are never visible outside.
+//! In: points. Out: columns whose length every register width divides; therefore loops need no
+//! remainder. Copies of the last point pad the last group, and are never visible outside.
 
 use core::array::from_fn;
 use std::vec::Vec;
 
-/// The number of `f32` lanes in the widest register (512 bits).
+/// The number of points in a group, the `f32` lanes of the widest register (512 bits).
 pub const GROUP: usize = 16;
 
-/// Consecutive entries of one column.
+/// The entries of one column for a group of consecutive points.
 pub type Group<T> = [T; GROUP];
 
-/// Bytes of a cache line. A register load that crosses a line costs two loads.
+/// The bytes of a cache line. Loading a register that crosses a line costs two loads.
 const LINE: usize = 64;
 
 /// N columns of equal length in one allocation.
 ///
-/// A column takes an odd number of groups. Equal indices of different columns are then never a
-/// multiple of 4096 bytes apart, which would make them compete for the same cache sets.
+/// A column takes an odd number of groups. Therefore equal indices of different columns are never a
+/// multiple of 4096 bytes apart. At such distances they would compete for one cache set.
 pub(crate) struct Columns<T, const N: usize> {
     entries: Vec<T>,
-    /// The index of the first entry that begins a cache line.
+    /// The index of the first entry, which lies at the start of a cache line.
     start: usize,
     len: usize,
 }
 
 impl<T: Copy, const N: usize> Columns<T, N> {
-    /// Creates `len` points, column by column; `entry(i, c)` returns variable `c` of point `i`.
+    /// Creates `len` points, column by column. `entry(i, c)` returns variable `c` of point `i`.
     pub(crate) fn new(len: usize, entry: impl Fn(usize, usize) -> T) -> Self {
         if len == 0 || N == 0 {
             return Self { entries: Vec::new(), start: 0, len };
         }
         let stride = stride(len);
         let skipped_at_most = LINE / size_of::<T>().max(1);
-        // The vector never outgrows its capacity, so its address and alignment stay fixed.
+        // The vector never outgrows its capacity, and therefore its address and alignment stay
+        // fixed.
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
         let start = match entries.as_ptr().align_offset(LINE) {
             start if start <= skipped_at_most => start,
-            // No aligned index is within reach. Only speed depends on the alignment.
+            // No aligned index can be reached. This makes loads slower, but changes no result.
             _ => 0,
         };
         entries.resize(start, entry(0, 0));
@@ -67,7 +68,7 @@ impl<T: Copy, const N: usize> Columns<T, N> {
     }
 }
 
-/// Lays the copy out anew, because a cloned vector would not be aligned to a cache line.
+/// Copies the entries to a newly aligned place, because a cloned vector would not be aligned.
 impl<T: Copy, const N: usize> Clone for Columns<T, N> {
     fn clone(&self) -> Self {
         Self::new(self.len, |i, c| self.column(c)[i])

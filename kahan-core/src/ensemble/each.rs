@@ -1,8 +1,8 @@
-//! One map per trajectory: ε and parameters differ, the field is shared.
+//! One map per trajectory. The maps share one field, but ε and parameters differ.
 //!
-//! In: prepared maps and columns. Out: the columns after a number of steps. A register holds the
-//! constants of one map per lane. Each trajectory gets the bits that its map would give in any
-//! other ensemble, whatever the neighbouring lanes hold.
+//! In: prepared maps and columns. Out: the columns after a number of steps. Each lane of a register
+//! holds a constant of its own map. Each trajectory gets the bits that its map would give in any
+//! other ensemble, for any contents of the neighbouring lanes.
 
 use core::array::from_fn;
 use std::vec::Vec;
@@ -18,7 +18,7 @@ use super::lanes::{Lanes, OverLanes};
 use super::level::Instructions;
 
 struct OwnMaps<'a, 'c, S, T, const N: usize> {
-    /// The map of each lane; padding lanes repeat the last map.
+    /// The map of each lane. Padding lanes repeat the last map.
     maps: [&'a S; GROUP],
     columns: [&'c mut Group<T>; N],
     steps: u64,
@@ -35,7 +35,8 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> Option<()> {
         let Self { maps, mut columns, steps } = self;
-        // Advances two registers at a time to hide latency; both are one if it holds the group.
+        // Advances two registers at a time, because this hides latency. If one register holds the
+        // whole group, both are the same register.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
             let [first, second] = parts.map(|part| {
@@ -69,7 +70,7 @@ where
     S: Staged<T, N>,
     T: EnsembleScalar,
 {
-    /// The error is the ε of a map that met a pole.
+    /// Advances the columns. The error is the ε of a map that met a pole.
     fn advance(mut self, on: Instructions) -> Result<(), T> {
         if S::zip_stages(self.maps, |_| ()).is_none() {
             return self.in_turn(on);
@@ -91,7 +92,8 @@ where
         Ok(())
     }
 
-    /// Advances one trajectory at a time, copied into all lanes, for the bits of lane arithmetic.
+    /// Advances one trajectory at a time. Copying it into all lanes gives the bits of lane
+    /// arithmetic.
     fn in_turn(self, on: Instructions) -> Result<(), T> {
         let Self { maps, mut columns, steps } = self;
         for (lane, map) in maps.into_iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Grids of initial points.
 //!
-//! In: one axis per variable. Out: the ensemble of the Cartesian product, in a fixed order.
+//! In: one axis per variable. Out: the ensemble of all combinations of the axes' values, in a fixed
+//! order.
 
 use core::array::from_fn;
 
@@ -9,21 +10,21 @@ use crate::{Constant, Scalar};
 use super::columns::Columns;
 use super::{Ensemble, EnsembleScalar};
 
-/// Equally spaced values of one variable of a grid.
+/// Equally spaced values of one variable in a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis<T> {
-    /// The first value.
+    /// The first value of the variable.
     pub start: T,
-    /// The last value; unused if `count` is 1.
+    /// The last value, which is unused if `count` is 1.
     pub end: T,
-    /// The number of values.
+    /// The number of values of the variable.
     pub count: usize,
 }
 
 impl<T: Scalar + Copy> Axis<T> {
-    /// Returns value `k` of m + 1 values, (start·(m − k) + end·k)/m. The end points are exact, and
-    /// decimal fractions between integers are rounded once.
+    /// Returns value k of an axis with m + 1 values, (start·(m − k) + end·k)/m. The first and the
+    /// last value are exact. Decimal fractions between integers are rounded once.
     fn value(&self, k: usize) -> T {
         let last = self.count - 1;
         match k {
@@ -35,14 +36,14 @@ impl<T: Scalar + Copy> Axis<T> {
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Creates all points whose entry i is a value of axis i. The last variable runs fastest, like
-    /// the innermost of nested loops. The grid is empty if any axis has no values.
+    /// Creates all points whose entry i is a value of axis i. The last variable varies fastest, as
+    /// in the innermost of nested loops. The grid is empty if any axis has no values.
     ///
     /// Value k of an axis with m + 1 values is (start·(m − k) + end·k)/m. The first value is
-    /// `start` and, if m > 0, the last is `end`, both exactly.
+    /// exactly `start`. If m > 0, the last value is exactly `end`.
     ///
     /// # Panics
-    /// If the number of points exceeds `usize`. Running out of memory aborts, like any allocation.
+    /// If the number of points exceeds `usize`. If memory runs out, the program aborts.
     ///
     /// ```
     /// use kahan_core::{Axis, Ensemble, vector};
@@ -56,13 +57,13 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     pub fn grid(axes: [Axis<T>; N]) -> Self {
         let len = axes.iter().try_fold(1_usize, |len, axis| len.checked_mul(axis.count));
         let Some(len) = len else { panic!("a grid of more points than memory can hold") };
-        // The number of consecutive points that share a value of each axis.
+        // For each axis, the number of consecutive points that share a value of this axis.
         let runs: [usize; N] = from_fn(|c| axes[c + 1..].iter().map(|axis| axis.count).product());
         Self::from_columns(Columns::new(len, |i, c| axes[c].value(i / runs[c] % axes[c].count)))
     }
 }
 
 fn integer<T: Scalar>(n: usize) -> T {
-    // No axis has 2⁶³ values.
+    // The conversion is exact, because no axis has 2⁶³ values.
     T::constant(&Constant::integer(n as i64))
 }

@@ -1,7 +1,7 @@
 //! SIMD lanes: several numbers in one register, used as one scalar.
 //!
-//! In: work written once, generic over the lane type. Out: the work, compiled for the instructions
-//! of a level and run there. A scalar without vector registers is a register of width 1.
+//! In: work that is generic over the lane type. Out: the work, compiled for an instruction set and
+//! run with it. For a scalar without vector registers, a register has a single lane.
 
 use super::EnsembleScalar;
 use super::columns::Group;
@@ -9,33 +9,33 @@ use super::level::{Instructions, Level};
 use crate::Scalar;
 use crate::composition::Staged;
 
-/// A register of consecutive numbers with lane-wise comparison and selection.
+/// A register of consecutive numbers, with comparison and selection in each lane.
 pub trait Lanes<T>: Scalar + Copy {
-    /// The number of lanes; a divisor of [`GROUP`](super::columns::GROUP).
+    /// The number of lanes, a divisor of [`GROUP`](super::columns::GROUP).
     const WIDTH: usize;
 
-    /// The lanes in which a comparison holds.
+    /// A set of lanes, in which a comparison holds.
     type Mask: Copy;
 
-    /// Loads `WIDTH` entries from index `place` on.
+    /// Loads `WIDTH` entries, beginning with the entry at `place`.
     fn load(entries: &[T], place: usize) -> Self;
 
-    /// Stores the lanes into the entries from index `place` on.
+    /// Stores the lanes into the entries, beginning at `place`.
     fn store(self, entries: &mut [T], place: usize);
 
-    /// Puts the number into every lane.
+    /// Returns a register with the number in every lane.
     fn spread(value: &T) -> Self;
 
-    /// Compares |self| > |other| per lane; false if either is NaN.
+    /// Compares |self| > |other| in each lane. The result is false if either number is NaN.
     fn exceeds(self, other: Self) -> Self::Mask;
 
-    /// Returns whether the mask is set in any lane.
+    /// Returns whether the mask contains any lane.
     fn any(mask: Self::Mask) -> bool;
 
-    /// Selects `yes` where the mask is set, `no` elsewhere.
+    /// Selects `yes` in the lanes of the mask, and `no` in the other lanes.
     fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// Transposes a 4 × 4 matrix.
+    /// Transposes a 4 × 4 matrix of numbers.
     fn transposed(rows: Square<T>) -> Square<T>;
 }
 
@@ -84,33 +84,35 @@ impl<T: Scalar + Copy> Lanes<T> for T {
 
 /// Work that is generic over the lane type of T.
 pub trait OverLanes<T> {
-    /// The result.
+    /// The type of the result.
     type Output;
-    /// Whether the work needs few registers. It then runs on pairs of registers to hide latency.
+    /// Whether the work needs few registers. If so, it runs on pairs of registers, which hides
+    /// latency.
     const IS_SMALL: bool;
 
-    /// Does the work. Must be inlined, so that the caller's target features apply.
+    /// Does the work. The function must be inlined; only then the caller's target features apply.
     fn run<L: Lanes<T>>(self) -> Self::Output;
 }
 
-/// A float with SIMD lanes.
+/// A floating-point type with SIMD lanes.
 pub trait InLanes: EnsembleScalar {
-    /// Numbers in a 512-bit register, the widest.
+    /// The number of numbers in a 512-bit register, the widest register.
     const MOST: usize = 64 / size_of::<Self>();
-    /// Numbers in a 256-bit register.
+    /// The number of numbers in a 256-bit register.
     const ROWS: usize = Self::MOST / 2;
 
-    /// An entry below this fraction of the largest entries of its row and of its column cannot
-    /// change the solution. The square of the fraction is still a normal number.
+    /// The fraction below which an entry is negligible. An entry below this fraction of the largest
+    /// entries of its row and its column cannot change the solution. The square of the fraction is
+    /// a normal number.
     const NEGLIGIBLE: Self;
 
-    /// Runs work over the lanes of `level`, or of the baseline if the processor lacks the level.
+    /// Runs work with the instruction set `level`, or with the baseline if the processor lacks it.
     fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output;
 }
 
 pub(super) trait LaneSweep: InLanes {
-    /// Advances columns of equal length by a step that has lanes, on the level of `on`, or on the
-    /// baseline if the processor lacks it.
+    /// Advances columns of equal length by a step that has lanes. The step uses the instruction set
+    /// of `on`, or the baseline if the processor lacks it.
     fn advance_lanes<S, const N: usize>(
         map: &S,
         columns: [&mut [Group<Self>]; N],
@@ -124,7 +126,7 @@ pub(super) trait LaneSweep: InLanes {
 pub(super) const NEGLIGIBLE_F32: f32 = 1.0 / (1_u64 << 60) as f32;
 pub(super) const NEGLIGIBLE_F64: f64 = f64::from_bits((1023 - 500) << 52);
 
-/// c − a·b, fused if the program is compiled for FMA; AVX2 lanes always fuse.
+/// Returns c − a·b. The result is fused if the program is compiled for FMA, and in AVX2 lanes.
 #[inline(always)]
 pub(crate) fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
     if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }

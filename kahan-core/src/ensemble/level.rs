@@ -1,32 +1,35 @@
-//! The instruction sets that an ensemble can run on.
+//! The instruction sets on which an ensemble can run.
 //!
-//! In: the processor's features, detected at run time. Out: one level for a whole ensemble, which
-//! also fixes the bits of its results. Outside x86-64 and 64-bit Arm, `Baseline` is the only level.
+//! In: the processor's features, detected at run time. Out: one instruction set for a whole
+//! ensemble, which also determines the bits of its results. Outside x86-64 and 64-bit Arm there is
+//! only `Baseline`.
 
 /// An instruction set for the steps of an [`Ensemble`](crate::Ensemble), in increasing order.
 ///
-/// The level decides the number of trajectories per register and whether multiply-adds are fused,
-/// and so the last bits of a result. Within one level the bits are equal on every run and machine.
+/// The instruction set determines how many trajectories a register holds and whether multiply-adds
+/// are fused. It therefore determines the last bits of a result. With one instruction set, the bits
+/// are equal on every run and machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// The instructions that the program was compiled for: two `f64` or four `f32` at a time on
-    /// x86-64 and 64-bit Arm, otherwise one. The bits are those of
-    /// [`KahanAt::step`](crate::KahanAt::step), with one exception: if that step divides more than
-    /// once (one or two variables) or by the time step, lanes use the form with a single division,
-    /// because the divider limits throughput. The last digit may then differ.
+    /// The instructions for which the program was compiled. On x86-64 and 64-bit Arm they advance
+    /// two `f64` or four `f32` at a time, elsewhere one. The bits are those of
+    /// [`KahanAt::step`](crate::KahanAt::step), with one exception. That step may divide by the
+    /// time step or, in one or two variables, more than once. Lanes then use the form with a single
+    /// division, because the divider limits throughput, and the last digit may differ.
     Baseline,
-    /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
+    /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,
-    /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2). Its
-    /// divider is no faster, so it helps mainly where multiplications limit the speed.
+    /// AVX-512F, eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2). The
+    /// divider of AVX-512F is no faster. It helps mainly if multiplications limit the speed.
     Avx512,
-    /// NEON on 64-bit Arm: two `f64` or four `f32` at a time; bits of [`Avx2`](Self::Avx2).
+    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time, with the bits of
+    /// [`Avx2`](Self::Avx2).
     Neon,
 }
 
 impl Level {
-    /// Returns whether this processor supports the level.
+    /// Returns whether this processor supports the instruction set.
     pub fn is_available(self) -> bool {
         match self {
             Self::Baseline => true,
@@ -42,7 +45,7 @@ impl Level {
         }
     }
 
-    /// Returns the highest level of this processor, the default of ensembles.
+    /// Returns the highest instruction set of this processor, the default of ensembles.
     pub fn best() -> Self {
         [Self::Neon, Self::Avx512, Self::Avx2]
             .into_iter()
@@ -51,27 +54,27 @@ impl Level {
     }
 }
 
-/// The method for the reciprocals of a step's denominators.
+/// The method that computes the reciprocals of a step's denominators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Reciprocal {
-    /// By the division instruction: correctly rounded.
+    /// The division instruction, which rounds correctly.
     #[default]
     Divided,
-    /// On [`Level::Avx512`], the processor's 14-bit estimate refined by Newton's iteration, twice
-    /// for `f64` and once for `f32`. On other levels and for other scalars like
-    /// [`Divided`](Self::Divided).
+    /// On [`Level::Avx512`], the processor's 14-bit estimate refined by Newton's iteration. There
+    /// are two iterations for `f64` and one for `f32`. On other instruction sets and for other
+    /// scalars, this equals [`Divided`](Self::Divided).
     ///
-    /// Up to a third faster where a step does little but divide (Lotka–Volterra), and no faster
-    /// where multiplications limit the speed. Over operands of all exponents, including subnormal
-    /// ones, a reciprocal differs from the correctly rounded one in one case of 900 for `f64` and
-    /// of 340 for `f32`, by one unit in the last place. If the reciprocal is infinite (at 0 or by
-    /// overflow) or the operand is infinite, the result is NaN. Poles and overflowing denominators
-    /// therefore stay visible, whereas a division by infinity would silently leave the point
-    /// unchanged.
+    /// The estimate is up to a third faster in a step that does little but divide (Lotka–Volterra).
+    /// It is no faster if multiplications limit the speed. Sometimes a reciprocal differs from the
+    /// correctly rounded one by one unit in the last place. Over operands of all exponents,
+    /// including subnormal ones, this happens in one case of 900 for `f64` and in one of 340 for
+    /// `f32`. If the reciprocal is infinite (at 0 or by overflow) or the operand is infinite, the
+    /// result is NaN. Poles and overflowing denominators therefore stay visible. A division by
+    /// infinity would silently leave the point unchanged.
     Estimated,
 }
 
-/// The choices that fix an ensemble's bits.
+/// The choices that determine the bits of an ensemble's results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instructions {
     pub(crate) level: Level,

@@ -1,9 +1,9 @@
 //! Ensembles: many trajectories advanced together, by one map or by one map per trajectory.
 //!
-//! In: initial points. Out: the points after a number of steps. One column per variable, tiles that
-//! stay in the first-level cache and SIMD lanes make it fast, and threads with `parallel`. The
-//! module holds no step formulas: it runs the prepared step of a map over lane types. Poles are not
-//! detected; they show as infinities or NaNs.
+//! In: initial points. Out: the points after a number of steps. The speed comes from a column per
+//! variable, from tiles that stay in the first-level cache, from SIMD lanes, and with `parallel`
+//! from threads. This module contains no formulas of steps, but runs the prepared step of a map
+//! over lane types. Poles are not detected; they show as infinities or NaNs.
 
 #[cfg(target_arch = "aarch64")]
 mod aarch64;
@@ -38,27 +38,28 @@ pub use scalar::EnsembleScalar;
 
 /// Points of an N-dimensional state, advanced together by one map or by one map per point.
 ///
-/// Points are stored as one column per variable and keep their order. [`new`](Self::new) and
-/// [`grid`](Self::grid) build an ensemble; [`advance`](Self::advance) moves it.
+/// Each variable of the points is stored as one column, and points keep their order.
+/// [`new`](Self::new) and [`grid`](Self::grid) build an ensemble; [`advance`](Self::advance)
+/// advances its points.
 ///
 /// # Reproducibility
 /// A trajectory's bits depend only on its initial point, the map, ε and the [`Level`]. They do not
 /// depend on the run, the index of the point, the number of points or the number of threads.
 /// [`Level::Avx2`], [`Level::Avx512`] and [`Level::Neon`] fuse multiply-adds and give equal bits.
-/// [`Level::Baseline`] and [`KahanAt::step`](crate::KahanAt::step) fuse only where the program is
-/// compiled for fused instructions. An ensemble runs on the highest level of the processor;
-/// [`at_level`](Self::at_level) selects another.
+/// [`Level::Baseline`] and [`KahanAt::step`](crate::KahanAt::step) fuse only if the program is
+/// compiled for fused instructions. An ensemble runs on the highest instruction set of the
+/// processor; [`at_level`](Self::at_level) selects another.
 ///
 /// # Cost
-/// Memory: N numbers per point. Trajectories in different lanes and registers are independent, so
-/// the busiest execution unit, usually the divider, sets the time.
+/// The memory is N numbers per point. Trajectories in different lanes and registers are
+/// independent. Therefore the busiest execution unit, usually the divider, determines the time.
 pub struct Ensemble<T, const N: usize> {
     pub(crate) columns: Columns<T, N>,
     pub(crate) instructions: Instructions,
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Creates an ensemble of the given points, in order.
+    /// Creates an ensemble of the given points, in this order.
     pub fn new(points: Vec<SVector<T, N>>) -> Self {
         Self::from_columns(Columns::new(points.len(), |i, c| points[i][c]))
     }
@@ -68,13 +69,13 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         Self { columns, instructions }
     }
 
-    /// Selects a level; `None` if the processor lacks it.
+    /// Selects an instruction set. Returns `None` if the processor lacks it.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.instructions.level = level;
         level.is_available().then_some(self)
     }
 
-    /// Returns the level in use.
+    /// Returns the instruction set in use.
     pub fn level(&self) -> Level {
         self.instructions.level
     }
@@ -95,7 +96,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         self.len() == 0
     }
 
-    /// Returns point `i` in the given order; `None` if `i` ≥ [`len`](Self::len).
+    /// Returns point `i` in the given order, or `None` if `i` ≥ [`len`](Self::len).
     pub fn point(&self, i: usize) -> Option<SVector<T, N>> {
         (i < self.len()).then(|| SVector::from_fn(|c, _| self.columns.column(c)[i]))
     }
@@ -106,7 +107,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         (0..self.len()).map(move |i| SVector::from_fn(|c, _| columns[c][i]))
     }
 
-    /// Returns the values of variable `i`, one per point, in order.
+    /// Returns the values of variable `i`, one per point, in the order of the points.
     ///
     /// # Panics
     /// If `i` is not less than N.
@@ -122,7 +123,7 @@ impl<T: EnsembleScalar, const N: usize> Clone for Ensemble<T, N> {
     }
 }
 
-/// Compares the points only; level and reciprocal may differ.
+/// Compares the points. The instruction sets and the reciprocals may differ.
 impl<T: EnsembleScalar, const N: usize> PartialEq for Ensemble<T, N> {
     fn eq(&self, other: &Self) -> bool {
         self.len() == other.len() && (0..N).all(|c| self.column(c) == other.column(c))

@@ -1,6 +1,6 @@
-//! A pair of registers used as one of twice the width.
+//! A pair of registers that is used as one register of twice the width.
 //!
-//! Two independent chains of dependent operations overlap, so both take the time of one.
+//! The operations on the two registers are independent and overlap. Both take the time of one.
 
 use core::ops::Neg;
 
@@ -11,13 +11,13 @@ use crate::{Constant, Scalar};
 
 use super::lanes::{Lanes, Square};
 
-/// The lanes of the first register, then those of the second.
+/// The lanes of the first register, followed by the lanes of the second register.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegisterPair<L>(L, L);
 
 operators!([L: Scalar + Copy] RegisterPair<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
-/// Named functions, because closures are not inlined into functions with target features.
+/// The functions have names, because closures are not inlined into functions with target features.
 impl<L: Scalar + Copy> RegisterPair<L> {
     #[inline(always)]
     fn sum(self, other: Self) -> Self {

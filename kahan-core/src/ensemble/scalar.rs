@@ -1,6 +1,6 @@
-//! The scalars that ensembles are made of, and the sweep for each.
+//! The scalars of ensembles, and for each the loop that advances columns.
 //!
-//! In: the prepared stages of a step, and columns. Out: the columns some steps later.
+//! In: the prepared stages of a step, and columns. Out: the columns after a number of steps.
 
 #![expect(private_bounds, reason = "the stages of a step are nobody else's")]
 
@@ -13,17 +13,18 @@ use super::lanes::{InLanes, LaneSweep, OverLanes};
 use super::level::{Instructions, Level};
 use super::sweep::sweep;
 
-/// A scalar of an [`Ensemble`](crate::Ensemble).
+/// A scalar whose points form an [`Ensemble`](crate::Ensemble).
 ///
-/// `f32` and `f64` run in SIMD lanes. Any other `Copy` scalar becomes one by an empty `impl
-/// EnsembleScalar for S {}`; its trajectories are stepped one at a time.
+/// The scalars `f32` and `f64` run in SIMD lanes. Any other `Copy` scalar needs only an empty `impl
+/// EnsembleScalar for S {}`. Its trajectories are stepped one at a time.
 #[diagnostic::on_unimplemented(
     message = "an ensemble of `{Self}` cannot be advanced",
     label = "not an `EnsembleScalar`; for a number, write `1.0`, not `1`",
     note = "`f32` and `f64` are, and every scalar that is `Copy` becomes one by `impl EnsembleScalar for … {{}}`"
 )]
 pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
-    /// Advances columns of equal length; `None` at a pole of a scalar without a reciprocal of zero.
+    /// Advances columns of equal length. Returns `None` at a pole of a scalar without a reciprocal
+    /// of zero.
     #[doc(hidden)]
     fn sweep<S, const N: usize>(
         map: &S,
@@ -37,7 +38,7 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
         sweep::<Self, S, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
     }
 
-    /// Runs work over the lanes of `level`; `None` if the scalar has no lanes.
+    /// Runs work with the instruction set `level`. Returns `None` if the scalar has no lanes.
     #[doc(hidden)]
     fn over_lanes<W: OverLanes<Self>>(_work: W, _level: Level) -> Option<W::Output> {
         None

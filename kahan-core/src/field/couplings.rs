@@ -1,34 +1,36 @@
-//! Sparse elimination along the couplings of variables: tables of the entries of A(x,ε), and loops.
+//! Sparse elimination: tables of the entries of A(x,ε) = I − εf′(x), and loops over these tables.
 //!
-//! In: the entries of A, in the order of the tables. Out: A = L·U in place, and solutions of A·X =
-//! B. Rows are never exchanged: [`factor`](Couplings::factor) reports pivots too small for that.
+//! In: the entries of A, in the order of the tables. Out: A = L·U in place, and solutions of A·x =
+//! b. Rows are never exchanged; [`factor`](Couplings::factor) reports pivots that are too small for
+//! this.
 
 use core::ops::Range;
 
 use crate::{Constant, Scalar};
 
-/// The ratio above which a pivot is too small. If an entry of its row and an entry of its column
-/// both exceed the pivot by more than this factor, the step uses partial pivoting instead.
+/// The ratio above which a pivot is too small. If an entry of the pivot's row and an entry of its
+/// column both exceed the pivot by more than this ratio, the step uses partial pivoting instead.
 ///
-/// Otherwise a product subtracted from an entry is at most 16 times an entry of its row or column.
+/// Otherwise elimination subtracts only products of at most 16 times an entry of the row or column.
 pub const LARGEST_FACTOR: i64 = 16;
 
-/// The entries of A(x,ε) with fill-in, row by row. Rows and columns are in elimination order.
+/// The entries of A(x,ε), including those that elimination fills in, row by row. Rows and columns
+/// are in elimination order.
 #[derive(Clone, Copy, Debug)]
 pub struct Couplings<'a> {
-    /// The variables in elimination order.
+    /// The variables in the order of elimination.
     pub order: &'a [u32],
-    /// The ranges of the rows' entries.
+    /// For each row, the range of its entries.
     pub rows: &'a [CouplingRow],
-    /// The column of each entry.
+    /// For each entry, its column.
     pub columns: &'a [u32],
-    /// The end of each diagonal block (its last row plus 1); blocks are solved in order.
+    /// For each diagonal block, the index of its last row plus 1. Blocks are solved in order.
     pub blocks: &'a [u32],
-    /// For each structurally nonzero entry of f′, its index among the entries of A.
+    /// For each entry of f′ that is not identically zero, its index among the entries of A.
     pub places: &'a [u32],
 }
 
-/// The range of a row's entries.
+/// The range of a row's entries, with the positions of its block and its diagonal.
 #[derive(Clone, Copy, Debug)]
 pub struct CouplingRow {
     start: u32,
@@ -38,8 +40,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Creates a row from the indices of its first entry, its first entry in its own block, and its
-    /// diagonal entry, and the end of its entries.
+    /// Creates a row. The arguments are the indices of its first entry, of its first entry in its
+    /// own diagonal block, and of its diagonal entry, and the end of its entries.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }
@@ -57,14 +59,14 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// The entries that forward substitution multiplies by known unknowns.
+    /// Returns the entries that forward substitution multiplies by unknowns that are already known.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }
 }
 
 impl Couplings<'_> {
-    /// Computes A(x,ε) = I − εf′(x), from the entries of f′ in the order of `places`.
+    /// Computes A(x,ε) = I − εf′(x). `slopes` holds the entries of f′ in the order of `places`.
     pub fn fill<T: Scalar>(&self, slopes: &[T], eps: &T, values: &mut [T]) {
         values.fill(T::zero());
         for (place, slope) in self.places.iter().zip(slopes) {
@@ -76,8 +78,8 @@ impl Couplings<'_> {
         }
     }
 
-    /// Replaces A by its LU factors with reciprocal pivots; `row` is scratch space for one row.
-    /// Returns `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
+    /// Replaces A by its LU factors, with reciprocal pivots. `row` is memory for one row. Returns
+    /// `false` if a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;
@@ -89,8 +91,8 @@ impl Couplings<'_> {
         has_pivots && !is_refused
     }
 
-    /// Replaces A by its LU factors; `false` if a pivot is 0. Before each reduction of a row, calls
-    /// `see` with the pivot's row, the factor, and the current values.
+    /// Replaces A by its LU factors. Returns `false` if a pivot is 0. Before each reduction of a
+    /// row, `see` is called with the pivot's row, the factor, and the current values.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],
@@ -124,19 +126,19 @@ impl Couplings<'_> {
         !is_singular
     }
 
-    /// Returns the reciprocal pivot of a row, and the entries to its right.
+    /// Returns the reciprocal pivot of a row, and the row's entries to the right of the pivot.
     pub fn pivot<'a, T>(&self, turn: usize, values: &'a [T]) -> (&'a T, &'a [T]) {
         let row = &self.rows[turn];
         (&values[row.diagonal as usize], &values[row.right()])
     }
 
-    /// Iterates over the reciprocal pivots of LU factors; their product is 1/det A.
+    /// Iterates over the reciprocal pivots of LU factors, whose product is 1/det A.
     pub fn pivots<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
         self.rows.iter().map(|row| &values[row.diagonal as usize])
     }
 
-    /// Solves A·x = b in place from LU factors, in elimination order. Back substitution subtracts
-    /// columns in the order in which their unknowns are found.
+    /// Solves A·x = b in place from LU factors, in elimination order. As soon as back substitution
+    /// knows an unknown, it subtracts that unknown's column.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let mut first = 0;
         for end in self.blocks {
@@ -152,7 +154,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Solves Aᵀ·x = b in place, from the same factors as [`solve`](Self::solve).
+    /// Solves Aᵀ·x = b in place, from the LU factors that [`solve`](Self::solve) also takes.
     pub fn solve_transposed<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let subtract = |i: usize, places: Range<usize>, b: &mut [T]| {
             for place in places {
@@ -174,7 +176,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Returns bᵢ − Σ entry·b[its column] over the entries at `places`.
+    /// Returns b[i] minus the sum of entry · b[column of the entry] over the entries at `places`.
     #[inline]
     fn reduced<T: Scalar>(&self, places: impl Iterator<Item = usize>, i: usize, values: &[T], b: &[T]) -> T {
         places.fold(b[i].clone(), |sum, place| {
@@ -182,7 +184,8 @@ impl Couplings<'_> {
         })
     }
 
-    /// Iterates over the row and column variables of each entry of f′, in the order of `places`.
+    /// Iterates over the entries of f′ in the order of `places`, and yields the row and the column
+    /// variable of each.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
         let mut row = 0;
         self.places.iter().map(move |&place| {
@@ -193,7 +196,8 @@ impl Couplings<'_> {
         })
     }
 
-    /// Returns the largest number of entries in a row of A, without fill-in.
+    /// Returns the largest number of entries in a row of A, not counting entries filled in by
+    /// elimination.
     #[must_use]
     pub fn widest_row(&self) -> usize {
         let width = |row: &CouplingRow| {

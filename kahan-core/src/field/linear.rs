@@ -2,8 +2,8 @@
 //!
 //! In: matrices whose size is part of the type. Out: solutions, determinants, products with the
 //! adjugate. [`solve`] and [`determinant`] use partial pivoting.
-//! [`determinant_and_adjugate_product`] uses only ring operations, so it has no poles. Nothing
-//! allocates except operations of the scalar.
+//! [`determinant_and_adjugate_product`] has no poles, because it only adds and multiplies. Only
+//! operations of the scalar may allocate.
 
 use core::array::from_fn;
 
@@ -20,7 +20,7 @@ pub fn solve<T: Scalar, const N: usize, const M: usize>(
     Some(b)
 }
 
-/// Solves in place of B and overwrites A, to avoid copies of large matrices.
+/// Solves A·X = B in place of B and overwrites A, which avoids copies of large matrices.
 #[inline(always)]
 pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, N>,
@@ -50,7 +50,7 @@ pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     Some(())
 }
 
-/// Returns det A, which is 0 for a singular matrix in every scalar.
+/// Returns det A, which is 0 for a singular matrix over every scalar.
 pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
     eliminated_determinant(&mut a)
 }
@@ -59,7 +59,7 @@ pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries must be zero: beside a NaN a zero pivot proves nothing.
+        // All entries must be zero, because a zero pivot proves nothing if another entry is NaN.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -80,14 +80,15 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
     determinant
 }
 
-/// Returns (adj(A)·b, det A) without division.
+/// Returns (adj(A)·b, det A) without a division.
 ///
 /// With C = I − A and its characteristic polynomial χ(λ) = λᴺ + c₁λᴺ⁻¹ + … + c_N,
 ///
 ///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
 ///
-/// the second by the Cayley–Hamilton theorem. For Kahan's A = I − εf′ the terms are of size εᵏ, so
-/// using C instead of A avoids cancellation. Cost: O(N⁴) operations.
+/// The second equation follows from the Cayley–Hamilton theorem. For Kahan's matrix A = I − εf′,
+/// the matrix C is εf′ and its terms are small with ε. Therefore computing with C instead of A
+/// avoids cancellation. The cost is O(N⁴) operations.
 pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,
@@ -116,16 +117,18 @@ pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     (product, determinant)
 }
 
-/// Returns c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the Samuelson–Berkowitz algorithm.
+/// Returns the coefficients c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the
+/// Samuelson–Berkowitz algorithm.
 ///
-/// The leading block of size m+1 is [[C_m, s], [r, d]]. Its coefficients are those of C_m times the
-/// Toeplitz matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf. Process. Lett. 18
-/// (1984) 147–150).
+/// The leading block of size m+1 is [[C_m, s], [r, d]], with a block C_m of size m, a column s, a
+/// row r and a number d. Its coefficients are those of C_m times the Toeplitz matrix of 1, −d,
+/// −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf. Process. Lett. 18 (1984) 147–150).
 fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) -> [T; N] {
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k); array entry k has index k+1.
+        // With t the Toeplitz column: new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k). Entry k of
+        // an array has index k+1.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {
@@ -144,7 +147,8 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     coefficients
 }
 
-/// Returns −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s for the leading block of size m+1, then zeros.
+/// Returns −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s, then zeros. The leading block of size m+1 of `c`
+/// is [[C_m, s], [r, d]].
 fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) -> [T; N] {
     let mut power: [T; N] = from_fn(|i| if i < m { c[(i, m)].clone() } else { T::zero() });
     from_fn(|k| {
@@ -170,12 +174,13 @@ fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize
     sum
 }
 
-/// Returns the row from k on with the best pivot in column k; ties go to the first.
+/// Returns the row with the best pivot in column k, among the rows from k on. Of equal pivots, the
+/// first is taken.
 fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
     (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
 }
 
-/// Subtracts factor · row k from row i, from column `from` on.
+/// Subtracts factor · row k from row i, in the columns from `from` on.
 fn subtract_row<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, M>,
     i: usize,
@@ -200,7 +205,7 @@ pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
 }
 
-/// Returns a vector of these entries.
+/// Returns a vector with these entries.
 #[inline(always)]
 pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))

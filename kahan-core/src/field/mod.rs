@@ -1,7 +1,8 @@
-//! The vector field, given by four functions from which all formulas of the method follow.
+//! The vector field f: four functions determine f and all formulas of the method.
 //!
-//! In: a state. Out: f, f′, and the two symmetric forms that equal Q and f on the diagonal. If
-//! coefficients depend on ε, these functions take them at ε = 0.
+//! In: a state x. Out: f(x), f′(x), and the two symmetric forms whose values at (x, x) are the
+//! quadratic part of f and f itself. If coefficients of f depend on ε, these functions take them at
+//! ε = 0.
 
 pub(crate) mod couplings;
 pub(crate) mod linear;
@@ -15,17 +16,19 @@ pub use named::{Integrals, Named};
 
 /// A quadratic vector field f(x) = Q(x) + Bx + c on Tᴺ.
 ///
-/// [`kahan!`](crate::kahan!) implements it; handwritten methods must all describe one field.
+/// [`kahan!`](crate::kahan!) implements this trait. Handwritten methods must all describe one
+/// field.
 pub trait QuadraticField<T: Scalar, const N: usize> {
-    /// Returns f(x), the right-hand side of ẋ = f(x).
+    /// Returns f(x), the right-hand side of the equation ẋ = f(x).
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Returns f′(x), with ∂fᵢ/∂xⱼ in row i, column j.
+    /// Returns the derivative f′(x). The entry in row i, column j is ∂fᵢ/∂xⱼ.
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N>;
 
-    /// Returns Q(x,y) = ½[Q(x+y) − Q(x) − Q(y)]; Q(x,x) is the quadratic part of f.
+    /// Returns Q(x,y) = ½[Q(x+y) − Q(x) − Q(y)], where Q(x) = Q(x,x) is the quadratic part of f.
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Returns Q(x,y) + ½B(x+y) + c, symmetric; it is f(x) for y = x, (x̃ − x)/(2ε) for y = x̃.
+    /// Returns the symmetric form Q(x,y) + ½B(x+y) + c. For y = x the form is f(x); for y = x̃ it
+    /// is (x̃ − x)/(2ε).
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N>;
 }

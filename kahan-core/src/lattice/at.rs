@@ -1,4 +1,4 @@
-//! A family at one ε, for chains of one length.
+//! A family's map at one ε, for chains of one length.
 //!
 //! In: a state. Out: the next state, in place. All memory is allocated before the first step.
 
@@ -20,14 +20,14 @@ use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Sizes};
 
 /// The map of a family at a fixed ε (half the time step) and a fixed number of sites.
 ///
-/// [`LatticeMap::at`](super::LatticeMap::at) creates it. Steps do not allocate.
+/// [`LatticeMap::at`](super::LatticeMap::at) creates this map. Steps do not allocate.
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
     forward: Vec<T>,
     backward: Vec<T>,
     form: WorkspaceLayout,
-    /// The workspace of steps; concurrent calls allocate another.
+    /// The workspace of steps. Concurrent calls allocate another workspace.
     memory: Mutex<StepWorkspace<T>>,
     promise: PromiseCheck<T>,
 }
@@ -40,7 +40,7 @@ struct StepWorkspace<T: LatticeScalar> {
     whole_eliminations: u64,
 }
 
-/// The values that determine size and layout of a workspace.
+/// The values that determine the size and the layout of a workspace.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct WorkspaceLayout {
     sizes: Sizes,
@@ -54,7 +54,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
     fn new(form: WorkspaceLayout) -> Self {
         let WorkspaceLayout { sizes, sites, boundary, partition, level } = form;
         let is_ring = boundary == Boundary::Periodic;
-        // Used only if elimination in parts meets too small a pivot.
+        // This solver is used only if elimination in parts meets a pivot that is too small.
         let folded = if partition.is_some() { Folded::with_little_memory } else { Folded::new };
         Self {
             form,
@@ -65,7 +65,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         }
     }
 
-    /// Takes `steps` steps with the given constants and ε; an exact scalar stops before a pole.
+    /// Takes `steps` steps with the given constants and ε. An exact scalar stops before a pole.
     fn advance<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -92,7 +92,8 @@ impl<T: LatticeScalar> StepWorkspace<T> {
         Ok(())
     }
 
-    /// Solves A(x,ε)·w = f(x), or A(x,ε)·w = `right`, by eliminating the whole chain.
+    /// Solves A(x,ε)·w = `right` by eliminating the whole chain. Without `right`, solves A(x,ε)·w =
+    /// f(x).
     fn solve<M: LatticeMap<T>>(
         &mut self,
         map: &M,
@@ -115,7 +116,7 @@ impl<T: LatticeScalar> StepWorkspace<T> {
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    /// Prepares a chain; site parameters must have `sites` values each.
+    /// Prepares a chain of `sites` sites. Each site parameter must have `sites` values.
     #[doc(hidden)]
     pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
         let sizes = map.sizes();
@@ -137,7 +138,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
         let promise = PromiseCheck::new(&map, &eps, sites * sizes.block);
-        // Overflowing constants do not affect a step with a bound.
+        // An overflowing constant does not affect a step with a bound.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
@@ -146,9 +147,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         Ok(Self { map, eps, forward, backward, form, memory, promise })
     }
 
-    /// Sets the level of the steps, by default the highest; `None` if this processor lacks it.
+    /// Sets the instruction set of the steps, by default the highest of the processor. Returns
+    /// `None` if the processor lacks this instruction set.
     ///
-    /// It affects the last bits of long chains of `f32` and `f64`, as in an
+    /// The instruction set affects the last bits of long chains of `f32` and `f64`, as in an
     /// [`Ensemble`](crate::Ensemble).
     pub fn at_level(mut self, level: Level) -> Option<Self> {
         self.form.level = level;
@@ -170,16 +172,17 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         &self.eps
     }
 
-    /// Returns the number of steps that eliminated the whole chain at once: all steps of short
-    /// chains, and steps of long chains in which a part had too small a pivot.
+    /// Returns the number of steps that eliminated the whole chain at once. In short chains, these
+    /// are all steps. In long chains, these are the steps in which a part had a pivot that is too
+    /// small.
     pub fn whole_eliminations(&self) -> u64 {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner).whole_eliminations
     }
 
-    /// Takes one step x ↦ x̃ in place. NaN persists; at a pole, floats become infinite or NaN.
+    /// Takes one step x ↦ x̃ in place. A NaN persists. At a pole, floats become infinite or NaN.
     ///
     /// # Panics
-    /// If the state has the wrong length; at a pole of an exact scalar.
+    /// If the state has the wrong length, or if it is a pole of an exact scalar.
     #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
         self.check(state);
@@ -189,10 +192,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes one step of the inverse map, the map with −ε, in place.
+    /// Takes one step of the inverse map, which is the map with −ε, in place.
     ///
     /// # Panics
-    /// See [`step`](Self::step).
+    /// Panics as [`step`](Self::step) does.
     #[track_caller]
     pub fn step_back(&mut self, state: &mut [T]) {
         self.check(state);
@@ -202,15 +205,17 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes one step with a bound on its backward error; after an error the state is unchanged.
+    /// Takes one step with a bound on the step's backward error. After an error the state is
+    /// unchanged.
     ///
     /// `Ok` means |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every unknown i, proved for this
-    /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact for the given floats, and k is the
-    /// number of entries in row i of A. Steps over exact scalars are exact.
+    /// call. Here A(x,ε) and b(x,ε) = x + εBx + 2εc are exact for the given floats, k is the number
+    /// of entries in row i of A, and u is the rounding unit. Steps over exact scalars are exact.
     ///
     /// # Errors
-    /// At a pole, or if the state or x̃ is not finite. Also if the bound is reached neither by two
-    /// steps of refinement nor, up to 4096 unknowns, by an allocating elimination over many digits.
+    /// Fails at a pole, or if the state or x̃ is not finite. Also fails if no method reaches the
+    /// bound. The methods are two steps of refinement, and up to 4096 unknowns an elimination over
+    /// many digits, which allocates.
     ///
     /// # Panics
     /// If the state has the wrong length.
@@ -275,12 +280,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         failed(Reason::Refined, least * T::UNIT)
     }
 
-    /// Takes `steps` steps in place; needs no import of [`Step`].
+    /// Takes `steps` steps in place, without an import of [`Step`].
     ///
-    /// Steps use the map's own workspace; a concurrent call from another thread allocates one.
+    /// Steps use the map's own workspace. A concurrent call from another thread allocates a
+    /// workspace.
     ///
     /// # Panics
-    /// See [`step`](Self::step).
+    /// Panics as [`step`](Self::step) does.
     #[track_caller]
     pub fn advance(&self, state: &mut [T], steps: u64) {
         self.check(state);
@@ -294,10 +300,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Takes `steps` steps; after each calls `visit` with its number, from 1 on, and the state.
+    /// Takes `steps` steps. After each step, calls `visit` with the number of the step, from 1 on,
+    /// and the state.
     ///
     /// # Panics
-    /// See [`step`](Self::step).
+    /// Panics as [`step`](Self::step) does.
     #[track_caller]
     pub fn for_each(&mut self, state: &mut [T], steps: u64, mut visit: impl FnMut(u64, &[T])) {
         for k in 1..=steps {
@@ -306,12 +313,14 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns the componentwise backward error of the step from `x` to `next`, the maximum of
+    /// Returns the componentwise backward error of the step from x = `x` to x̃ = `next`, the
+    /// maximum of
     ///
     ///   |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|)
     ///
-    /// With b = x + εBx + 2εc the numerator is |A x̃ − b|, which is 2ε times the defect of Kahan's
-    /// equation. Over an exact scalar the result is 0 only for the exact step. A NaN is returned.
+    /// With b = x + εBx + 2εc, the numerator is |A x̃ − b|, and is 2ε times the defect in Kahan's
+    /// equation. Over an exact scalar the result is 0 only for the exact step. If a component is
+    /// NaN, the result is NaN.
     ///
     /// # Panics
     /// If a state has the wrong length.
@@ -345,7 +354,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         worst
     }
 
-    /// Returns f(x), ordered like the state.
+    /// Returns f(x), in the order of the state.
     ///
     /// # Panics
     /// If the state has the wrong length.

@@ -1,8 +1,8 @@
-//! Errors in the construction of a chain.
+//! Errors that occur when a chain is created.
 
 use core::fmt;
 
-/// An invalid number of sites, or invalid parameters.
+/// An error in the number of sites or in the parameters of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LatticeError {
@@ -12,11 +12,11 @@ pub enum LatticeError {
     Undefined,
     /// A site parameter has the wrong number of values.
     SiteParameter {
-        /// The name of the parameter in the family.
+        /// The name that the family gives the parameter.
         name: &'static str,
-        /// The number of values.
+        /// The number of values that the parameter has.
         given: usize,
-        /// The number of sites.
+        /// The number of sites, which is the expected number of values.
         sites: usize,
     },
 }

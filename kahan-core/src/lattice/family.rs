@@ -1,49 +1,50 @@
-//! The boundary condition of a chain, and the sizes of its equations, as values or as a type.
+//! The boundary condition of a chain, and the sizes of a family's equations, as values and as a
+//! type.
 
 /// The boundary condition of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
-    /// Site n is site 0.
+    /// After the last site follows site 0.
     Periodic,
-    /// States and parameters beyond the ends are 0.
+    /// States and parameters beyond the ends of the chain are 0.
     Open,
 }
 
-/// The sizes of a family's equations.
+/// The sizes of the equations of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// The number of arrays per site.
+    /// The number of arrays, which is the number of unknowns per site.
     pub block: usize,
-    /// The largest offset of a neighbour, at least 1.
+    /// The largest offset of a neighbour in the equations, at least 1.
     pub reach: usize,
     /// The number of parameters per site.
     pub parameters: usize,
-    /// The lower bandwidth of A, in unknowns.
+    /// The lower bandwidth of the matrix A, counted in unknowns.
     pub lower: usize,
-    /// The upper bandwidth of A, in unknowns.
+    /// The upper bandwidth of the matrix A, counted in unknowns.
     pub upper: usize,
-    /// The number of scalar registers for the equations of one site.
+    /// The number of scratch numbers for the equations of one site.
     pub registers: usize,
-    /// The number of registers for the equations of one site per SIMD lane.
+    /// The number of scratch registers for the equations of one site in each SIMD lane.
     pub registers_abreast: usize,
 }
 
-/// The sizes of a family's equations as a type, which selects its kernels.
+/// The sizes of a family's equations as a type, which selects the kernels of the family.
 ///
 /// | parameter | meaning |
 /// |---|---|
-/// | `B` | arrays |
+/// | `B` | the number of arrays |
 /// | `R` | the largest offset of a neighbour, at least 1 |
-/// | `P` | parameters per site |
-/// | `C` | prepared constants |
+/// | `P` | the number of parameters per site |
+/// | `C` | the number of prepared constants |
 /// | `LOWER` | the lower bandwidth of A, in unknowns |
-/// | `UPPER` | the upper bandwidth |
-/// | `SITES` | 2R + 1, the sites in the equations of one site |
-/// | `WIDTH` | `LOWER` + 1 + `UPPER`, the entries of a row of the band |
+/// | `UPPER` | the upper bandwidth of A, in unknowns |
+/// | `SITES` | 2R + 1, the number of sites in the equations of one site |
+/// | `WIDTH` | `LOWER` + 1 + `UPPER`, the number of entries in a row of the band |
 ///
-/// The entry of row (i, b) in column (i + o, b′) lies o·B + b′ − b to the right of the diagonal.
-/// The last two sizes follow from the others, because array lengths cannot be computed from type
-/// parameters. Wrong values do not compile.
+/// Array b of site i has row (i, b). The entry of this row in the column of array b′ of site i + o
+/// lies o·B + b′ − b to the right of the diagonal. `SITES` and `WIDTH` follow from the other sizes,
+/// but array lengths cannot be computed from type parameters. Wrong values do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Stencil<
     const B: usize,
@@ -67,7 +68,7 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// The sizes as values.
+    /// The sizes of the type as values.
     pub const SIZES: Sizes = {
         assert!(B > 0 && R > 0 && SITES == 2 * R + 1 && WIDTH == LOWER + 1 + UPPER);
         assert!(LOWER < (R + 1) * B && UPPER < (R + 1) * B);

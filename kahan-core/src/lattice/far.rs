@@ -1,6 +1,6 @@
-//! The step of a chain whose entries or pivots exceed the range of its scalar.
+//! The step of a chain whose matrix entries or pivots exceed the range of its scalar.
 //!
-//! In: a state and ε. Out: x̃ by one elimination over long numbers, without a check of its error.
+//! In: a state and ε. Out: x̃ from one elimination over long numbers, without a check of its error.
 
 use std::vec::Vec;
 
@@ -10,10 +10,10 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// The maximum number of unknowns, which need some kilobytes each.
+/// The maximum number of unknowns. Each unknown needs some kilobytes.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
-/// Computes x̃ over numbers converted by `long`.
+/// Computes x̃ over long numbers, to which `long` converts the numbers of T.
 pub(super) fn eliminated<M: LatticeMap<T>, T: LatticeScalar>(
     map: &M,
     eps: &T,

@@ -1,7 +1,8 @@
-//! A family as a map of chains: names, integrals and equations.
+//! A family as a map of chains, with its names, integrals and equations.
 //!
-//! In: prepared constants, and states and parameters of a site and its neighbours. Out: the site's
-//! field and its rows of A(x,ε), over numbers, SIMD lanes or numbers with error bounds.
+//! In: prepared constants, and the states and parameters of a site and its neighbours. Out: the
+//! site's field and its rows of A(x,ε) = I − εf′(x), over numbers, SIMD lanes or numbers with error
+//! bounds.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::fmt::Debug;
@@ -13,20 +14,20 @@ use crate::{Scalar, eps_from_dt};
 use super::parts::{Gathered, Kernels, SiteLine};
 use super::{Boundary, LatticeAt, LatticeError, LatticeScalar, Sizes};
 
-/// The Kahan map of a family: x ↦ x̃ for chains of any number of sites.
+/// The Kahan map x ↦ x̃ of a family, for chains of any number of sites.
 ///
-/// A state is stored site by site with interleaved arrays: array b of site i has index
-/// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** The macro implements the trait for a
-/// block with a family, by the equations of one site, which serve all sites.
+/// A state is stored site by site with interleaved arrays. Array b of site i has index
+/// i·[`BLOCK`](Self::BLOCK) + b. **ε is half the time step.** For a block with a family, the macro
+/// implements this trait from the equations of one site, which hold at all sites.
 ///
-/// With R = [`Sizes::reach`], the equations of site i get
-/// - `constants`: the result of `constants`, each as an `L`;
-/// - `x`: the states of the sites i − R … i + R, site by site, arrays interleaved;
+/// With R = [`Sizes::reach`], the equations of site i get these arguments:
+/// - `constants`: the result of the method `constants`, with each number as an `L`;
+/// - `x`: the states of the sites i − R … i + R, site by site, with interleaved arrays;
 /// - `c`: the per-site parameters of these sites, in this order;
-/// - `registers`: [`Sizes::registers`] scalars of scratch space.
+/// - `registers`: [`Sizes::registers`] numbers of scratch memory.
 ///
-/// In a short cyclic chain one site may occur several times in `x`; its results are then added.
-/// Implementations are `#[inline(always)]` without closures, so that lanes get target features.
+/// In a short cyclic chain, one site may occur several times in `x`; its results are then added.
+/// Implementations are `#[inline(always)]` without closures; only then lanes get target features.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     /// The names of the arrays, in their order within a site.
@@ -35,23 +36,24 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     const BLOCK: usize = Self::ARRAYS.len();
     /// The largest offset of a neighbour in the equations, at least 1.
     const REACH: usize;
-    /// The names of the per-site parameters, in order.
+    /// The names of the per-site parameters, in the order of their declaration.
     #[doc(hidden)]
     const SITE_PARAMETERS: &'static [&'static str] = &[];
 
-    /// The names of the linear integrals; empty for a family read at run time.
+    /// The names of the linear integrals. For a family read at run time there are none.
     const INTEGRALS: &'static [&'static str] = &[];
-    /// The name of H, if the family is ẋ = K∇H with a constant antisymmetric K.
+    /// The name of the Hamiltonian H, if the family is ẋ = K∇H with a constant antisymmetric matrix
+    /// K.
     const HAMILTONIAN: Option<&'static str> = None;
 
     /// Prepares the map at ε, half the time step, for `sites` sites, and allocates all memory.
     ///
-    /// In a ring shorter than the stencil a site is its own neighbour, and its couplings add up.
+    /// In a ring shorter than the stencil, a site is its own neighbour, and its couplings add up.
     ///
     /// # Errors
     /// If `sites` is 0, a site parameter has another number of values, or the equations divide by
-    /// zero. If constants only overflow T, the map exists: plain steps give infinities or NaNs, and
-    /// steps with a bound are unaffected.
+    /// zero. If constants merely overflow T, there is no error. Plain steps then give infinities or
+    /// NaNs, and steps with a bound are unaffected.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in Self::SITE_PARAMETERS.iter().enumerate() {
             let given = self.site_parameter(index).len();
@@ -62,41 +64,43 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         LatticeAt::new(self.clone(), eps, sites)
     }
 
-    /// Prepares the map of the time step Δt = 2ε; see [`at`](Self::at).
+    /// Prepares the map for the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// # Errors
-    /// See [`at`](Self::at).
+    /// Returns the errors of [`at`](Self::at).
     fn at_dt(&self, dt: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         self.at(eps_from_dt(dt), sites)
     }
 
-    /// The kernels: a [`Stencil`] with the family's sizes, or a [`StencilMenu`](super::StencilMenu).
+    /// The kernels of steps: a [`Stencil`] with the family's sizes, or a
+    /// [`StencilMenu`](super::StencilMenu).
     #[doc(hidden)]
     type Kernels: Kernels;
 
-    /// Returns the sizes of the equations.
+    /// Returns the sizes of the family's equations.
     #[doc(hidden)]
     fn sizes(&self) -> Sizes;
 
-    /// Returns the boundary condition.
+    /// Returns the boundary condition of the chains.
     #[doc(hidden)]
     fn boundary(&self) -> Boundary;
 
-    /// Returns the constants of the equations: ε, plain parameters, and products of both. `convert`
-    /// maps a parameter to the scalar L. `None` if a divisor is zero and has no reciprocal.
+    /// Returns the constants of the equations: ε, the plain parameters, and products of both.
+    /// `convert` maps a parameter to the scalar L. Returns `None` if a divisor is zero and has no
+    /// reciprocal.
     #[doc(hidden)]
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 
-    /// Returns the values of a per-site parameter.
+    /// Returns the values of a per-site parameter, one per site.
     #[doc(hidden)]
     fn site_parameter(&self, _index: usize) -> &[T] {
         &[]
     }
 
-    /// Computes the field of a site, and its rows of A(x,ε) = I − ε f′(x).
+    /// Computes the field at a site, and the site's rows of A(x,ε) = I − ε f′(x).
     ///
-    /// `f[b]` is the derivative of array b. `a` has (2R + 1)·B entries per array b, in the order of
-    /// `x` and initially zero; only structural nonzeros are written.
+    /// `f[b]` is the derivative of array b. `a` has (2R + 1)·B entries for each array b, in the
+    /// order of `x` and initially zero. Only entries that are not identically zero are written.
     #[doc(hidden)]
     fn rows<L: Scalar>(
         &self,
@@ -141,8 +145,8 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
         Self::INTEGRALS.len()
     }
 
-    /// Computes the densities at a site, from the arguments of [`rows`](Self::rows): first those of
-    /// the integrals, then that of the Hamiltonian, if there is one.
+    /// Computes the densities at a site: those of the integrals, then that of the Hamiltonian, if
+    /// the family has one. The arguments are those of [`rows`](Self::rows).
     #[doc(hidden)]
     fn densities<L: Scalar>(&self, _constants: &[L], _x: &[L], _c: &[L], _registers: &mut [L], _s: &mut [L]) {
     }

@@ -1,12 +1,10 @@
-//! Chains of any number of sites: one equation per site, coupled to a few neighbours.
+//! Chains of any number of sites. Each site has one equation and is coupled to a few neighbours.
 //!
 //! In: the equations of one site, from a family `for i in periodic { … }`. Out: steps of the whole
-//! chain. A(x,ε) is banded, with corners if periodic; the system is solved without allocation.
-//!
-//! [`LatticeAt::advance`] calls `Memory::advance`. Short chains are eliminated at once
-//! (`folded.rs`). Long chains are divided into parts (`PartWorkspace::step`), whose two passes
-//! (`parts/first_pass.rs`, `parts/second_pass.rs`) run in SIMD lanes and on threads; `Kernels` selects the
-//! code for the family's sizes.
+//! chain. A(x,ε) is banded, with corners if periodic; solving allocates nothing. `StepWorkspace`
+//! eliminates a short chain at once (`folded.rs`). It divides a long chain into parts, whose two
+//! passes (`parts/first_pass.rs`, `parts/second_pass.rs`) run in SIMD lanes and on threads.
+//! `Kernels` selects the code for the family's sizes.
 
 mod at;
 

@@ -1,9 +1,9 @@
 //! The step of a chain with a small backward error.
 //!
-//! In: a state and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
-//! unknown i, or the reason for failure; k is the number of entries in row i of A. At most two
-//! steps of iterative refinement use residuals in wider numbers with error bounds. With d = x̃ − x
-//! the residual b − A·x̃ is 2εf − A·d, and b is A·x + 2εf.
+//! In: a state x and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
+//! unknown i, or the reason for failure. Row i of A has k entries, and u is the rounding unit. At
+//! most two steps of iterative refinement compute residuals in wider numbers with error bounds. The
+//! residual is b − A·x̃ = 2εf − A·(x̃ − x), because b = A·x + 2εf.
 
 use core::cell::Cell;
 use std::vec;
@@ -22,14 +22,15 @@ use super::{LatticeMap, LatticeScalar};
 pub(super) const REFINEMENTS: usize = 2;
 
 pub(super) struct PromiseCheck<T: LatticeScalar> {
-    /// The equations in `T::BoundedWorking`; `None` if a divisor of the constants is too small for them.
+    /// The equations over `T::BoundedWorking`, `None` if a divisor in the constants is too small
+    /// for these numbers.
     near: Option<BoundedRows<T::BoundedWorking>>,
-    /// The equations in `T::BoundedWide`; `None` if a divisor of the constants may be zero.
+    /// The equations over `T::BoundedWide`, `None` if a divisor in the constants may be zero.
     far: Option<BoundedRows<T::BoundedWide>>,
-    /// The largest magnitude of ε and the parameters.
+    /// The largest magnitude among ε and the parameters.
     largest: f64,
     pub(super) before: Vec<T>,
-    /// b − A·x̃, rounded.
+    /// The residual b − A·x̃, rounded to T.
     pub(super) residual: Vec<T>,
 }
 
@@ -40,9 +41,10 @@ struct BoundedRows<J> {
 }
 
 struct Residual<T> {
-    /// b − A·x̃, rounded.
+    /// The residual b − A·x̃ in this row, rounded to T.
     residual: T,
-    /// An upper bound of the backward error in units of (k + 8)·u; infinite if unknown.
+    /// An upper bound of the backward error as a multiple of (k + 8)·u, infinite if no bound is
+    /// known. Row i of A has k entries, and u is the rounding unit.
     bound: f64,
 }
 
@@ -67,13 +69,14 @@ impl<T: LatticeScalar> PromiseCheck<T> {
         }
     }
 
-    /// Returns whether the equations have values in numbers of unlimited range.
+    /// Returns whether the equations are defined over numbers of unlimited range.
     pub(super) fn has_equations(&self) -> bool {
         let has_value = |constant: &T::BoundedWide| !constant.known().1.size.is_unknown();
         self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
     }
 
-    /// Bounds the backward error of `next` in units of (k + 8)·u, and stores the residual.
+    /// Bounds the backward error of `next` and stores the residual. The bound is a multiple of (k +
+    /// 8)·u, where k is the number of entries in a row of A, and u is the rounding unit.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
@@ -105,7 +108,7 @@ impl<J: Scalar> BoundedRows<J> {
         Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
-    /// Computes residual and backward error in row b of this site; `largest` bounds the inputs.
+    /// Computes residual and backward error in row b of this site. `largest` bounds all inputs.
     fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Residual<T>
     where
         M: LatticeMap<T>,

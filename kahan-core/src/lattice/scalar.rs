@@ -1,4 +1,4 @@
-//! The scalars of chains, and the number types that solve their steps and bound their errors.
+//! The scalars of chains, and for each the number types that solve a step and bound its error.
 
 #[cfg(feature = "exact")]
 use num_traits::Zero;
@@ -22,24 +22,26 @@ use super::parts::{NoPartSolver, PartSolver, PartWorkspace};
 )]
 #[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
 pub trait LatticeScalar: Pivot + ChainArithmetic + Send + Sync {
-    /// Returns |self|.
+    /// Returns the absolute value |self|.
     fn absolute(&self) -> Self;
 }
 
-/// The types that solve the steps of a scalar's chains and bound their errors.
+/// The types that solve the steps of a scalar's chains and bound the errors of these steps.
 pub(super) trait ChainArithmetic: Sized {
-    /// Wider numbers with error bounds.
+    /// The wider numbers with error bounds that are tried first.
     type BoundedWorking: BoundedScalar<Self>;
 
     type Parts: PartSolver<Self>;
 
-    /// The widest numbers with error bounds, which never underflow, for what `BoundedWorking` leaves open.
+    /// The widest numbers with error bounds, which never underflow. They decide the cases that
+    /// `BoundedWorking` leaves undecided.
     type BoundedWide: BoundedScalar<Self>;
 
-    /// The unit roundoff u; 0 for an exact scalar.
+    /// The rounding unit u, which is 0 for an exact scalar.
     const UNIT: f64;
 
-    /// Computes x̃ by elimination over long numbers; `None` for exact scalars and very long chains.
+    /// Computes x̃ by elimination over long numbers. Returns `None` for exact scalars and for very
+    /// long chains.
     fn eliminated<M: LatticeMap<Self>>(
         _map: &M,
         _eps: &Self,
@@ -53,12 +55,13 @@ pub(super) trait ChainArithmetic: Sized {
     }
 }
 
-/// Numbers with error bounds that evaluate formulas over T.
+/// Numbers with error bounds, in which formulas over T are evaluated.
 pub(super) trait BoundedScalar<T>: Scalar {
     /// Converts a number exactly.
     fn from_input(number: &T) -> Self;
 
-    /// Returns the nearest number of T, and the magnitude and error bound of the value.
+    /// Returns the number of T nearest to the value, and the magnitude and the error bound of the
+    /// value.
     fn known(&self) -> (T, KnownBounds<Size>);
 }
 

@@ -1,6 +1,7 @@
 //! The equations at one site.
 //!
-//! In: a state and a site. Out: f and the rows of A(x,ε) at the site, each entry with its column.
+//! In: a state and a site. Out: f at the site and the site's rows of A(x,ε), each entry with its
+//! column.
 
 use std::vec;
 use std::vec::Vec;
@@ -9,7 +10,7 @@ use crate::Scalar;
 
 use super::{Boundary, LatticeMap, LatticeScalar, Sizes};
 
-/// Returns the neighbour of site i at this offset; `None` beyond an open end.
+/// Returns the neighbour of site i at this offset, `None` if it lies beyond an open end.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
     let place = i as isize + offset;
     match boundary {
@@ -42,7 +43,8 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i; converts states by `convert` and parameters by `given`.
+    /// Gathers the neighbourhood of site i. `convert` converts its states, and `given` its
+    /// parameters.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,
@@ -79,7 +81,7 @@ impl<L: Scalar> Site<L> {
         map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
     }
 
-    /// Computes f and the rows of A of site i, valid until the next call.
+    /// Computes f and the rows of A at site i. The results are valid until the next call.
     pub(super) fn rows<M, T>(
         &mut self,
         map: &M,
@@ -100,7 +102,8 @@ impl<L: Scalar> Site<L> {
         &self.f[b]
     }
 
-    /// Iterates over the entries of row b with their columns, except those beyond open ends.
+    /// Iterates over the entries of row b with their columns. Entries beyond open ends are left
+    /// out.
     pub(super) fn entries<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,
@@ -119,7 +122,7 @@ impl<L: Scalar> Site<L> {
         })
     }
 
-    /// Iterates over the entries of row b of A, one per column (in short rings several are added).
+    /// Iterates over the entries of row b of A, one per column. In short rings an entry is a sum.
     pub(super) fn row<M: LatticeMap<T>, T: LatticeScalar>(
         &self,
         map: &M,

@@ -1,7 +1,7 @@
-//! Integrals of a family, as sums over all sites.
+//! Integrals of a family, which are sums over all sites.
 //!
-//! In: a state. Out: linear integrals, the energy, and the modified energy that the map conserves,
-//! by compensated summation (A. Neumaier, ZAMM 54 (1974) 39–51).
+//! In: a state. Out: the linear integrals, the energy, and the modified energy that the map
+//! conserves. All sums use compensated summation (A. Neumaier, ZAMM 54 (1974) 39–51).
 
 use std::vec;
 use std::vec::Vec;
@@ -13,7 +13,7 @@ use super::sites::Site;
 use super::{LatticeAt, LatticeMap, LatticeScalar};
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    /// Returns the names of the linear integrals, in order.
+    /// Returns the names of the linear integrals, in the order of their values.
     pub fn integral_names(&self) -> &'static [&'static str] {
         M::INTEGRALS
     }
@@ -39,7 +39,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (map, sites) = (self.map(), self.sites());
         let block = map.sizes().block;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
-        // Constants exist, because the chain was created with them.
+        // The constants exist, because the chain was created with them.
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
         let (mut site, mut densities) = (Site::of(map.sizes()), vec![L::zero(); map.integral_count() + 1]);
         for i in 0..sites {
@@ -49,7 +49,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// Returns H(x), which the flow conserves but the map does not.
+    /// Returns the Hamiltonian H(x), which the flow conserves but the map does not.
     ///
     /// A family without a Hamiltonian fails to compile in `cargo build`, but not in `cargo check`.
     ///
@@ -74,14 +74,14 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         total.sum()
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x). The map conserves this modified energy if H has
-    /// degree at most three, which the macro has proved (E. Celledoni, R. I. McLachlan, B. Owren,
-    /// G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x) for the Hamiltonian H. The map conserves this
+    /// modified energy if H has degree at most three, which the macro has proved (E. Celledoni, R.
+    /// I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
     ///
-    /// Cost: one step, because x̃ − x = 2ε A⁻¹ f, and a copy of the state.
+    /// The cost is one step, because x̃ − x = 2ε A⁻¹ f, and a copy of the state.
     ///
     /// # Panics
-    /// See [`step`](Self::step).
+    /// Panics as [`step`](Self::step) does.
     pub fn modified_energy(&mut self, x: &[T]) -> T {
         const { assert!(M::HAMILTONIAN.is_some(), "the family claims no `hamiltonian`") };
         let mut next = x.to_vec();
@@ -139,7 +139,7 @@ impl<T: LatticeScalar> CompensatedSum<T> {
     }
 
     pub(super) fn sum(self) -> T {
-        // The compensation of an infinite sum would be NaN.
+        // If the sum is infinite, its compensation would be NaN and is left out.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }
     }
 }

@@ -1,6 +1,7 @@
 //! A map prepared at a fixed ε.
 //!
-//! In: a map and ε, once. Out: steps that take a state only and neither allocate nor dispatch.
+//! In: a map and ε, given once. Out: steps that take only a state, and neither allocate nor
+//! dispatch.
 
 use core::fmt;
 
@@ -12,10 +13,11 @@ use crate::{PreparedStep, Scalar, SingularStep, Step, Stopped, Workspace};
 
 use super::{KahanMap, Orbit, Pivot};
 
-/// The Kahan map M at one ε, half the time step; see [`KahanMap::at`].
+/// The Kahan map M at one fixed ε, half the time step; see [`KahanMap::at`].
 ///
-/// Everything that depends only on ε and the parameters is computed once. Divisions by functions of
-/// the state stay in the step, so that poles show. The type can be named, for example in a field:
+/// Everything that depends only on ε and the parameters is computed once. The step still divides by
+/// functions of the state, and therefore shows poles. The type can be named, for example in a
+/// field:
 ///
 /// ```
 /// use kahan_core::KahanAt;
@@ -53,7 +55,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         Self { map, eps, prepared }
     }
 
-    /// Returns the underlying map.
+    /// Returns the map M.
     pub fn map(&self) -> &M {
         &self.map
     }
@@ -63,21 +65,22 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         &self.eps
     }
 
-    /// Returns the orbit that starts at `x`. It owns a copy of the prepared step.
+    /// Returns the orbit that starts at `x`. The orbit owns a copy of the prepared step.
     #[inline]
     pub fn orbit(&self, x: SVector<T, N>) -> Orbit<Self> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the prepared step, for code that completes steps itself (in lanes, compensated).
+    /// Returns the prepared step. Callers use it to complete steps themselves, in lanes or
+    /// compensated.
     pub fn prepared(&self) -> &M::Prepared {
         &self.prepared
     }
 
-    /// Returns x̃, bit for bit the result of [`KahanMap::step`].
+    /// Returns x̃, the state after one step, with the bits of [`KahanMap::step`].
     ///
     /// # Panics
-    /// For exact scalars, at a pole.
+    /// If the scalar is exact and `x` is a pole.
     #[inline]
     pub fn step(&self, x: &SVector<T, N>) -> SVector<T, N> {
         match self.prepared.next(x) {
@@ -86,10 +89,11 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         }
     }
 
-    /// Returns x̃ with an error bound, or the reason for failure; see [`KahanMap::try_step`].
+    /// Returns the next state x̃ with an error bound, or the reason for failure; see
+    /// [`KahanMap::try_step`].
     ///
     /// # Errors
-    /// See [`KahanMap::try_step`].
+    /// Returns the errors of [`KahanMap::try_step`].
     #[inline(always)]
     pub fn try_step(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep>
     where
@@ -98,10 +102,10 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         self.map.try_prepared(&self.prepared, x, &self.eps)
     }
 
-    /// Returns ∂x̃/∂x; see [`KahanMap::jacobian`].
+    /// Returns the derivative ∂x̃/∂x of the next state by the state; see [`KahanMap::jacobian`].
     ///
     /// # Panics
-    /// For exact scalars, at a pole.
+    /// If the scalar is exact and `x` is a pole.
     pub fn jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         self.map.jacobian(x, self.eps.clone())
     }

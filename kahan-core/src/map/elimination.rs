@@ -1,7 +1,8 @@
 //! The step by elimination, for maps without a closed form.
 //!
-//! In: a map and ε. Out: x̃ − x = 2ε·A(x,ε)⁻¹f(x), by partial pivoting at every state. It works for
-//! every field, but not at det A(x,ε) = 0, where the reduced map may have a value.
+//! In: a map and ε. Out: the increment x̃ − x = 2ε·A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x), by
+//! partial pivoting at every state. Elimination works for every field, but fails where det A(x,ε) =
+//! 0, even if the reduced map is defined there.
 
 use nalgebra::SVector;
 
@@ -9,10 +10,10 @@ use crate::field::linear::increment_by_elimination;
 use crate::step::NoLanes;
 use crate::{KahanMap, PreparedStep, Quotients, Scalar};
 
-/// The prepared step of any map M, which eliminates at every state.
+/// The prepared step of any map M, which solves a linear system at every state.
 ///
-/// Cost per step: A(x,ε), f(x), and about N³/3 multiplications and N divisions. With it, a
-/// handwritten map implements [`KahanMap`] in two lines:
+/// A step costs the evaluation of A(x,ε) and f(x), about N³/3 multiplications and N divisions. With
+/// this type, a handwritten map implements [`KahanMap`] in two lines:
 ///
 /// ```
 /// use kahan_core::prelude::*;

@@ -1,7 +1,7 @@
 //! Estimates of the error of steps and orbits against the flow.
 //!
-//! In: points of an orbit. Out: the leading term of the discretisation error, without rounding
-//! errors, higher-order terms or a reference solution.
+//! In: points of an orbit. Out: the leading term of the discretisation error. The estimates include
+//! neither rounding errors nor terms of higher order, and need no reference solution.
 
 use core::array::from_fn;
 
@@ -14,13 +14,15 @@ use super::Compensated;
 use super::tangent::push_forward_to;
 
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
-    /// Estimates the local error x̃ − (flow from x for the time h = 2ε) by its leading term:
+    /// Estimates the local error by its leading term. With h = 2ε, the local error is x̃ − (flow
+    /// from x for the time h), which equals
     ///
     ///   h³[f′f′f/12 − f″(f,f)/6] + O(h⁴)
     ///
-    /// With f″(f,f) = 2Q(f,f) this is (2ε³/3)·[f′f′f − 4Q(f,f)] at x, without poles, plus 2ε(f at ε
-    /// − f at 0) if coefficients depend on ε. Subtracting the estimate from x̃ raises the order to
-    /// 3 but destroys the map's structure. Cost: f, f′, Q, and two products with f′.
+    /// In terms of the quadratic form Q of f, f″(f,f) = 2Q(f,f), and the estimate is (2ε³/3)·[f′f′f
+    /// − 4Q(f,f)] at x, without poles. If coefficients depend on ε, 2ε(f at ε − f at 0) is added.
+    /// Subtracting the estimate from x̃ raises the order to 3 but destroys the map's structure. The
+    /// cost is one evaluation of f, f′ and Q, and two products with f′.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -42,7 +44,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     }
 }
 
-/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf, plus 2ε(f at ε − f at 0).
+/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] + 2ε(f at ε − f at 0), with g = εf.
 fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
@@ -73,12 +75,12 @@ fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     }))
 }
 
-/// A point of an orbit with an estimate of its distance from the flow.
+/// A point of an orbit, with an estimate of the point's distance from the flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimated<T, const N: usize> {
-    /// The point xₙ.
+    /// The point xₙ of the orbit.
     pub point: SVector<T, N>,
-    /// An estimate of xₙ − (flow from x₀ for the time 2εn); 0 at the first point.
+    /// An estimate of xₙ − (flow from x₀ for the time 2εn), which is 0 at the first point.
     pub error: SVector<T, N>,
 }
 
@@ -88,19 +90,23 @@ pub struct Estimated<T, const N: usize> {
 pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> {
     orbit: Orbit<S>,
     at: KahanAt<M, T, N>,
-    /// The last yielded point with its error, and the local error at that point.
+    /// The last yielded point with its error estimate, and the local error of a step from this
+    /// point.
     last: Option<(Estimated<T, N>, SVector<T, N>)>,
 }
 
 impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Adds error estimates relative to the flow through the next point, whose own error is 0.
+    /// Adds error estimates, relative to the flow that starts at the next point. There the error is
+    /// 0.
     ///
-    /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the recurrence is
+    /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the estimates eₙ
+    /// satisfy
     ///
     ///   eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁)
     ///
-    /// At a fixed time the error is O(ε²), and the estimate is off by O(ε⁴) while the error is
-    /// small on the scale on which φ′ varies. Rounding is not included. Cost: three steps per step.
+    /// At a fixed time the error is O(ε²). The estimate deviates from the error by O(ε⁴) while the
+    /// error is small on the scale on which φ′ varies. Rounding errors are not included. Each step
+    /// costs as much as three plain steps.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -125,7 +131,7 @@ impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> 
 }
 
 impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>> {
-    /// Adds error estimates, like those of a plain orbit.
+    /// Adds error estimates, as for an orbit without compensation.
     pub fn with_error_estimate(self) -> ErrorEstimates<Compensated<KahanAt<M, T, N>>, M, T, N> {
         let Compensated(at) = self.map.clone();
         ErrorEstimates { orbit: self, at, last: None }
@@ -133,7 +139,7 @@ impl<M: ExtendScalars<T, N>, T: FloatScalar, const N: usize> Orbit<Compensated<K
 }
 
 impl<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> ErrorEstimates<S, M, T, N> {
-    /// Returns the underlying orbit, which also tells why it [stopped](Orbit::stopped).
+    /// Returns the underlying orbit, which also tells why the orbit [stopped](Orbit::stopped).
     pub fn orbit(&self) -> &Orbit<S> {
         &self.orbit
     }

@@ -1,8 +1,9 @@
 //! Kahan's map of a quadratic field and the objects derived from it.
 //!
-//! In: a state x and ε, half the time step. Out: x̃, the linear system A·x̃ = b, Jacobians,
-//! determinants, orbits. Every step runs through a prepared step: generated code, or elimination.
-//! Other methods have defaults for any field, and the macro overrides some of them.
+//! In: a state x and ε, half the time step. Out: the next state x̃, the linear system A·x̃ = b,
+//! Jacobians, determinants and orbits. Every step runs through a prepared step, which is generated
+//! code or an elimination. The other methods have defaults for any field; the macro overrides some
+//! defaults.
 
 mod at;
 mod checked;
@@ -41,25 +42,28 @@ pub(crate) use tangent::{push_forward, push_forward_to};
 pub use through_f64::StepThroughF64;
 pub use through_f64::ThroughF64;
 
-/// Returns ε = dt/2.
+/// Returns ε = dt/2, half the time step.
 #[inline]
 pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
     T::constant(&Constant::ratio(1, 2)) * dt
 }
 
-/// Kahan's map x ↦ x̃ of a quadratic field f, defined by (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c.
+/// Kahan's map x ↦ x̃ of a quadratic field f(x) = Q(x,x) + Bx + c, with (x̃ − x)/(2ε) = Q(x,x̃) +
+/// ½B(x + x̃) + c.
 ///
-/// `eps` is ε, **half the time step**, in every method. The inverse of the map is the map with −ε.
+/// In every method `eps` is ε, **half the time step**. The inverse of the map is the map with −ε.
 ///
 /// # Poles
-/// The map is the *reduced* rational map: numerators and denominators have no common factor. At its
-/// poles a float result is infinite or NaN, an exact scalar panics, [`try_step`](Self::try_step)
-/// returns an error, and an exact [`Orbit`] ends. If det A(x,ε) = 0 but the reduced map has a
-/// value, steps and Jacobian use that value. A field too large for reduction at compile time, such
-/// as every field of more than eight variables, has a pole wherever det A vanishes.
+/// The map is the *reduced* rational map, whose numerators and denominators have no common factor.
+/// At a pole of this map, a float result is infinite or NaN, an exact scalar panics,
+/// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. Where det A(x,ε) = 0
+/// but the reduced map is defined, steps and Jacobian are those of the reduced map. Some fields are
+/// too large for reduction at compile time, for example all fields of more than eight variables.
+/// Their maps have a pole wherever det A vanishes.
 ///
 /// # Range
-/// If a denominator overflows, a float step may be wrong without notice, except in `try_step`.
+/// If a denominator overflows, a float step may be wrong without notice. Only `try_step` detects
+/// this.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -80,7 +84,8 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
-    /// The step at a fixed ε, with everything computed that depends only on ε and the parameters.
+    /// The step at a fixed ε, in which everything that depends only on ε and the parameters is
+    /// computed.
     ///
     /// The macro generates this type. A handwritten map can use
     /// [`Elimination`](crate::Elimination), which suits every field, or its own [`PreparedStep`].
@@ -89,39 +94,40 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Prepares the step at ε; an orbit and [`at`](Self::at) call this once.
     ///
     /// # Panics
-    /// For exact scalars, if the field divides by zero at these parameters.
+    /// If the scalar is exact and the field divides by zero at these parameters.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
     /// Returns whether coefficients of the field depend on ε. If so, the map must override
     /// [`field_at`](Self::field_at), [`field_jacobian_at`](Self::field_jacobian_at) and
-    /// [`polarized_at`](Self::polarized_at), which ignore ε by default.
+    /// [`polarized_at`](Self::polarized_at). The defaults of these methods ignore ε.
     #[inline(always)]
     fn has_coefficients_of_eps(&self) -> bool {
         false
     }
 
-    /// Returns f(x) with the coefficients at ε; the increment of a step is 2ε·A(x,ε)⁻¹f(x).
+    /// Returns f(x) with the coefficients at ε. The increment of a step is 2ε·A(x,ε)⁻¹f(x).
     #[inline(always)]
     fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;
         self.field(x)
     }
 
-    /// Returns f′(x) with the coefficients at ε.
+    /// Returns the derivative f′(x) with the coefficients at ε.
     #[inline(always)]
     fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
         let _ = eps;
         self.field_jacobian(x)
     }
 
-    /// Returns Q(x,y) + ½B(x+y) + c with the coefficients at ε; for y = x̃ this is (x̃ − x)/(2ε).
+    /// Returns Q(x,y) + ½B(x + y) + c with the coefficients at ε. For y = x̃ the result is (x̃ −
+    /// x)/(2ε).
     #[inline(always)]
     fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;
         self.polarized(x, y)
     }
 
-    /// Returns A(x,ε) = I − εf′(x), with the coefficients of f at ε.
+    /// Returns the matrix A(x,ε) = I − εf′(x), with the coefficients of f at ε.
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let slopes = self.field_jacobian_at(x, &eps);
         SMatrix::from_fn(|i, j| {
@@ -130,10 +136,10 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         })
     }
 
-    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc.
+    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc of the linear system A·x̃ = b.
     fn rhs(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         let origin = SVector::from_fn(|_, _| T::zero());
-        // ½Bx + c
+        // The vector `affine` is ½Bx + c.
         let affine = self.polarized_at(x, &origin, &eps);
         let dt = eps.clone() + eps;
         SVector::from_fn(|i, _| x[i].clone() + dt.clone() * affine[i].clone())
@@ -141,21 +147,23 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// Returns x̃, the state after one time step 2ε.
     ///
-    /// Fields of ordinary size use the reduced closed form with one or two divisions. Away from
-    /// poles its error is of the order of the rounding unit while ‖εf′(x)‖ is not much above 1. For
-    /// longer steps it is about that of elimination with pivoting, up to ‖εf′(x)‖∞ = 1000 or the
-    /// limit that the documentation of the generated type states.
+    /// Fields of ordinary size use the reduced closed form with one or two divisions. While
+    /// ‖εf′(x)‖ is not much above 1, the error of this form away from poles is of the order of the
+    /// rounding unit. For longer steps the error is about that of elimination with pivoting. This
+    /// holds up to ‖εf′(x)‖∞ = 1000, or up to the limit in the documentation of the generated type.
     ///
     /// Over floats a closed form runs the same operations at every point, without branches or
-    /// allocation. Some fields have a faster form that divides by ε, used for |ε| from 2⁻⁶⁴ to 2⁶⁴
-    /// (`f32`: 2⁻¹⁶ to 2¹⁶). A map too large for a closed form uses sparse elimination in an order
-    /// found at compile time. If a pivot is more than 16 times smaller than an entry of its row and
-    /// an entry of its column, that step uses partial pivoting on the whole matrix.
+    /// allocation. Some fields have a faster form that divides by ε. This form is used for |ε| from
+    /// 2⁻⁶⁴ to 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses
+    /// sparse elimination in an order found at compile time. A pivot may be more than 16 times
+    /// smaller than an entry of its row and an entry of its column. That step then uses partial
+    /// pivoting on the whole matrix.
     ///
-    /// At a fixed ε use [`at`](Self::at) or [`orbit`](Self::orbit): prepared once, with equal bits.
+    /// For many steps at a fixed ε use [`at`](Self::at) or [`orbit`](Self::orbit), which prepare
+    /// the step once and give equal bits.
     ///
     /// # Panics
-    /// For exact scalars, at a pole; floats become infinite or NaN.
+    /// If the scalar is exact and `x` is a pole. Floats become infinite or NaN instead.
     #[inline]
     fn step(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         match self.prepare(&eps).next(x) {
@@ -170,26 +178,27 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
-    /// for x, ε and the parameters as given; u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for
-    /// [`Dd`](crate::Dd). Every call proves the bound by a running error analysis: first in the
-    /// scalar itself, if necessary in a wider scalar, then in floating-point numbers of 17 × 64
-    /// bits without overflow. If terms differ by a thousand powers of ten, elimination with up to
-    /// 256 × 64 bits follows, which takes milliseconds, allocates, and needs `std`. Ordinary points
-    /// get the bits of [`step`](Self::step) at little more than its cost; `benches/results` has the
-    /// times. In unoptimised builds wide numbers need stack space that grows with the number of
-    /// variables.
+    /// where `exact` is the step for x, ε and the parameters as given. The rounding unit u is 2⁻⁵³
+    /// for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). Every call proves the bound by a
+    /// running error analysis. The analysis runs first in the scalar itself, if necessary in a
+    /// wider scalar, then in floating-point numbers of 17 × 64 bits, which do not overflow. If
+    /// terms differ by a thousand powers of ten, elimination with up to 256 × 64 bits follows. This
+    /// elimination takes milliseconds, allocates, and needs `std`. Ordinary points get the bits of
+    /// [`step`](Self::step) at little more than its cost; `benches/results` has the times. In
+    /// unoptimised builds wide numbers need stack space that grows with the number of variables.
     ///
     /// In more than eight variables `Ok` instead guarantees a small componentwise backward error,
-    /// proved likewise. With at most k entries in a row of A,
+    /// which every call also proves. With at most k entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///
-    /// Exact scalars give the exact step. Handwritten maps and foreign scalars get the finite
-    /// result of `step`, or of elimination with partial pivoting, without a bound.
+    /// Exact scalars give the exact step. Handwritten maps and foreign scalars get a finite result
+    /// without a bound, either from `step` or from elimination with partial pivoting.
     ///
     /// # Errors
-    /// [`SingularStep`] at a pole, at a point that is not finite, if x̃ is beyond the scalar's
-    /// range, or if the widest numbers do not settle the bound. The error tells these cases apart.
+    /// Returns a [`SingularStep`] at a pole, at a point that is not finite, if x̃ is beyond the
+    /// scalar's range, or if the widest numbers do not prove the bound. The error tells these cases
+    /// apart.
     #[inline(always)]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where
@@ -198,7 +207,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// Runs a prepared step for [`try_step`](Self::try_step). This default serves handwritten maps;
+    /// Runs a prepared step for [`try_step`](Self::try_step). Handwritten maps use this default;
     /// the macro overrides it by `stable_step`.
     #[doc(hidden)]
     fn try_prepared(
@@ -216,54 +225,56 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Returns the state one time step 2ε earlier, by the map with −ε.
     ///
     /// # Panics
-    /// For exact scalars, at a pole of the inverse map.
+    /// If the scalar is exact and `x` is a pole of the inverse map.
     #[inline]
     fn step_back(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         self.step(x, -eps)
     }
 
-    /// Returns ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε), with ∂x̃ᵢ/∂xⱼ in row i, column j.
+    /// Returns the Jacobian ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε). The entry in row i, column j is ∂x̃ᵢ/∂xⱼ.
     ///
     /// # Panics
-    /// For exact scalars, at a pole; float entries become infinite or NaN.
+    /// If the scalar is exact and `x` is a pole. Float entries become infinite or NaN instead.
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         let next = self.step(x, eps.clone());
         let back = self.matrix(&next, -eps.clone());
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns D(x,ε) = det A(x,ε), which is 0 at every pole and where reduction removed one.
+    /// Returns D(x,ε) = det A(x,ε). D is 0 at every pole, and at points where the reduction of the
+    /// map removed a pole.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }
 
-    /// Returns det ∂x̃/∂x, which is det A(x̃,−ε)/det A(x,ε) if det A ≠ 0.
+    /// Returns the Jacobian determinant det ∂x̃/∂x, which is det A(x̃,−ε)/det A(x,ε) if det A ≠ 0.
     ///
     /// # Panics
-    /// For exact scalars, at a pole; floats become infinite or NaN.
+    /// If the scalar is exact and `x` is a pole. Floats become infinite or NaN instead.
     fn det_jacobian(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.jacobian(x, eps))
     }
 
-    /// Returns (N, D) = (adj A·b, det A) without division, defined everywhere; x̃ = N/D if D ≠ 0.
+    /// Returns the numerators N = adj A·b and the denominator D = det A, which are defined
+    /// everywhere and need no division. If D ≠ 0, x̃ = N/D.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// Returns the reduced numerators and denominator without division, or
-    /// [`rational_map`](Self::rational_map) if both differ only by a constant factor.
+    /// Returns the reduced numerators and denominator without division. If these differ from
+    /// [`rational_map`](Self::rational_map) only by a constant factor, `rational_map` is returned.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)
     }
 
-    /// Prepares the map at one ε for many steps. The result owns a copy of this map.
+    /// Prepares the map at one ε for many steps. The prepared map owns a copy of this map.
     #[inline]
     fn at(&self, eps: T) -> KahanAt<Self, T, N> {
         KahanAt::new(self.clone(), eps)
     }
 
-    /// Prepares the map of the time step Δt = 2ε; see [`at`](Self::at).
+    /// Prepares the map for the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -277,7 +288,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.at(eps_from_dt(dt))
     }
 
-    /// Returns the orbit x₀ = `x`, x₁, …, which owns all its data.
+    /// Returns the orbit with the points x₀ = `x`, x₁, …. The orbit owns all its data.
     #[inline]
     fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<KahanAt<Self, T, N>> {
         Orbit::new(self.at(eps), x)

@@ -1,8 +1,8 @@
-//! Scalars with an order by magnitude and a test for finiteness.
+//! Scalars that can be compared by magnitude and tested for finiteness.
 
 use crate::{Dd, Scalar};
 
-/// A scalar with a comparison by magnitude and a test for finiteness, as
+/// A scalar that can be compared by magnitude and tested for finiteness, which
 /// [`try_step`](crate::KahanMap::try_step) requires.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot judge whether a step is finite",
@@ -10,10 +10,11 @@ use crate::{Dd, Scalar};
     note = "`step` and `orbit` need `Scalar` only"
 )]
 pub trait Pivot: Scalar {
-    /// Returns whether |self| > |other|; false if either is NaN.
+    /// Returns whether |self| > |other|. The result is false if either number is NaN.
     fn magnitude_exceeds(&self, other: &Self) -> bool;
 
-    /// Returns whether the number is neither NaN nor infinite; always true for exact scalars.
+    /// Returns whether the number is neither NaN nor infinite, which is always true for exact
+    /// scalars.
     fn is_finite_number(&self) -> bool;
 }
 

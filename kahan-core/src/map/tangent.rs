@@ -1,7 +1,8 @@
 //! Derivatives of one or more steps along a direction.
 //!
-//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by a linear
-//! system or by a step over dual numbers. Products are never fused, so all builds give equal bits.
+//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v with J = ∂x̃/∂x, from a
+//! linear system or from a step over dual numbers. Products are never fused, and therefore all
+//! builds give equal bits.
 
 use core::array::from_fn;
 
@@ -11,7 +12,8 @@ use crate::field::linear::vector;
 use crate::scalar::DirectionalDual;
 use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
-/// Returns J·v for consecutive `stages` (maps with their ε); `None` at a pole of an exact scalar.
+/// Returns J·v, where J is the derivative of consecutive `stages`, maps with their ε. Returns
+/// `None` at a pole of an exact scalar.
 #[inline(always)]
 pub(crate) fn push_forward<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -27,7 +29,7 @@ pub(crate) fn push_forward<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: 
     Some(v)
 }
 
-/// Like [`push_forward`], with the known point `next` after the last stage.
+/// Returns the result of [`push_forward`], with a known point `next` after the last stage.
 #[inline(always)]
 pub(crate) fn push_forward_to<'a, M: ExtendScalars<T, N> + 'a, T: Scalar, const N: usize>(
     mut stages: impl Iterator<Item = (&'a M, &'a T)>,
@@ -56,7 +58,7 @@ fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
         map.extend_scalars::<DirectionalDual<T>>(|parameter| DirectionalDual::from_value(parameter.clone()));
     let quotients: Quotients<_, N> =
         extended.prepare(&DirectionalDual::from_value(eps.clone())).quotients(&along)?;
-    // Updates in place, because over lanes compilers build an array by a call.
+    // The loop updates in place, because over lanes compilers build an array by a call.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
     }

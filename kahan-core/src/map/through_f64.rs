@@ -1,4 +1,4 @@
-//! Steps on `f32` states that are computed in `f64` and rounded once.
+//! Steps on `f32` states that are computed in `f64`, with one rounding at the end.
 //!
 //! In: a map over `f32`, converted exactly, or any step over `f64`. Out: a step over `f32`.
 
@@ -19,12 +19,12 @@ use crate::{Step, Stopped, Workspace};
 
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
-/// Away from poles x̃ is the `f32` nearest to the exact x̃, except for about one component in 10⁷
-/// close to the middle between two floats; near a pole this rate grows with the condition number of
-/// the step. In an orbit each step waits for the conversions, so it takes longer than a step in
-/// `f64` (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this map one trajectory at
-/// a time. A compensated orbit rounds the increment with the carry once. A plain orbit rounds each
-/// point to `f32`, so integrals drift as in `f32`.
+/// Away from poles x̃ is the `f32` nearest to the exact x̃, except for about one component in 10⁷.
+/// Such a component lies close to the middle between two floats. Near a pole this rate grows with
+/// the condition number of the step. In an orbit each step waits for the conversions, and takes
+/// longer than a step in `f64` (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this
+/// map one trajectory at a time. A compensated orbit rounds the sum of increment and carry once. A
+/// plain orbit rounds each point to `f32`, and its integrals drift as in `f32`.
 ///
 /// ```
 /// use kahan_core::ThroughF64;
@@ -44,7 +44,7 @@ use crate::{Step, Stopped, Workspace};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThroughF64<M>(
-    /// The map.
+    /// The map over `f32`.
     pub M,
 );
 
@@ -58,9 +58,10 @@ pub struct StepThroughF64<S> {
 
 #[cfg(feature = "std")]
 impl ThroughF64<()> {
-    /// Runs any step over `f64` on `f32` states: a chain, a map read at run time, a `&dyn
-    /// Step<Scalar = f64>`. ε and parameters stay `f64`; [`eps`](Step::eps) returns the rounded ε.
-    /// Each call of [`advance`](Step::advance) or [`part`](Step::part) allocates one `f64` state.
+    /// Runs any step over `f64` on `f32` states. The step may be a chain, a map read at run time,
+    /// or a `&dyn Step<Scalar = f64>`. ε and the parameters stay `f64`; [`eps`](Step::eps) returns
+    /// the rounded ε. Each call of [`advance`](Step::advance) or [`part`](Step::part) allocates one
+    /// `f64` state.
     pub fn of_step<S: Step<Scalar = f64>>(step: S) -> StepThroughF64<S> {
         let eps = *step.eps() as f32;
         StepThroughF64 { step, eps }
@@ -100,7 +101,7 @@ impl<S: Step<Scalar = f64>> Step for StepThroughF64<S> {
     }
 }
 
-/// A step over `f64` from an `f32` state, rounded once.
+/// A step over `f64` that starts from an `f32` state and is rounded once.
 #[derive(Clone, Copy, Debug)]
 pub struct ThroughF64Step<P>(P);
 
@@ -129,7 +130,8 @@ impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF6
         Some(rounded(&self.0.increment(&widened(x))?))
     }
 
-    /// Adds the increment at x to x + carry in `f64` and splits the sum into point and carry.
+    /// Adds the increment at x to x + carry in `f64`, then splits the sum into a point and its
+    /// carry.
     #[inline(always)]
     fn next_with_carry(&self, x: &SVector<f32, N>, carry: &SVector<f32, N>) -> Option<[SVector<f32, N>; 2]> {
         let (x, carry) = (widened(x), widened(carry));
@@ -173,7 +175,8 @@ impl<M> ThroughF64<M> {
     }
 }
 
-/// Step, Jacobian and determinants are computed in `f64` and rounded once, all else in `f32`.
+/// Computes steps, Jacobians and determinants in `f64` and rounds once. All else is computed in
+/// `f32`.
 impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M> {
     type Prepared = ThroughF64Step<<M::Extended<f64> as KahanMap<f64, N>>::Prepared>;
 
@@ -182,7 +185,7 @@ impl<M: ExtendScalars<f32, N>, const N: usize> KahanMap<f32, N> for ThroughF64<M
         ThroughF64Step(self.wide().prepare(&f64::from(*eps)))
     }
 
-    /// Rounds the step of `f64`; a result beyond the range of `f32` is an error.
+    /// Rounds the step computed in `f64`. A result beyond the range of `f32` is an error.
     fn try_prepared(
         &self,
         prepared: &Self::Prepared,

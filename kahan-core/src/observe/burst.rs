@@ -1,6 +1,7 @@
-//! Bursts: the points of several consecutive steps of a group of trajectories.
+//! Bursts: the points of a group of trajectories at several consecutive steps.
 //!
-//! A group has as many trajectories as the widest register has lanes; observers read its points.
+//! A group has as many trajectories as the widest register has lanes. Observers read the points of
+//! a group.
 
 use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};
@@ -8,18 +9,18 @@ use crate::ensemble::columns::{GROUP, Group};
 /// The number of steps that a group advances before its observers read the points.
 pub(super) const BURST: usize = 16;
 
-/// The observers of the trajectories of a group, followed by `None` in unused lanes.
+/// The observers of a group's trajectories, one per lane. Unused lanes hold `None`.
 pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
-/// The points of a group of trajectories: one column for each variable.
+/// The points of a group of trajectories, stored as one column for each variable.
 pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
     /// The type of one trajectory's point.
     type Point: AsRef<[T]> + AsMut<[T]>;
 
-    /// Returns the point of a trajectory.
+    /// Returns the point of the trajectory in this lane.
     fn of(&self, lane: usize) -> Self::Point;
 
-    /// Like [`of`](Self::of), but writes into `point`.
+    /// Writes the point of the trajectory in this lane into `point`.
     #[inline(always)]
     fn read(&self, lane: usize, point: &mut [T])
     where
@@ -40,24 +41,24 @@ impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
     }
 }
 
-/// Tangent vectors to propagate for all trajectories of a group, in SIMD lanes.
+/// Tangent vectors that are propagated in SIMD lanes, for all trajectories of a group.
 #[derive(Debug)]
 pub struct SideBySide<'a, T, P> {
-    /// The consecutive points.
+    /// The consecutive points of the group.
     pub places: &'a [P],
-    /// The vectors at the first point; each has one column per variable.
+    /// The vectors at the first point. Each vector has one column per variable.
     pub vectors: &'a mut [P],
-    /// The squared lengths of the vectors after each step; empty if not needed.
+    /// The squared lengths of the vectors after each step, empty if no lengths are needed.
     pub squares: &'a mut [Group<T>],
-    /// The instruction set to use.
+    /// The instruction set that propagates the vectors.
     pub level: Level,
 }
 
-/// Consecutive points of every trajectory of a group.
+/// Consecutive points of each trajectory of a group.
 #[derive(Debug)]
 pub struct Burst<'a, P> {
     pub(super) before: u64,
-    /// The last point already shown, then the points of the following steps.
+    /// The last point that observers have already seen, followed by the points of the next steps.
     pub(super) seen: &'a [P],
     pub(super) level: Level,
 }
@@ -68,7 +69,8 @@ impl<P> Burst<'_, P> {
         (self.before + 1..).zip(&self.seen[1..])
     }
 
-    /// Shows the new points of one trajectory except the first `done`, with their step numbers.
+    /// Passes the new points of one trajectory, except the first `done`, to `look` with their step
+    /// numbers.
     #[inline(always)]
     pub fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where

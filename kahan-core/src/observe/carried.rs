@@ -1,6 +1,7 @@
 //! Tangent vectors propagated along an orbit, and the observers that need only these vectors.
 //!
-//! In: the points of the orbit, in order. Out: K scaled tangent vectors at the last point.
+//! In: the points of the orbit, in order. Out: K tangent vectors at the last point, scaled by
+//! powers of two.
 
 use core::array::from_fn;
 
@@ -15,7 +16,7 @@ use super::burst::{BURST, Burst, Grouped, Observers, SideBySide};
 use super::growth::{Size, scale};
 use super::{Observer, TangentMap};
 
-/// K tangent vectors along an orbit of a map.
+/// K tangent vectors that are propagated along an orbit of a map.
 #[derive(Clone, Debug)]
 pub struct Carried<M: TangentMap, const K: usize> {
     map: M,
@@ -27,7 +28,7 @@ pub struct Carried<M: TangentMap, const K: usize> {
 }
 
 impl<M: TangentMap, const K: usize> Carried<M, K> {
-    /// Starts with arbitrary vectors that avoid special directions.
+    /// Starts with arbitrary vectors. Their directions avoid the axes and other special directions.
     pub(super) fn new(map: M) -> Self {
         let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
         Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
@@ -42,7 +43,8 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps = step;
     }
 
-    /// Scales the vectors to moderate size; returns their squared lengths before scaling.
+    /// Scales the vectors until their lengths are far from the limits of the floats. Returns their
+    /// squared lengths before scaling.
     #[inline(always)]
     pub(super) fn scale(&mut self) -> [Size; K] {
         from_fn(|k| scale(&mut self.vectors[k], &mut self.exponents[k]))
@@ -52,7 +54,7 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps
     }
 
-    /// Returns the vectors, up to powers of two.
+    /// Returns the scaled vectors, which differ from the tangent vectors by powers of two.
     pub(super) fn vectors(&self) -> [&[M::Scalar]; K] {
         self.vectors.each_ref().map(M::State::as_slice)
     }
@@ -62,14 +64,14 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
     }
 }
 
-/// Returns a state of the map's dimension with entry i equal to `entry(i)`.
+/// Returns a state of the map's dimension whose entry i is `entry(i)`.
 pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
     let mut vector = M::State::zeros(map.dimension());
     vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, place)| *place = entry(i));
     vector
 }
 
-/// Propagates vectors from `x` to `next`, in pairs that share the work on the points.
+/// Propagates vectors from `x` to `next`. Pairs of vectors share the work on the points.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
@@ -86,21 +88,22 @@ pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     }
 }
 
-/// An indicator computed from the lengths of K tangent vectors.
+/// An indicator that is computed from the lengths of K tangent vectors.
 pub trait Indicator<const K: usize> {
     /// The type of the report.
     type Report;
 
-    /// Whether it needs every step; otherwise it gets steps 0, 1, …, [`PAUSE`], 2·[`PAUSE`], ….
+    /// Whether the indicator needs every step. Otherwise it gets the steps 0, 1, …, [`PAUSE`],
+    /// 2·[`PAUSE`], ….
     const LOOKS_AT_EACH: bool;
 
-    /// Starts with the squared lengths of the vectors at the first point.
+    /// Creates the indicator from the squared lengths of the vectors at the first point.
     fn new(first: [Size; K]) -> Self;
 
     /// Records the squared lengths of the vectors after `step` steps.
     fn read_lengths(&mut self, step: u64, sizes: [Size; K]);
 
-    /// Returns the report; `carried` holds the vectors at the last point.
+    /// Returns the report. `carried` holds the vectors at the last point.
     fn report<M: TangentMap>(self, carried: Carried<M, K>) -> Self::Report;
 }
 
@@ -112,7 +115,7 @@ pub struct IndicatorObserver<I, M: TangentMap, const K: usize> {
 }
 
 impl<I: Indicator<K>, M: TangentMap, const K: usize> IndicatorObserver<I, M, K> {
-    /// Creates an observer of orbits of a prepared map, given by value or reference.
+    /// Creates an observer for orbits of a prepared map, which is given by value or by reference.
     pub fn new(map: M) -> Self {
         let mut carried = Carried::new(map);
         let indicator = I::new(carried.scale());
@@ -121,7 +124,8 @@ impl<I: Indicator<K>, M: TangentMap, const K: usize> IndicatorObserver<I, M, K> 
 }
 
 impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> IndicatorObserver<I, M, K> {
-    /// Scales the vectors and passes their lengths to the indicator, at steps that need it.
+    /// Scales the vectors and passes their lengths to the indicator, if the indicator needs this
+    /// step.
     #[inline(always)]
     fn read_lengths(&mut self, step: u64) {
         if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, M::Scalar, K>() {
@@ -131,11 +135,11 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Indica
     }
 }
 
-/// An observer that may skip points: a loop propagates its tangent vectors to a later point.
+/// An observer that may skip points. A loop propagates its tangent vectors to a later point.
 ///
-/// The loop shows every point up to step [`PAUSE`]. Later it shows at least the steps that are
-/// powers of two, and the multiples of [`PAUSE`] at which a vector's squared length is [not
-/// moderate](super::are_moderate).
+/// The loop shows every point up to step [`PAUSE`]. Later it shows the steps that are powers of
+/// two. It also shows multiples of [`PAUSE`] at which a vector's squared length is [too large or
+/// too small](super::are_moderate).
 pub trait SparseObserver<T> {
     /// Returns the number of tangent vectors.
     fn vectors(&mut self) -> usize;
@@ -143,7 +147,8 @@ pub trait SparseObserver<T> {
     /// Returns tangent vector k at the latest point.
     fn vector(&mut self, k: usize) -> &[T];
 
-    /// Receives the point of a step and the vectors there; entry i of vector k is `entry(k, i)`.
+    /// Receives the point of a step and the vectors at this point. Entry i of vector k is `entry(k,
+    /// i)`.
     fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T);
 }
 
@@ -183,7 +188,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         self.read_lengths(step);
     }
 
-    /// Propagates all trajectories in lanes if the observers share one map that has lanes.
+    /// Propagates all trajectories in lanes if the observers share one map and this map has lanes.
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
@@ -207,21 +212,23 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
     }
 }
 
-/// The number of steps between scalings of vectors that are not needed at every step.
+/// The number of steps between two scalings of vectors, if no step needs the lengths.
 ///
-/// A moderate vector leaves the range of `f64` in between only if every step changes its length by
-/// a factor of 2⁶⁰; near a pole only one or two steps do.
+/// The squared length of a scaled vector lies between 2⁻⁶⁴ and 2⁶⁴. The vector leaves the range of
+/// `f64` within this many steps only if every step changes its length by a factor of 2⁶⁰. Near a
+/// pole only one or two steps do.
 pub const PAUSE: u64 = 16;
 
-/// Returns whether vectors are scaled after every step: if the indicator needs it, and for `f32`,
-/// whose range a vector can leave in a single step.
+/// Returns whether vectors are scaled after every step. This is so if the indicator needs the
+/// lengths, and for `f32`, whose range a vector can leave in a single step.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Propagates the vectors of a group in lanes, from the step after `done` on, until one must be
-/// scaled. Returns the number of steps; `None` if no steps remain or the maps do not allow it.
+/// Propagates the vectors of a group in lanes, from the step after `done` on, until a vector must
+/// be scaled. Returns the number of steps. Returns `None` if no steps remain or the maps do not
+/// allow it.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
     group: &mut Observers<'_, IndicatorObserver<I, M, K>>,
@@ -238,7 +245,7 @@ where
     if places.len() < 2 {
         return None;
     }
-    // Unused lanes get moderate vectors, so they never stop the others.
+    // Unused lanes get vectors that need no scaling, and therefore never stop the other lanes.
     let mut ones = places.first()?.clone();
     ones.as_mut().fill([T::one(); GROUP]);
     let mut vectors: [P; K] = from_fn(|_| ones.clone());
@@ -278,7 +285,8 @@ where
     Some(taken)
 }
 
-/// Returns entry i of vector k, a multiple of 1/64 up to 1, chosen to avoid special directions.
+/// Returns entry i of vector k. The entries are multiples of 1/64 up to 1, and avoid special
+/// directions.
 fn any_direction<T: FloatScalar>(k: usize, i: usize) -> T {
     T::constant(&Constant::ratio(((37 * i + 23 * k * (i + 1) + 11) % 64 + 1) as i64, 64))
 }

@@ -1,4 +1,4 @@
-//! The error of integrals of motion along an orbit.
+//! The changes of integrals of motion along an orbit.
 
 use core::array::from_fn;
 
@@ -6,7 +6,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of the distances of integrals from their initial values.
+/// An observer of integrals, which measures the distances of their values from the initial values.
 ///
 /// ```
 /// use kahan_core::observe::Drift;
@@ -28,17 +28,18 @@ pub struct Drift<F, T, const M: usize> {
     integrals: F,
     first: [T; M],
     last: [T; M],
-    /// The largest |I − I(x₀)|; NaN after the first NaN.
+    /// For each integral I, the largest |I − I(x₀)|. The entry stays NaN after the first NaN.
     max: [f64; M],
 }
 
-/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral, absolute if I(x₀) = 0.
+/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral I. If I(x₀) = 0, the distance is
+/// absolute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drifted {
-    /// The maximum over all steps; NaN if the integral was ever NaN.
+    /// The maximum over all steps, NaN if the integral was ever NaN.
     pub max: f64,
-    /// The distance after the last step.
+    /// The relative distance after the last step.
     pub last: f64,
 }
 

@@ -1,10 +1,11 @@
-//! Observers and sinks of crossings that end the run as soon as their answer is known.
+//! Observers and receivers of crossings that end the run as soon as they know their answer.
 
 #[cfg(feature = "std")]
 use super::{CrossingReceiver, FirstCrossings, StoredCrossings};
 use super::{Escape, Observer};
 
-/// An observer that ends the run; see [`Escape::ending`] and [`FirstCrossings::ending`].
+/// An observer that ends the run of an orbit; see [`Escape::ending`] and
+/// [`FirstCrossings::ending`].
 ///
 /// ```
 /// use kahan_core::observe::{Drift, Escape};
@@ -36,7 +37,7 @@ impl<F> Escape<F> {
 }
 
 impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
-    /// The step at which the run ended; `None` if the condition never held.
+    /// The step at which the run ended, `None` if the condition never held.
     type Report = Option<u64>;
 
     #[inline]
@@ -56,7 +57,7 @@ impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
 
 #[cfg(feature = "std")]
 impl<C> FirstCrossings<C> {
-    /// Returns a sink that ends the run after `capacity` crossings.
+    /// Returns a receiver that ends the run after `capacity` crossings.
     pub fn ending(self) -> Ending<Self> {
         Ending(self)
     }

@@ -1,8 +1,8 @@
 //! Observation of every trajectory of an ensemble.
 //!
 //! In: an ensemble, a map, and observers of each trajectory. Out: the reports, in the order of the
-//! points. A group of trajectories alternates between a burst of steps and its observers, so that
-//! each of these loops keeps its data in the first-level cache.
+//! points. A group of trajectories alternates between a burst of steps and its observers. Each of
+//! these two loops then keeps its data in the first-level cache.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -17,14 +17,16 @@ use super::Observer;
 use super::burst::{BURST, Burst, Grouped};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Steps like [`advance`](Self::advance) and shows each trajectory to its own observers.
+    /// Steps as [`advance`](Self::advance) does, and shows each trajectory to its own observers.
     ///
-    /// `observers(i)` creates the observers of trajectory i; step 0 is [`point`](Self::point) i.
-    /// The bits of a report depend neither on i nor on threads. With the feature `parallel`, large
-    /// ensembles run on rayon's current thread pool. Each group of 16 trajectories allocates once.
+    /// `observers(i)` creates the observers of trajectory i, which starts with
+    /// [`point`](Self::point) i as step 0. The bits of a report depend neither on i nor on threads.
+    /// With the feature `parallel`, large ensembles run on rayon's current thread pool. Each group
+    /// of 16 trajectories allocates once.
     ///
     /// # Panics
-    /// At a pole of an exact scalar. If the numbers of maps and points differ.
+    /// If a trajectory meets a pole of an exact scalar. If the number of maps differs from that of
+    /// points.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -88,7 +90,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
 }
 
 /// Advances a group of trajectories and shows every step to the observers. After each burst `tell`
-/// gets the number of steps taken and may stop the run.
+/// gets the number of steps taken, and may stop the run.
 pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     points: &mut P,
     observers: &mut [O],
@@ -97,7 +99,7 @@ pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     advance: impl Fn(&mut P),
     mut tell: impl FnMut(u64) -> ControlFlow<()>,
 ) {
-    // The point before the burst, then the points of the burst.
+    // The first entry is the point before the burst; the other entries are the points of the burst.
     let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
     for (lane, observer) in observers.iter_mut().enumerate() {
         observer.observe(0, points.of(lane).as_ref());

@@ -2,7 +2,7 @@
 
 use super::Observer;
 
-/// An observer of the first step at which a condition holds; it tests no later points.
+/// An observer of the first step at which a condition holds. Later points are not tested.
 #[derive(Clone, Debug)]
 pub struct Escape<F> {
     condition: F,
@@ -24,7 +24,7 @@ impl<F> Escape<F> {
 }
 
 impl<T, F: Fn(&[T]) -> bool> Observer<T> for Escape<F> {
-    /// The step, 0 for the first point; `None` if the condition never held.
+    /// The step at which the condition held, 0 for the first point. `None` if it never held.
     type Report = Option<u64>;
 
     const MAY_END: bool = false;

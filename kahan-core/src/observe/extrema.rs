@@ -1,6 +1,6 @@
-//! The minimum and maximum of an observable.
+//! The minimum and the maximum of a function of the point.
 
-/// An observer of the minimum and maximum of a function of the point; NaNs are skipped.
+/// An observer of the minimum and the maximum of a function of the point. NaNs are skipped.
 ///
 /// ```
 /// use kahan_core::observe::Extrema;
@@ -27,21 +27,21 @@ pub struct Extrema<F, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extremes<T> {
-    /// The least value.
+    /// The least value of the function.
     pub least: T,
-    /// The greatest value.
+    /// The greatest value of the function.
     pub greatest: T,
 }
 
 impl<F: Fn(&[T]) -> T, T> Extrema<F, T> {
-    /// Creates an observer of the extremes of `quantity`.
+    /// Creates an observer of the extremes of the function `quantity`.
     pub fn of(quantity: F) -> Self {
         Self { quantity, seen: None }
     }
 }
 
 impl<F: Fn(&[T]) -> T, T: Clone + PartialOrd> super::Observer<T> for Extrema<F, T> {
-    /// The extremes; `None` if no value was a number.
+    /// The extremes, `None` if no value was a number.
     type Report = Option<Extremes<T>>;
 
     const MAY_END: bool = false;

@@ -6,15 +6,16 @@ use super::TangentMap;
 use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::Size;
 
-/// An observer of the fast Lyapunov indicator: the logarithm of the largest length so far of a
-/// tangent vector of initial length 1.
+/// An observer of the fast Lyapunov indicator. A tangent vector starts with length 1, and the
+/// indicator is the logarithm of its largest length so far.
 ///
-/// Over n steps it grows like log n for regular and like n for chaotic motion. C. Froeschlé, E.
-/// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. It is NaN after a pole.
-/// `Fli::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector and its square.
+/// Over n steps the indicator grows like log n for regular motion, and like n for chaotic motion.
+/// C. Froeschlé, E. Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. After a pole the
+/// indicator is NaN. `Fli::new(&map)` takes a [`TangentMap`]. A step costs a tangent vector and its
+/// squared length.
 pub type Fli<M> = IndicatorObserver<GreatestLength, M, 1>;
 
-/// The squared initial and largest lengths of a vector.
+/// The squared length of a vector at the start, and its largest squared length.
 #[derive(Clone, Debug)]
 pub struct GreatestLength {
     first: Size,
@@ -37,7 +38,7 @@ impl Indicator<1> for GreatestLength {
         }
         match size.partial_cmp(&self.greatest) {
             Some(Ordering::Greater) => self.greatest = size,
-            // NaN stays, because it is not comparable.
+            // A NaN is not comparable, and replaces the largest length.
             None => self.greatest = Size::of(f64::NAN),
             _ => {}
         }

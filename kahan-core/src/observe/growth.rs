@@ -1,8 +1,8 @@
 //! Lengths and products beyond the range of floats.
 //!
-//! In: successive factors, or a growing vector. Out: the product or length as a mantissa and a
-//! power of two, and its logarithm. Scaling by powers of two is exact, so the bits of a report do
-//! not depend on when a vector is scaled.
+//! In: successive factors, or a growing vector. Out: the product or the length as a mantissa and a
+//! power of two, and its logarithm. Scaling by powers of two is exact. Therefore the bits of a
+//! report do not depend on the steps at which a vector is scaled.
 
 use core::cmp::Ordering;
 use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
@@ -13,7 +13,7 @@ use crate::Scalar;
 use crate::ensemble::columns::Group;
 use crate::{Constant, FloatScalar, StateVector};
 
-/// A number of any magnitude: mantissa·2^exponent.
+/// A number of any magnitude, mantissa·2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
     mantissa: f64,
@@ -21,7 +21,8 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length before scaling by 2^−`exponent`, from `squared` after it.
+    /// Returns the squared length of a vector that was scaled by 2^−`exponent`. `squared` is the
+    /// squared length after scaling.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }
@@ -33,23 +34,24 @@ impl Size {
         Self { mantissa, exponent: 0 }
     }
 
-    /// Multiplies by `factor`, and normalises the mantissa to a magnitude from ½ to 1.
+    /// Multiplies by `factor`. The mantissa is normalised to a magnitude from ½ to 1.
     pub(super) fn multiply(&mut self, factor: Self) {
         let (mantissa, exponent) = libm::frexp(self.mantissa * factor.mantissa);
         *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };
     }
 
-    /// Returns the natural logarithm of the magnitude, which depends only on the value.
+    /// Returns the natural logarithm of the magnitude. The result does not depend on the choice of
+    /// the exponent.
     pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
-        // The exponent becomes 0 near 1, which avoids cancellation of two logarithms.
+        // Near 1 the exponent becomes 0, which avoids a cancellation of two logarithms.
         let (mantissa, exponent) =
             if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
         libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
     }
 }
 
-/// Compares by mantissas at equal exponents, otherwise by logarithms of the magnitudes.
+/// Compares the mantissas if the exponents are equal, otherwise the logarithms of the magnitudes.
 impl PartialOrd for Size {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         if self.exponent == other.exponent {
@@ -60,12 +62,13 @@ impl PartialOrd for Size {
     }
 }
 
-/// Vectors are scaled by 2^±`BITS` while their squared lengths are outside 2^±(2·`BITS`), so that
-/// one step also stays in the range of `f32`.
+/// The exponent of the scaling factors. A vector is scaled by 2^±`BITS` while its squared length is
+/// outside 2^±(2·`BITS`). One step then stays in the range of `f32`.
 const BITS: i64 = 32;
 
-/// Scales a finite nonzero vector by powers of two until its squared length is moderate, and adds
-/// the scaling to `exponent`. Returns the squared length of the unscaled vector.
+/// Scales a finite nonzero vector by powers of two until its squared length lies between 2⁻⁶⁴ and
+/// 2⁶⁴. Adds the exponent of the removed factor to `exponent`. Returns the squared length of the
+/// unscaled vector.
 #[inline(always)]
 pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
 where
@@ -81,7 +84,7 @@ where
     Size::of_square(squared, *exponent)
 }
 
-/// Returns 2⁶⁴, the upper end of the moderate squared lengths; the lower end is its reciprocal.
+/// Returns 2⁶⁴, the largest squared length that needs no scaling. The smallest is its reciprocal.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(super) fn most<T: Scalar>() -> T {
@@ -89,7 +92,8 @@ pub(super) fn most<T: Scalar>() -> T {
     root.clone() * root
 }
 
-/// Returns whether no vector of a group needs scaling: all squared lengths are moderate or NaN.
+/// Returns whether no vector of a group needs scaling. Each squared length must be NaN or lie
+/// between 2⁻⁶⁴ and 2⁶⁴.
 #[cfg(feature = "std")]
 pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
     let most: f64 = most::<T>().approximate();
@@ -103,8 +107,8 @@ fn is_moderate(squared: f64) -> bool {
     squared > 1.0 / MOST && squared < MOST
 }
 
-/// Returns the scaled vector, the exponent of the removed factor, and the squared length. Takes a
-/// copy, so that the caller's loop keeps the vector in registers.
+/// Returns the scaled vector, the exponent of the removed factor, and the squared length. The
+/// function takes a copy, and therefore the caller's loop keeps the vector in registers.
 #[cold]
 #[inline(never)]
 fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
@@ -115,7 +119,7 @@ where
     let up = T::constant(&Constant::integer(1 << BITS));
     let down = T::one() / up;
     let mut exponent = 0;
-    // Enough scalings to cover the whole range of `f64`.
+    // The number of scalings suffices for the whole range of `f64`.
     for _ in 0..2 * 1100 / BITS {
         let squared = square(vector.as_slice());
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {

@@ -7,7 +7,7 @@ use super::{Observer, TangentMap};
 
 /// An observer of the mean of log |det ∂x̃/∂x| per unit of time, the sum of all Lyapunov exponents.
 ///
-/// Cost: a determinant per step, and one logarithm at the end.
+/// A step costs a determinant. The end of the run costs one logarithm.
 #[derive(Clone, Debug)]
 pub struct MeanLogDet<M: TangentMap> {
     map: M,
@@ -17,14 +17,14 @@ pub struct MeanLogDet<M: TangentMap> {
 }
 
 impl<M: TangentMap> MeanLogDet<M> {
-    /// Creates an observer of orbits of a prepared map, given by value or reference.
+    /// Creates an observer for orbits of a prepared map, which is given by value or by reference.
     pub fn new(map: M) -> Self {
         Self { place: M::State::zeros(map.dimension()), map, product: Size::ONE, steps: 0 }
     }
 }
 
 impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for MeanLogDet<M> {
-    /// The rate; NaN without a step.
+    /// The mean per unit of time, NaN without a step.
     type Report = f64;
 
     const MAY_END: bool = false;

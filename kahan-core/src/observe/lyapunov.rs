@@ -6,14 +6,16 @@ use super::growth::Size;
 
 /// An observer of the largest Lyapunov exponent, the growth rate of tangent vectors.
 ///
-/// The exact Jacobian propagates a tangent vector in a general direction. After n steps its length
-/// has grown by exp(λ·2εn) times a factor that is bounded or grows slowly. For quasi-periodic
-/// motion the factor is linear, and the estimate of λ tends to 0 like log(n)/n.
+/// The exact Jacobian propagates a tangent vector in a general direction. After n steps the
+/// vector's length has grown by exp(λ·2εn) times a factor that is bounded or grows slowly; λ is the
+/// exponent. For quasi-periodic motion the factor is linear in n, and the estimate of λ tends to 0
+/// like log(n)/n.
 ///
-/// `Lyapunov::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector, about that of a step.
+/// `Lyapunov::new(&map)` takes a [`TangentMap`]. The tangent vector costs about as much as the
+/// step.
 pub type Lyapunov<M> = IndicatorObserver<Growth, M, 1>;
 
-/// The squared lengths of a tangent vector at the first step and at powers of two.
+/// The squared lengths of a tangent vector, at the first step and at steps that are powers of two.
 #[derive(Clone, Debug)]
 pub struct Growth {
     first: Size,
@@ -24,10 +26,11 @@ pub struct Growth {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Exponent {
-    /// The mean growth rate; NaN without a step.
+    /// The mean growth rate, NaN without a step.
     pub value: f64,
-    /// An estimate of the error, not a bound: the distance of `value` from the mean rate up to a
-    /// point between an eighth and a quarter of the run. NaN before step 4.
+    /// An estimate of the error, not a bound. It is the distance of `value` from the mean rate up
+    /// to an earlier step, between an eighth and a quarter of the run. The estimate is NaN before
+    /// step 4.
     pub error: f64,
 }
 
@@ -53,7 +56,7 @@ impl Indicator<1> for Growth {
     }
 }
 
-/// Squared lengths at the last three steps that are powers of two.
+/// The squared lengths at the last three steps that are powers of two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doublings([(u64, Size); 3]);
 
@@ -70,7 +73,7 @@ impl Doublings {
         self.0 = [before, last, (step, square)];
     }
 
-    /// Returns the exponent from the first and last squared lengths, with time step `time`.
+    /// Returns the exponent from the first and the last squared length. `time` is the time step.
     pub(super) fn exponent(&self, first: Size, last: (u64, Size), time: f64) -> Exponent {
         let rate = |(steps, square): (u64, Size)| 0.5 * (square.ln() - first.ln()) / (steps as f64 * time);
         let value = rate(last);

@@ -4,40 +4,42 @@ use super::TangentMap;
 use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::Size;
 
-/// An observer of MEGNO, the mean exponential growth factor of nearby orbits:
+/// An observer of MEGNO, the mean exponential growth factor of nearby orbits. With the tangent
+/// vector vₖ after k steps,
 ///
-/// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n,
+/// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n.
 ///
-/// and the mean of Y(1), …, Y(n). The mean tends to 2 for quasi-periodic motion, and to 0 if
-/// tangent vectors stay bounded. For chaotic motion it grows like λ·εn, with the largest exponent λ
-/// per unit of time. P. M. Cincotta, C. M. Giordano, C. Simó, Physica D 182 (2003) 151.
+/// The report holds Y(n) and the mean of Y(1), …, Y(n). The mean tends to 2 for quasi-periodic
+/// motion, and to 0 if tangent vectors stay bounded. For chaotic motion the mean grows like λ·εn,
+/// where λ is the largest Lyapunov exponent per unit of time. P. M. Cincotta, C. M. Giordano, C.
+/// Simó, Physica D 182 (2003) 151.
 ///
-/// `Megno::new(&map)` takes a [`TangentMap`]. Cost: a tangent vector and a logarithm per step.
+/// `Megno::new(&map)` takes a [`TangentMap`]. A step costs a tangent vector and a logarithm.
 pub type Megno<M> = IndicatorObserver<MeanGrowth, M, 1>;
 
 /// The partial sums of MEGNO.
 #[derive(Clone, Debug, Default)]
 pub struct MeanGrowth {
     first: f64,
-    /// The sum of log(|vₖ|/|v₀|) over the steps before the last.
+    /// The sum of log(|vₖ|/|v₀|) over the steps k before the last, for the tangent vectors vₖ.
     before: f64,
     last: f64,
     sum: f64,
     steps: u64,
 }
 
-/// The report of [`Megno`]; NaN without a step.
+/// The report of [`Megno`], NaN without a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Megnos {
-    /// The mean of Y over all steps.
+    /// The mean of Y(1), …, Y(n) over all n steps; see [`Megno`].
     pub mean: f64,
-    /// Y at the last step.
+    /// The value Y(n) at the last step n; see [`Megno`].
     pub last: f64,
 }
 
 impl MeanGrowth {
-    /// Returns Y(n) by summation by parts, with vectors scaled to |v₀| = 1:
+    /// Returns Y(n) by summation by parts. With vectors vₖ scaled to |v₀| = 1,
     ///
     /// Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n).
     fn value(&self) -> f64 {

@@ -35,7 +35,7 @@
 //! | the points themselves | [`Visit`] |
 //!
 //! Times are in steps. Exponents are per unit of time, where a step takes Δt = 2ε. Elementary
-//! functions come from the `libm` crate, so equal points give equal bits on every machine.
+//! functions come from the `libm` crate; equal points give equal bits on every machine.
 //! Observers of derivatives take the prepared map ([`TangentMap`]), by value or reference.
 
 #[cfg(feature = "std")]
@@ -73,10 +73,10 @@ mod zero;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 pub use burst::{Burst, Grouped, Observers, SideBySide};
-/// Observers whose tangent vectors a loop propagates, and the interval between two scalings.
+/// Observers whose tangent vectors a loop propagates, and the number of steps between two scalings.
 #[doc(hidden)]
 pub use carried::{PAUSE, SparseObserver};
-/// Components for observing groups of trajectories of maps read at run time.
+/// Types with which `kahan-runtime` observes groups of trajectories of maps read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use {
@@ -107,7 +107,7 @@ pub use visit::Visit;
 
 /// An observer of orbits over the scalar `T`.
 ///
-/// It sees the variables of a state, or all numbers of a state that is a `Vec`.
+/// The observer gets the variables of a state. If the state is a `Vec`, it gets all numbers.
 ///
 /// ```
 /// use kahan_core::observe::Observer;
@@ -141,8 +141,8 @@ pub use visit::Visit;
 /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, Beyond(2.0, None)), Some(7));
 /// ```
 ///
-/// Tuples of up to eight observers, arrays and (with `std`) vectors of observers are observers that
-/// report all answers; `()` observes nothing.
+/// Tuples of up to eight observers, arrays and (with `std`) vectors of observers are observers,
+/// too, and report all answers. The observer `()` observes nothing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not observe orbits of numbers of the type `{T}`",
     label = "not an observer of such orbits",
@@ -155,29 +155,30 @@ pub trait Observer<T> {
     #[doc(hidden)]
     const MAY_END: bool = true;
 
-    /// Processes the point after `step` steps; steps come in order, from x₀ at step 0.
+    /// Processes the point after `step` steps. Steps come in order, beginning with x₀ at step 0.
     fn observe(&mut self, step: u64, x: &[T]);
 
-    /// Returns whether the observer needs no further points; called after each point.
+    /// Returns whether the observer needs no further points. This is called after each point.
     ///
-    /// A finished observer ends the run of an orbit; in an ensemble its trajectory continues
-    /// unobserved. Tuples, arrays and vectors finish with their first member that does.
+    /// A finished observer ends the run of an orbit. In an ensemble its trajectory continues
+    /// unobserved. Tuples, arrays and vectors finish as soon as one of their members finishes.
     #[inline(always)]
     fn is_done(&self) -> bool {
         false
     }
 
-    /// Returns the report on the points observed.
+    /// Returns the report on the observed points.
     fn report(self) -> Self::Report;
 
-    /// Returns the observer as one that may skip points; `None` if it needs every point.
+    /// Returns this observer as an observer that may skip points, `None` if it needs every point.
     #[doc(hidden)]
     #[inline]
     fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
         None
     }
 
-    /// Shows some points of a group of trajectories, each to the observer of its trajectory.
+    /// Shows some points of a group of trajectories. Each observer gets the points of its own
+    /// trajectory.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     #[inline]
@@ -190,7 +191,7 @@ pub trait Observer<T> {
     }
 }
 
-/// Shows the points of each trajectory of a group to its observer until the observer is done.
+/// Shows the points of each trajectory of a group to its observer, until that observer is done.
 #[cfg(feature = "std")]
 #[inline]
 fn show_in_turn<T, O, P>(group: &mut Observers<'_, O>, burst: &Burst<'_, P>)

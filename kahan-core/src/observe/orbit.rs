@@ -6,11 +6,11 @@ use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
 
 impl<S: Step> Orbit<S> {
-    /// Shows the next point, as step 0, and `steps` further points; returns the observers' report.
+    /// Shows the next point as step 0, then `steps` further points. Returns the observers' report.
     ///
-    /// The run ends early if the observers are [done](Observer::is_done), or at a pole of an exact
-    /// orbit, which [`stopped`](Self::stopped) then returns. The next call starts after the last
-    /// point shown. A copy of the state is allocated only if the state is a `Vec`.
+    /// The run ends early if the observers are [done](Observer::is_done). It also ends at a pole of
+    /// an exact orbit; [`stopped`](Self::stopped) then returns the pole. The next call starts after
+    /// the last point shown. A copy of the state is allocated only if the state is a `Vec`.
     ///
     /// ```
     /// use kahan_core::observe::Escape;
@@ -42,7 +42,7 @@ impl<S: Step> Orbit<S> {
 
     #[inline(always)]
     fn show(&mut self, steps: u64, observers: &mut impl Observer<S::Scalar>) {
-        // The compiler can hold a local copy of the state in registers.
+        // The compiler can keep a local copy of the state in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
             if state.step_with(&self.map, &mut self.workspace).is_none() {
@@ -59,8 +59,8 @@ impl<S: Step> Orbit<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
-    /// Returns the first crossing with `level` = 0 within `steps` steps after the next point, like
-    /// [`first_crossing`](super::first_crossing). The orbit continues from there.
+    /// Returns the first crossing with `level` = 0 within `steps` steps after the next point, as
+    /// [`first_crossing`](super::first_crossing) does. The orbit continues from the crossing.
     pub fn first_crossing(
         &mut self,
         steps: u64,
@@ -72,7 +72,7 @@ impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
-    /// Like [`Orbit::observe`], for the points that this orbit yields.
+    /// Observes the points that this orbit yields, as [`Orbit::observe`] does.
     pub fn observe<O: Observer<S::Scalar>>(&mut self, steps: u64, mut observers: O) -> O::Report {
         for (step, point) in (0..=steps).zip(self) {
             observers.observe(step, point.as_slice());

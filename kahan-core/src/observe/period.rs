@@ -4,9 +4,10 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of the first return to a ball around the initial point after leaving it.
+/// An observer of the first return to a ball around the initial point, after the orbit has left the
+/// ball.
 ///
-/// Radius 0 finds periods of exact orbits.
+/// With radius 0, the observer finds periods of exact orbits.
 ///
 /// ```
 /// use kahan_core::observe::Period;
@@ -36,22 +37,22 @@ pub struct Period<T, V> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Return<T> {
-    /// The step of the return.
+    /// The step at which the orbit returned.
     pub step: u64,
-    /// The squared distance from the first point.
+    /// The squared distance of the returned point from the first point.
     pub squared_distance: T,
 }
 
 impl<T: Scalar, V: AsMut<[T]>> Period<T, V> {
-    /// Creates an observer of the first return to the ball of this radius around x₀. `place` is
-    /// memory for x₀: an array or vector with a number per variable.
+    /// Creates an observer of the first return to the ball of this radius around the first point
+    /// x₀. `place` is memory for x₀, an array or vector with one number per variable.
     pub fn within(radius: T, place: V) -> Self {
         Self { squared: radius.clone() * radius, start: place, was_away: false, back: None }
     }
 }
 
 impl<T: Scalar + PartialOrd, V: AsRef<[T]> + AsMut<[T]>> Observer<T> for Period<T, V> {
-    /// The return; `None` if the orbit did not return.
+    /// The return, `None` if the orbit did not return.
     type Report = Option<Return<T>>;
 
     const MAY_END: bool = false;

@@ -1,4 +1,4 @@
-//! Histograms of observables.
+//! Histograms of functions of the point.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -7,7 +7,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// A histogram of an observable: the number of points in each of equal subintervals of a range.
+/// A histogram of an observable: it counts the points in each of equal subintervals of a range.
 ///
 /// ```
 /// use kahan_core::observe::Residence;
@@ -28,7 +28,7 @@ use super::Observer;
 pub struct Residence<F, T, V> {
     quantity: F,
     start: f64,
-    /// The number of subintervals per unit of the observable.
+    /// The number of subintervals in one unit of the observable.
     parts_to_unit: f64,
     stays: ResidenceCounts<V>,
     scalar: PhantomData<T>,
@@ -38,9 +38,9 @@ pub struct Residence<F, T, V> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ResidenceCounts<V> {
-    /// The number of points in each subinterval, which includes its lower end.
+    /// The number of points in each subinterval. A subinterval includes its lower end.
     pub within: V,
-    /// The number of points outside the range, including NaN.
+    /// The number of points outside the range. A NaN is outside.
     pub outside: u64,
 }
 
@@ -49,7 +49,8 @@ where
     F: Fn(&[T]) -> T,
     V: AsMut<[u64]>,
 {
-    /// Counts `quantity` in equal parts of `range`, one per entry of `counts`, initially all zero.
+    /// Counts how often `quantity` lies in each of equal parts of `range`. There is one part per
+    /// entry of `counts`, all of which start at zero.
     pub fn of(quantity: F, range: Range<f64>, mut counts: V) -> Self {
         let parts_to_unit = counts.as_mut().len() as f64 / (range.end - range.start);
         let stays = ResidenceCounts { within: counts, outside: 0 };
@@ -70,7 +71,7 @@ where
     #[inline]
     fn observe(&mut self, _step: u64, x: &[T]) {
         let part = ((self.quantity)(x).approximate() - self.start) * self.parts_to_unit;
-        // Converting a negative number to an integer would give subinterval 0.
+        // Without this test, a negative number would be converted to subinterval 0.
         let count = if part >= 0.0 { self.stays.within.as_mut().get_mut(part as usize) } else { None };
         *count.unwrap_or(&mut self.stays.outside) += 1;
     }

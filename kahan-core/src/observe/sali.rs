@@ -6,19 +6,19 @@ use super::TangentMap;
 use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::{Size, square};
 
-/// An observer of the smaller alignment index of two unit tangent vectors v and w: the smaller of
-/// |v+w| and |v−w| after the last step.
+/// An observer of the smaller alignment index of two unit tangent vectors v and w. The index is the
+/// smaller of |v+w| and |v−w| after the last step.
 ///
 /// For chaotic motion both vectors align with the direction of fastest growth, and the index falls
-/// exponentially to the rounding level or 0. For regular motion in four or more variables it stays
-/// of moderate size. In two variables, or if vectors align with the flow, it falls like a power of
+/// exponentially to the rounding level or 0. For regular motion in four or more variables the index
+/// does not fall. In two variables, or if vectors align with the flow, it falls like a power of
 /// time. C. Skokos, J. Phys. A 34 (2001) 10029.
 ///
 /// The report lies between 0 and √2, or is NaN after a pole. `Sali::new(&map)` takes a
-/// [`TangentMap`]. Cost: two tangent vectors, which share the work on the points.
+/// [`TangentMap`]. A step costs two tangent vectors, which share the work on the points.
 pub type Sali<M> = IndicatorObserver<Alignment, M, 2>;
 
-/// The indicator of [`Sali`], which reads the vectors only at the end.
+/// The indicator that [`Sali`] computes. It reads the vectors only at the end.
 #[derive(Clone, Debug)]
 pub struct Alignment;
 
@@ -43,7 +43,8 @@ impl Indicator<2> for Alignment {
             let (v, w) = (v.approximate() / lengths[0], w.approximate() / lengths[1]);
             (sum + (v + w) * (v + w), difference + (v - w) * (v - w))
         });
-        // Comparisons with NaN are false, so the result is `difference`, which is NaN as well.
+        // If `sum` is NaN, the comparison is false and the result is `difference`, which is NaN,
+        // too.
         libm::sqrt(if sum < difference { sum } else { difference })
     }
 }

@@ -11,23 +11,25 @@ use crate::{Constant, FloatScalar, Orbit, PointOf, StateVector, Step, Workspace}
 use super::Observer;
 use super::zero::{ZeroBracket, is_zero, narrow, small};
 
-/// An observer of the crossings with a section s(x) = 0: a plane, or a level set of any function.
+/// An observer of the crossings with a section s(x) = 0, a plane or a level set of any function s.
 ///
-/// A crossing lies between two points of the orbit where s changes its sign, or at the second point
-/// if s is 0 there. It is refined to rounding accuracy on the curve
+/// A crossing lies between two points xₙ and xₙ₊₁ of the orbit at which s has different signs. If s
+/// is 0 at xₙ₊₁, the crossing is xₙ₊₁. A crossing is refined to rounding accuracy on the curve
 ///
 /// x(θ) = φ_{θε}(xₙ), 0 ≤ θ ≤ 1,
 ///
-/// the map's steps with fractions of ε. This curve is as close to the flow as a step is, O(ε³), and
-/// conserves the integrals of the map at ε to that order.
+/// where φ_ε is the map. This curve is as close to the flow as a step is, O(ε³). To this order the
+/// curve conserves the integrals of the map at ε.
 ///
-/// A sign change without a zero is counted as a jump instead: at a pole or discontinuity of s, or
-/// where the curve passes through infinity at a pole of the map. The search ends at two values of θ
-/// that differ by the unit roundoff u. At a crossing |s| is at most u^⅓ times the larger of |s(xₙ)|
-/// and |s(xₙ₊₁)|: 2⁻¹⁷ in `f64`, 2⁻⁸ in `f32`. Rounding at a zero leaves about u·|x|/|xₙ₊₁ − xₙ| of
-/// it. All tests are independent of the unit of length.
+/// A sign change without a zero is counted as a jump instead. Jumps occur at a pole or
+/// discontinuity of s, or where the curve passes through infinity at a pole of the map. The search
+/// ends at two values of θ that differ by the unit roundoff u. At a crossing |s| is at most u^⅓
+/// times the larger of |s(xₙ)| and |s(xₙ₊₁)|, where u^⅓ is 2⁻¹⁷ in `f64` and 2⁻⁸ in `f32`. Rounding
+/// at a zero leaves about u·|x|/|xₙ₊₁ − xₙ| of this larger value. All tests are independent of the
+/// unit of length.
 ///
-/// Cost: s at every step, about fifteen steps per crossing, up to about a hundred per jump.
+/// A step costs an evaluation of s. A crossing costs about fifteen steps, a jump up to about a
+/// hundred.
 ///
 /// ```
 /// use kahan_core::observe::{FirstCrossings, Direction, Section};
@@ -54,7 +56,7 @@ pub struct Section<M: Step, F, S> {
     direction: Direction,
     sink: S,
     jumps: u64,
-    /// The latest point; `step` is its step number and `height` its value of s.
+    /// The latest point. `step` is its step number, and `height` is the value of s at this point.
     place: M::State,
     step: u64,
     height: f64,
@@ -65,31 +67,31 @@ pub struct Section<M: Step, F, S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SectionReport<R> {
-    /// The report of the [`CrossingReceiver`] that took the crossings.
+    /// The report of the [`CrossingReceiver`] that received the crossings.
     pub points: R,
-    /// The number of sign changes in the observed directions that are not crossings.
+    /// The number of sign changes in the observed directions that are jumps and not crossings.
     pub jumps: u64,
 }
 
-/// The directions of the observed sign changes.
+/// The directions in which sign changes are observed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Direction {
-    /// From negative to positive s.
+    /// The function s changes from negative to positive.
     #[default]
     Rising,
-    /// From positive to negative s.
+    /// The function s changes from positive to negative.
     Falling,
-    /// Both directions.
+    /// Sign changes in both directions are observed.
     Both,
 }
 
 impl Direction {
-    /// All directions.
+    /// All values of this type.
     pub const ALL: [Self; 3] = [Self::Rising, Self::Falling, Self::Both];
 
-    /// Returns the name: `rising`, `falling` or `both`.
+    /// Returns the name of the direction: `rising`, `falling` or `both`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -108,13 +110,13 @@ pub struct Crossing<P, T> {
     pub step: u64,
     /// The fraction θ of the step from xₙ, 0 < θ ≤ 1.
     pub part: T,
-    /// The time since x₀, 2ε(n + θ).
+    /// The time 2ε(n + θ) since x₀.
     pub time: T,
-    /// The point φ_{θε}(xₙ).
+    /// The point φ_{θε}(xₙ), where φ_ε is the map.
     pub point: P,
 }
 
-/// A receiver of crossings: a closure, or [`FirstCrossings`].
+/// A receiver of crossings, which is a closure or a [`FirstCrossings`].
 pub trait CrossingReceiver<C> {
     /// The type of the report.
     type Report;
@@ -122,17 +124,17 @@ pub trait CrossingReceiver<C> {
     /// Receives the next crossing.
     fn take(&mut self, crossing: C);
 
-    /// Returns whether the sink needs no further crossings, so that the run may end.
+    /// Returns whether the receiver needs no further crossings. The run may then end.
     #[inline(always)]
     fn is_full(&self) -> bool {
         false
     }
 
-    /// Returns the report on the crossings.
+    /// Returns the report on the received crossings.
     fn report(self) -> Self::Report;
 }
 
-/// Calls the closure with every crossing; reports nothing.
+/// Calls the closure with every crossing, and reports nothing.
 impl<C, F: FnMut(C)> CrossingReceiver<C> for F {
     type Report = ();
 
@@ -143,7 +145,7 @@ impl<C, F: FnMut(C)> CrossingReceiver<C> for F {
     fn report(self) {}
 }
 
-/// A sink that stores the first crossings, in memory allocated at the start.
+/// A receiver that stores the first crossings, in memory allocated at the start.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug)]
 pub struct FirstCrossings<C> {
@@ -156,15 +158,15 @@ pub struct FirstCrossings<C> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StoredCrossings<C> {
-    /// The first crossings, up to the capacity.
+    /// The first crossings, at most as many as the capacity.
     pub kept: Vec<C>,
-    /// The total number of crossings.
+    /// The total number of crossings, including those that are not stored.
     pub all: u64,
 }
 
 #[cfg(feature = "std")]
 impl<C> FirstCrossings<C> {
-    /// Creates a sink that stores the first `capacity` crossings and counts all.
+    /// Creates a receiver that stores the first `capacity` crossings and counts all crossings.
     pub fn new(capacity: usize) -> Self {
         Self { found: StoredCrossings { kept: Vec::with_capacity(capacity), all: 0 }, capacity }
     }
@@ -197,7 +199,7 @@ where
     T: FloatScalar,
     S: CrossingReceiver<Crossing<PointOf<M>, T>>,
 {
-    /// Creates an observer that gives each crossing of `level` = 0, by orbits of `map`, to `sink`.
+    /// Creates an observer that passes each crossing with `level` = 0 by orbits of `map` to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
         Self {
@@ -213,13 +215,14 @@ where
         }
     }
 
-    /// Forgets the latest point. The caller may then skip points while s is known to keep its sign.
+    /// Forgets the latest point. The caller may then skip points at which s is known to keep its
+    /// sign.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
     }
 
-    /// Returns the crossing between the latest point and x, with s(x) = `end`; `None` for a jump.
+    /// Returns the crossing between the latest point and x, `None` for a jump. `end` is s(x).
     #[cold]
     #[inline(never)]
     fn crossing(&mut self, x: &[T], end: T) -> Option<Crossing<PointOf<M>, T>> {
@@ -238,7 +241,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // θ = 0 belongs to the previous step.
+        // The argument θ = 0 belongs to the previous step.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -250,8 +253,9 @@ where
     }
 }
 
-/// Returns whether a point of the curve is infinite or near a pole of the curve: in some variable
-/// much larger than both ends, and far from the adjacent point `beside`.
+/// Returns whether a point of the curve is infinite or near a pole of the curve. Near a pole, some
+/// variable is much larger than at both ends, and far from its value at the adjacent point
+/// `beside`.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -277,7 +281,7 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if rises || falls {
-            // Points of non-consecutive steps have infinity between them.
+            // If the steps are not consecutive, the points have infinity between them.
             let crossing = if step == self.step + 1 { self.crossing(x, end) } else { None };
             match crossing {
                 Some(crossing) => self.sink.take(crossing),
@@ -285,7 +289,8 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // The numbers stored after the point may be old, because a fraction of a step ignores them.
+        // The numbers after the point may be old, because a fraction of a step ignores these
+        // numbers.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 
@@ -299,11 +304,12 @@ where
     }
 }
 
-/// Returns the first crossing with `level` = 0 of the orbit from `start`, within `steps` steps;
-/// `None` if none occurs. A start on the section and jumps of `level` do not count.
+/// Returns the first crossing with `level` = 0 of the orbit from `start`, within `steps` steps.
+/// Returns `None` if there is no crossing. A start on the section and jumps of `level` do not
+/// count.
 ///
-/// `map` is a prepared map, a chain, a map read at run time, or a reference to one; states of `&dyn
-/// Step` are `Vec`s. The crossing is refined like those of a [`Section`].
+/// `map` is a prepared map, a chain, a map read at run time, or a reference to one of these. The
+/// states of a `&dyn Step` are `Vec`s. The crossing is refined as in a [`Section`].
 ///
 /// ```
 /// use kahan_core::observe::first_crossing;

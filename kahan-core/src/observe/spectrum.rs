@@ -13,14 +13,14 @@ use super::{Exponent, Observer, TangentMap};
 
 /// An observer of the k largest Lyapunov exponents, per unit of time, in descending order.
 ///
-/// Propagates tangent vectors v₁, …, vₖ, and every m steps makes each orthogonal to those before it
-/// (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980)
-/// 9). The growth rate of the orthogonal component of vⱼ tends to the j-th largest exponent. Short
-/// runs may give another order, so the report sorts the rates. With as many vectors as variables,
-/// the vectors start along the axes, and the exponents sum to [`MeanLogDet`](super::MeanLogDet) up
-/// to rounding. Vectors are scaled by powers of two only.
+/// The observer propagates tangent vectors v₁, …, vₖ. Every m steps it makes each vector orthogonal
+/// to the vectors before it (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M.
+/// Strelcyn, Meccanica 15 (1980) 9). The growth rate of the orthogonal component of vⱼ tends to the
+/// j-th largest exponent. Short runs may give another order; therefore the report sorts the rates.
+/// With as many vectors as variables, the vectors start along the axes. The exponents then sum to
+/// [`MeanLogDet`](super::MeanLogDet), up to rounding. Vectors are scaled by powers of two only.
 ///
-/// Cost: k tangent vectors per step, and about k² inner products every m steps.
+/// A step costs k tangent vectors, and every m-th step about k² inner products.
 #[derive(Clone, Debug)]
 pub struct Spectrum<M: TangentMap> {
     map: M,
@@ -35,25 +35,27 @@ pub struct Spectrum<M: TangentMap> {
 #[derive(Clone, Debug)]
 struct GrowingVector<P> {
     vector: P,
-    /// The squared length after the last orthogonalisation.
+    /// The squared length of the vector after the last orthogonalisation.
     squared: f64,
-    /// The squared growth up to the last orthogonalisation.
+    /// The factor by which the squared length has grown up to the last orthogonalisation.
     growth: Size,
     doublings: Doublings,
 }
 
 impl<M: TangentMap> Spectrum<M> {
-    /// Creates an observer of the `k` largest exponents of a prepared map or a reference to one.
+    /// Creates an observer of the `k` largest exponents of a prepared map, or of a reference to
+    /// one.
     ///
-    /// Vectors are orthogonalised every `every` steps. This must be often enough that no vector
-    /// outgrows another beyond the precision of the scalar.
+    /// Vectors are orthogonalised every `every` steps. Between two orthogonalisations, no vector
+    /// may outgrow another by more than the precision of the scalar.
     ///
     /// # Panics
     /// If there are fewer variables than `k`, or `every` is 0.
     pub fn new(map: M, k: usize, every: u64) -> Self {
         let variables = map.dimension();
         assert!(k <= variables && every > 0, "{k} exponents in {variables} variables, every {every} steps");
-        // Fewer vectors than variables must avoid invariant subspaces, often coordinate planes.
+        // If there are fewer vectors than variables, vectors must avoid invariant subspaces, which
+        // often are coordinate planes.
         let off_axis = if k < variables { 1 } else { 0 };
         let entry = |j: usize, i: usize| {
             let skew = Constant::ratio(off_axis * ((29 * i + 17 * j + 5) % 32) as i64, 64);
@@ -110,7 +112,7 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
     }
 }
 
-/// Makes each vector orthogonal to those before it (Gram–Schmidt), and records its growth.
+/// Makes each vector orthogonal to the vectors before it (Gram–Schmidt), and records its growth.
 fn make_orthogonal<P, T>(directions: &mut [GrowingVector<P>])
 where
     P: StateVector<T>,

@@ -1,7 +1,7 @@
 //! Maps that propagate tangent vectors, and the map of a point with its tangent vectors.
 //!
-//! In: a map at its ε, a point, and tangent vectors there. Out: the vectors at the next point. The
-//! number of variables may be known only at run time.
+//! In: a map at its ε, a point, and tangent vectors at this point. Out: the vectors at the next
+//! point. The number of variables may be known only at run time.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -23,35 +23,37 @@ use crate::{ExtendScalars, FloatScalar, KahanAt, Scalar, Step};
 #[cfg(feature = "std")]
 use super::{Grouped, SideBySide, lanes::ByOneMap};
 
-/// A map with its tangent map v ↦ J(x)·v, J = ∂x̃/∂x.
+/// A map that also propagates tangent vectors, v ↦ J(x)·v with J = ∂x̃/∂x.
 ///
-/// Prepared maps, their compositions, maps read at run time, and references implement it.
+/// Prepared maps, their compositions, maps read at run time, and references implement this trait.
 ///
 /// # Panics
-/// The methods panic if a slice's length is not the number of variables.
+/// The methods panic if the length of a slice is not the number of variables.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` carries no tangent vectors along",
     label = "not a prepared map of `kahan!`, a composition of one, or a map that is read at run time",
     note = "observers of derivatives take the map itself, `Lyapunov::new(&map)`, as it is without rounding errors or vectors beside its points; chains carry none"
 )]
 pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
-    /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
+    /// Replaces the tangent vector `v` at the point `x` by J(x)·v, where J is the derivative of a
+    /// step.
     fn push_forward(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// Like [`push_forward`](Self::push_forward), with known x̃, which halves the work.
+    /// Replaces `v` by J(x)·v as [`push_forward`](Self::push_forward) does. `_next` is the next
+    /// state, which halves the work.
     #[inline(always)]
     fn push_forward_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
         self.push_forward(x, v);
     }
 
-    /// Returns det J(x).
+    /// Returns det J(x), where J is the derivative of a step.
     fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
 
-    /// Propagates the vectors of a group of trajectories along their points, each by its own map,
-    /// and writes the squared lengths after each step if `work` has room for them.
+    /// Propagates the vectors of a group of trajectories along their points, each by its own map.
+    /// If `work` has room for squared lengths, these are written after each step.
     ///
-    /// Returns the number of steps taken, which is smaller if a squared length leaves the moderate
-    /// range; `None` for different maps and steps without lanes. Bits are those of
+    /// Returns the number of steps taken, which is smaller if a vector needs scaling. Returns
+    /// `None` if the maps differ or their steps have no lanes. The bits are those of
     /// [`push_forward_to`](Self::push_forward_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
@@ -94,7 +96,8 @@ impl<M: TangentMap> TangentMap for &M {
     }
 }
 
-// One implementation per map, because one for all `Staged<T, N>` would leave N undetermined.
+// Each map has its own implementation, because one for all `Staged<T, N>` would leave N
+// undetermined.
 macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map
@@ -138,7 +141,8 @@ macro_rules! implement_for_stages {
             where
                 T: EnsembleScalar,
             {
-                // Lanes share one set of constants, so all trajectories must share one map.
+                // Lanes share one set of constants, and therefore all trajectories must share one
+                // map.
                 let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
                 let has_lanes = <<M as KahanMap<T, N>>::Prepared as PreparedStep<_, N>>::HAS_LANES;
                 let level = work.level;
@@ -162,9 +166,8 @@ fn point<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
 }
 
 /// A map on points with tangent vectors; see [`KahanAt::tangent`].
-///
-/// States have (1 + k)·n numbers: a point, then k vectors, which are neither scaled nor
-/// orthogonalised. A [part](Step::part) of a step moves only the point.
+/// A state has (1 + k)·n numbers: a point of n numbers, then k vectors. The vectors are neither
+/// scaled nor orthogonalised. A [part](Step::part) of a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -202,7 +205,7 @@ where
     M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    /// Returns the map on points with one tangent vector: v ↦ J(x)·v with J = ∂x̃/∂x.
+    /// Returns the map on points with one tangent vector v, which becomes J(x)·v with J = ∂x̃/∂x.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -229,13 +232,14 @@ where
     M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    /// Returns J(x)·v; `None` at a pole of an exact scalar.
+    /// Returns J(x)·v with J = ∂x̃/∂x, or `None` at a pole of an exact scalar.
     #[inline(always)]
     pub fn push_forward(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
         push_forward([(&self.map.map, &self.map.eps)].into_iter(), x, v)
     }
 
-    /// Like [`push_forward`](Self::push_forward), with known x̃, which halves the work.
+    /// Returns J(x)·v as [`push_forward`](Self::push_forward) does. The known next state halves the
+    /// work.
     #[inline(always)]
     pub fn push_forward_to(
         &self,

@@ -22,7 +22,7 @@ use super::Observer;
 pub struct Visit<F>(F);
 
 impl<F> Visit<F> {
-    /// Calls `visit` with every step and point.
+    /// Creates an observer that calls `visit` with every step and point.
     pub fn by<T>(visit: F) -> Self
     where
         F: FnMut(u64, &[T]),

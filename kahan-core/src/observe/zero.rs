@@ -1,8 +1,8 @@
-//! Search for a sign change of a function, which may be a zero or a jump.
+//! Searches for a sign change of a function, which may be a zero or a jump.
 //!
 //! In: a function on 0 ≤ θ ≤ 1 with opposite signs at the ends. Out: two arguments on both sides of
 //! the sign change, as close as the precision of θ allows. The function may have poles, jumps and
-//! NaNs: the search then ends in the normal way, and [`is_zero`] distinguishes the cases.
+//! NaNs. The search then ends normally, and [`is_zero`] tells zeros from jumps.
 
 use crate::{Constant, FloatScalar};
 
@@ -12,12 +12,13 @@ pub(super) struct ZeroBracket<T> {
     pub height: T,
 }
 
-/// Returns u^⅓ for the unit roundoff u: 2⁻¹⁷ for `f64`, 2⁻⁸ for `f32`. A value beside the sign
-/// change counts as small up to this fraction of the larger end value.
+/// Returns u^⅓ for the unit roundoff u, which is 2⁻¹⁷ for `f64` and 2⁻⁸ for `f32`. A value beside
+/// the sign change counts as small if it is at most this fraction of the larger end value.
 ///
-/// Adjacent arguments differ by about u. Near a zero, rounding errors are about u·|x|/|x̃ − x| of
-/// the change from end to end, for a step from x to x̃. They stay below u^⅓ if the step moves the
-/// point by more than u^⅔ of its size. At a jump or a pole the values remain large.
+/// Adjacent arguments differ by about u. Let a step go from x to x̃. Near a zero, the rounding
+/// errors are about u·|x|/|x̃ − x| of the change from end to end. These errors stay below u^⅓ if
+/// the step moves the point by more than u^⅔ of its size. At a jump or a pole the values remain
+/// large.
 pub(super) fn small<T: FloatScalar>() -> f64 {
     libm::exp2(-f64::from(T::SHORT_BITS))
 }
@@ -26,18 +27,19 @@ const fn digits<T: FloatScalar>() -> u32 {
     3 * T::SHORT_BITS
 }
 
-/// Returns whether the function is small at both places, relative to its finite end values.
+/// Returns whether the values at both arguments are small, relative to the finite values at the
+/// ends.
 pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2]) -> bool {
     let sizes = ends.map(|height| height.approximate().abs()).into_iter().filter(|size| size.is_finite());
     let most = small::<T>() * sizes.fold(0.0, f64::max);
     places.iter().all(|place| place.height.approximate().abs() <= most)
 }
 
-/// Returns two places with the sign change between them, or a zero and a place beside it.
+/// Returns two arguments with the sign change between them, or a zero and an argument beside it.
 ///
-/// The Illinois method: secants, with the value at a retained end halved in the next secant. Steps
-/// keep a least distance from both places. Bisection replaces the secant after two secants that did
-/// not halve the interval, and after a value beyond both ends.
+/// The search uses the Illinois method. It takes secants; the value at a retained end is halved in
+/// the next secant. Each new argument keeps a least distance from both ends. After two secants that
+/// did not halve the interval, and after a value beyond both ends, bisection replaces the secant.
 pub(super) fn narrow<T: FloatScalar>(
     [start, end]: [T; 2],
     mut level: impl FnMut(T) -> T,
@@ -47,7 +49,7 @@ pub(super) fn narrow<T: FloatScalar>(
     let mut last = ZeroBracket { part: T::one(), height: end };
     let mut other = ZeroBracket { part: T::zero(), height: start };
     let (mut weighted, mut slow) = (start, 0);
-    // Two secants and a bisection halve the interval.
+    // Three evaluations, two secants and a bisection, halve the interval.
     for _ in 0..3 * digits::<T>() {
         let gap = other.part - last.part;
         let share = if gap.approximate() < 0.0 { -least / gap } else { least / gap };
@@ -68,7 +70,8 @@ pub(super) fn narrow<T: FloatScalar>(
             at if at > 0.0 && at < 1.0 => secant,
             _ => half,
         };
-        // The function may lack a value at an isolated argument, so try others.
+        // The function may be undefined at an isolated argument; therefore other arguments are
+        // tried.
         let ratios = [ratio, half, half * half, half + half * half];
         let mut places = ratios.into_iter().map(|ratio| {
             let part = last.part + ratio * gap;

@@ -1,8 +1,8 @@
 //! Exact rational literals as data.
 //!
 //! In: the numbers of a field, written by the macro or read at run time. Out: the exact ratio, or
-//! the nearest `f32`, `f64` or double-double. Each is rounded once: small ratios by a correctly
-//! rounded division, long ones in advance by the writer of the data.
+//! the nearest `f32`, `f64` or double-double. Each result is rounded once. Small ratios are rounded
+//! by a division, and long ratios in advance by the writer of the data.
 
 use super::wide::Digits;
 
@@ -13,7 +13,8 @@ pub struct Constant<'a>(ConstantForm<'a>);
 #[derive(Clone, Copy, Debug)]
 enum ConstantForm<'a> {
     Integer(i64),
-    /// Both are at most 2²⁴, so exact in `f32`: a single division rounds correctly to any float.
+    /// Numerator and denominator are at most 2²⁴ and exact in `f32`. A single division then rounds
+    /// correctly to any float.
     Ratio(i64, i64),
     Long(LongRatio<'a>),
 }
@@ -28,20 +29,20 @@ struct LongRatio<'a> {
     low: f64,
 }
 
-/// The largest numerator and denominator of [`Constant::ratio`].
+/// The largest numerator and the largest denominator of [`Constant::ratio`].
 const RATIO_LIMIT: u64 = 1 << 24;
 
 impl<'a> Constant<'a> {
-    /// Creates the integer n.
+    /// Creates the integer n as a constant.
     #[inline(always)]
     pub const fn integer(n: i64) -> Self {
         Self(ConstantForm::Integer(n))
     }
 
-    /// Creates p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
+    /// Creates the ratio p/q for |p| ≤ 2²⁴ and 1 ≤ q ≤ 2²⁴.
     ///
     /// # Panics
-    /// Outside that range, at compile time in a constant.
+    /// If p or q is outside of that range. In a constant, the panic occurs at compile time.
     #[inline(always)]
     pub const fn ratio(p: i64, q: i64) -> Self {
         assert!(
@@ -51,10 +52,11 @@ impl<'a> Constant<'a> {
         Self(ConstantForm::Ratio(p, q))
     }
 
-    /// Creates ±numerator/denominator from little-endian 64-bit limbs, together with its roundings.
+    /// Creates ±numerator/denominator from little-endian 64-bit limbs, together with the rounded
+    /// values.
     ///
     /// `single` and `double` are the nearest floats, and `low` is the `f64` nearest to the
-    /// remainder; all three have the sign of the number. The denominator must be nonzero.
+    /// remainder. All three must have the sign of the number. The denominator must be nonzero.
     #[inline(always)]
     pub const fn exact(
         negative: bool,
@@ -73,7 +75,7 @@ impl<'a> Constant<'a> {
         matches!(self.0, ConstantForm::Integer(n) if n.unsigned_abs() <= 1 << 53)
     }
 
-    /// Returns the nearest `f32`.
+    /// Returns the `f32` nearest to the number.
     #[inline(always)]
     pub const fn to_f32(&self) -> f32 {
         match self.0 {
@@ -83,7 +85,7 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns the nearest `f64`.
+    /// Returns the `f64` nearest to the number.
     #[inline(always)]
     pub const fn to_f64(&self) -> f64 {
         match self.0 {
@@ -93,12 +95,14 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns (high, low): the nearest `f64`, and the `f64` nearest to the remainder.
+    /// Returns (high, low). `high` is the nearest `f64`, and `low` is the `f64` nearest to the
+    /// remainder.
     #[inline(always)]
     pub const fn to_double_double(&self) -> (f64, f64) {
         let high = self.to_f64();
         let low = match self.0 {
-            // Both integers are below 2⁶⁵ in absolute value, and their difference fits an f64.
+            // Both integers are below 2⁶⁵ in absolute value, and an `f64` represents their
+            // difference.
             ConstantForm::Integer(n) => (n as i128 - high as i128) as f64,
             ConstantForm::Ratio(p, q) => remainder(p as f64, q as f64, high) / q as f64,
             ConstantForm::Long(long) => long.low,
@@ -106,7 +110,7 @@ impl<'a> Constant<'a> {
         (high, low)
     }
 
-    /// Returns the number, exact unless numerator or denominator has too many digits.
+    /// Returns the number, which is exact unless numerator or denominator has too many digits.
     pub(crate) fn to_digits<const D: usize, const M: usize>(self) -> Digits<D, M> {
         match self.0 {
             ConstantForm::Integer(n) => Digits::from(n),
@@ -115,7 +119,7 @@ impl<'a> Constant<'a> {
         }
     }
 
-    /// Returns the exact number.
+    /// Returns the number as an exact rational.
     #[cfg(feature = "exact")]
     pub fn to_ratio(&self) -> num_rational::BigRational {
         use num_bigint::{BigInt, Sign};
@@ -133,10 +137,10 @@ impl<'a> Constant<'a> {
     }
 }
 
-/// Returns p − q·quotient exactly, for |p|, q ≤ 2²⁴ and the float `quotient` nearest to p/q.
+/// Returns p − q·quotient exactly. `quotient` is the float nearest to p/q, and |p|, q ≤ 2²⁴.
 ///
-/// `core` lacks a fused multiply-add, so the quotient is split into 24 leading bits and at most 29
-/// others, whose products with q are exact. The remainder is a float.
+/// `core` lacks a fused multiply-add. Therefore the quotient is split into 24 leading bits and at
+/// most 29 other bits, whose products with q are exact. The remainder is a float.
 const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     let leading = quotient as f32 as f64;
     let rest = quotient - leading;

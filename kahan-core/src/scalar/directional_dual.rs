@@ -1,7 +1,7 @@
-//! Dual numbers v + s·d, d² = 0, with one derivative, which know whether they are constant.
+//! Dual numbers v + s·d with d² = 0 and one derivative s, which know whether they are constant.
 //!
 //! In: the closed form of a step. Out: its value and its derivative along one direction. Constants
-//! have no slope, so nothing is multiplied by 0, which compilers see in an inlined step.
+//! have no slope; therefore nothing is multiplied by 0, and compilers see this in an inlined step.
 
 use num_traits::{One, Zero};
 
@@ -21,7 +21,8 @@ impl<T: Scalar> DirectionalDual<T> {
         Self { value, slope: None }
     }
 
-    /// Creates a number that compilers do not pack with others, because shuffles would cost more.
+    /// Creates a number that compilers do not pack with other numbers, because shuffles would cost
+    /// more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
@@ -34,7 +35,7 @@ impl<T: Scalar> DirectionalDual<T> {
     }
 }
 
-/// Combines the slopes of two operands; a constant operand has none.
+/// Combines the slopes of two operands. A constant operand has no slope.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],
@@ -62,7 +63,7 @@ fn difference<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> Direct
     DirectionalDual::new(a.value - b.value, slope)
 }
 
-// (uv)′ = u′v + uv′
+// The product rule is (uv)′ = u′v + uv′.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> DirectionalDual<T> {
     let (u, v) = (a.value, b.value);
@@ -71,7 +72,7 @@ fn product<T: Scalar>(a: DirectionalDual<T>, b: DirectionalDual<T>) -> Direction
     DirectionalDual::new(u * v, slope)
 }
 
-// (u/v)′ = (u′ − (u/v)v′)/v, where `over` divides by v.
+// The quotient rule is (u/v)′ = (u′ − (u/v)v′)/v. The function `over` divides by v.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn quotient<T: Scalar>(value: T, slopes: [Option<T>; 2], over: impl Fn(T) -> T) -> DirectionalDual<T> {
     let both = |a, b| over(a - value.clone() * b);
@@ -122,7 +123,7 @@ impl<T: Scalar> Scalar for DirectionalDual<T> {
         Self::from_value(self.value.clone())
     }
 
-    // (1/v)′ = −v′/v². A nonzero number with value 0 has no reciprocal.
+    // The derivative is (1/v)′ = −v′/v². A nonzero number with value 0 has no reciprocal.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
@@ -130,7 +131,7 @@ impl<T: Scalar> Scalar for DirectionalDual<T> {
         Some(Self::new(value, self.slope.clone().map(|slope| factor * slope)))
     }
 
-    // One reciprocal serves value and slope.
+    // One reciprocal serves both value and slope.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;

@@ -1,9 +1,9 @@
-//! Dual numbers v + g·d, d² = 0: a value with its gradient in N directions.
+//! Dual numbers v + g·d with d² = 0: a value v with its gradient g in N directions.
 //!
 //! In: the closed form of a step. Out: its value and exact derivatives. Only rational formulas are
-//! supported: dual numbers have no order and no roots. Operators are always inlined in optimised
-//! builds, so that steps over lanes stay in registers; in other builds they are calls, because
-//! inlining would enlarge stack frames.
+//! supported, because dual numbers have no order and no roots. In optimised builds operators are
+//! always inlined, and steps over lanes stay in registers. In other builds operators are calls,
+//! because inlining would enlarge stack frames.
 
 use core::array::from_fn;
 use core::ops::Neg;
@@ -22,12 +22,13 @@ pub struct Dual<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Dual<T, N> {
-    /// Creates a constant, with gradient 0.
+    /// Creates a constant, whose gradient is 0.
     pub fn from_value(value: T) -> Self {
         Self { value, gradient: from_fn(|_| T::zero()) }
     }
 
-    /// Creates the coordinate of direction `i`, with derivative 1 along `i` and 0 along the others.
+    /// Creates the coordinate of direction `i`. Its derivative is 1 along `i` and 0 along the other
+    /// directions.
     pub fn coordinate(value: T, i: usize) -> Self {
         Self { value, gradient: from_fn(|j| if i == j { T::one() } else { T::zero() }) }
     }
@@ -39,7 +40,8 @@ impl<const N: usize> From<f64> for Dual<f64, N> {
     }
 }
 
-/// Replaces each entry of a gradient by an expression in it, and in the entry of another gradient.
+/// Replaces each entry of a gradient by an expression. The expression contains the entry, and the
+/// entry of another gradient.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {
         for $own in &mut $dual.gradient {
@@ -65,7 +67,7 @@ fn difference<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Du
     Dual { value: a.value - b.value, gradient: a.gradient }
 }
 
-// (uv)′ = u′v + uv′
+// The product rule is (uv)′ = u′v + uv′.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
     let (u, v) = (a.value, b.value);
@@ -73,7 +75,7 @@ fn product<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<
     Dual { value: u * v, gradient: a.gradient }
 }
 
-// (u/v)′ = (u′ − (u/v)v′)/v
+// The quotient rule is (u/v)′ = (u′ − (u/v)v′)/v.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn ratio<T: Scalar, const N: usize>(mut a: Dual<T, N>, b: Dual<T, N>) -> Dual<T, N> {
     let value = a.value / b.value.clone();
@@ -115,7 +117,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Self::from_value(T::constant(c))
     }
 
-    // (1/v)′ = −v′/v². A nonzero dual number with value 0 has no reciprocal.
+    // The derivative is (1/v)′ = −v′/v². A nonzero dual number with value 0 has no reciprocal.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
@@ -125,7 +127,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Some(result)
     }
 
-    // (u/v)′ = (u′ − (u/v)v′)/v, with one reciprocal for the whole gradient.
+    // The quotient rule (u/v)′ = (u′ − (u/v)v′)/v needs one reciprocal for the whole gradient.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(mut self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;

@@ -1,4 +1,4 @@
-//! Rationals of any size as scalars, with exact results; zero has no reciprocal.
+//! Rationals of any size as scalars, with exact results. Zero has no reciprocal.
 
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};

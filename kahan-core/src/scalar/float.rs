@@ -1,12 +1,12 @@
 //! `f32` and `f64` as scalars.
 //!
-//! Every number has a reciprocal (±∞ at ±0), so nothing branches or panics; results at poles are
-//! infinite or NaN. A multiply-add is two operations, with equal bits on every processor, except in
-//! programs compiled for x86-64 with the target feature `fma`, which fuse it.
+//! Every number has a reciprocal, which is ±∞ at ±0. Therefore nothing branches or panics, and
+//! results at poles are infinite or NaN. A multiply-add is two operations, with equal bits on every
+//! processor. Programs compiled for x86-64 with the target feature `fma` fuse it.
 
 use super::{Constant, Scalar};
 
-/// a·b + c, rounded once; `mul_add` needs the standard library.
+/// Computes a·b + c, rounded once. The method `mul_add` requires the standard library.
 #[cfg(all(feature = "std", target_feature = "fma"))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {
@@ -14,7 +14,7 @@ macro_rules! fused_or_not {
     };
 }
 
-/// a·b + c, rounded twice.
+/// Computes a·b + c, rounded twice.
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 macro_rules! fused_or_not {
     ($a:expr, $b:expr, $c:expr) => {
@@ -35,7 +35,7 @@ macro_rules! implement_for_float {
                 Some(1.0 / *self)
             }
 
-            /// Prefers the larger magnitude, for stability; NaN is never better.
+            /// Prefers the larger magnitude, which is more stable. A NaN is never better.
             #[inline]
             fn is_better_pivot(&self, than: &Self) -> bool {
                 self.abs() > than.abs()

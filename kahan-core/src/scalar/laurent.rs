@@ -1,8 +1,8 @@
-//! Truncated Laurent series in δ: Σ cₖδᵏ from some k, possibly negative, up to O(δᵉ).
+//! Truncated Laurent series in δ: sums Σ cₖδᵏ from some k on, which may be negative, up to O(δᵉ).
 //!
-//! In: a formula at a point shifted by δ. Out: its limit as δ → 0, even if the formula is infinite
-//! or undefined at δ = 0. Known coefficients over an exact scalar are exact. Cancellation shortens
-//! a series, possibly to O(δᵉ) without a known term.
+//! In: a formula at a point shifted by δ. Out: the formula's limit as δ → 0, even if the formula is
+//! infinite or undefined at δ = 0. Known coefficients over an exact scalar are exact. Cancellation
+//! shortens a series, possibly until no term is known.
 
 use core::ops::Neg;
 use std::vec::Vec;
@@ -15,11 +15,12 @@ use super::{Constant, Scalar, operators};
 pub(crate) enum Laurent<T> {
     /// An exact number, without higher powers of δ.
     Number(T),
-    /// Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)); the first term is not 0.
+    /// The series Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)). The first term is
+    /// not 0.
     Series {
-        /// The power of the first term; without terms, the power e in O(δᵉ).
+        /// The power of the first term. Without terms, this is the power e in O(δᵉ).
         start: i64,
-        /// The coefficients from δ^start on.
+        /// The coefficients of δ^start and of the following powers.
         terms: Vec<T>,
     },
 }
@@ -27,13 +28,13 @@ pub(crate) enum Laurent<T> {
 use Laurent::{Number, Series};
 
 impl<T: Scalar> Laurent<T> {
-    /// Returns δ, known to this many terms.
+    /// Returns δ as a series with this many known terms.
     pub(crate) fn delta(terms: usize) -> Self {
         let terms = (0..terms.max(1)).map(|k| if k == 0 { T::one() } else { T::zero() });
         Series { start: 1, terms: terms.collect() }
     }
 
-    /// Returns the lowest power with a known nonzero coefficient; `None` if all are unknown or 0.
+    /// Returns the lowest power with a known nonzero coefficient, or `None` if there is none.
     pub(crate) fn order(&self) -> Option<i64> {
         match self {
             Number(number) => (!number.is_zero()).then_some(0),
@@ -49,7 +50,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Returns the power from which on coefficients are unknown; `None` for a number.
+    /// Returns the power from which on coefficients are unknown, or `None` for a number.
     fn end(&self) -> Option<i64> {
         match self {
             Number(_) => None,
@@ -57,7 +58,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Returns the coefficient of a power of δ; `None` if unknown.
+    /// Returns the coefficient of a power of δ, or `None` if the coefficient is unknown.
     pub(crate) fn coefficient(&self, power: i64) -> Option<T> {
         match self {
             Number(number) => Some(if power == 0 { number.clone() } else { T::zero() }),
@@ -66,7 +67,7 @@ impl<T: Scalar> Laurent<T> {
         }
     }
 
-    /// Creates a series from `start` on, dropping leading zeros.
+    /// Creates a series whose first term has the power `start`, and drops leading zeros.
     fn of(start: i64, mut terms: Vec<T>) -> Self {
         let zeros = terms.iter().take_while(|term| term.is_zero()).count();
         terms.drain(..zeros);
@@ -100,12 +101,12 @@ fn sum<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     }
     let end = a.end().into_iter().chain(b.end()).min().unwrap_or(0);
     let start = a.start().min(b.start()).min(end);
-    // Both series know every power below the end.
+    // In both series, every coefficient below `end` is known.
     let coefficient = |one: &Laurent<T>, power| one.coefficient(power).unwrap_or_else(T::zero);
     Laurent::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
 }
 
-/// Multiplies; the product has as many terms as the shorter factor.
+/// Returns the product, which has as many terms as the shorter factor.
 fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     match (a, b) {
         (Number(number), _) | (_, Number(number)) if number.is_zero() => Number(number),
@@ -118,7 +119,8 @@ fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     }
 }
 
-/// Divides to as many terms as the shorter operand has; the divisor must have a term.
+/// Returns the quotient, which has as many terms as the shorter operand. The divisor must have a
+/// term.
 fn quotient<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
     match (a, b) {
         (series, Number(divisor)) => series.map(|term| term / divisor.clone()),
@@ -173,7 +175,7 @@ impl<T: Scalar> Scalar for Laurent<T> {
         Some(self / divisor)
     }
 
-    /// Prefers the lower order, because division by it loses fewer terms.
+    /// Prefers the lower order, because a division by it loses fewer terms.
     fn is_better_pivot(&self, than: &Self) -> bool {
         match (self.order(), than.order()) {
             (Some(own), Some(other)) => own < other,
@@ -211,7 +213,7 @@ mod tests {
         assert_eq!(b - a.clone(), series(0, &[1]));
         let number = Laurent::Number(BigRational::from_integer(4.into()));
         assert_eq!(a.clone() + number.clone(), series(-2, &[1, 2, 7]));
-        // A series unknown from δ⁰ on absorbs a number.
+        // If a series is unknown from δ⁰ on, adding a number does not change it.
         assert_eq!(series(-3, &[1, 2]) + number.clone(), series(-3, &[1, 2]));
         let nothing = a.clone() - a;
         assert_eq!(nothing, Series { start: 1, terms: vec![] });

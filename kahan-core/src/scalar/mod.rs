@@ -1,8 +1,8 @@
-//! The numbers that a Kahan map computes with.
+//! The numbers with which a Kahan map computes.
 //!
 //! In: a type with + − × ÷ that contains the rationals. Out: one code over floats, exact rationals,
 //! dual numbers and SIMD lanes. [`Scalar`] requires no ordering, square root or conversion. Its
-//! methods share no name with num-traits, so both can be in scope.
+//! methods share no name with num-traits; therefore both traits can be in scope.
 
 pub(crate) mod bounded;
 mod constant;
@@ -42,9 +42,10 @@ pub(crate) use operators::operators;
 pub(crate) use wide::{Capacity, LongNumber, level_row};
 pub(crate) use wide::{Size, Wide};
 
-/// A number that a Kahan map computes with.
+/// A number with which a Kahan map computes.
 ///
-/// Implement the operators and [`constant`](Scalar::constant); the other methods suit exact fields.
+/// Implement the operators and [`constant`](Scalar::constant). The defaults of the other methods
+/// suit exact fields.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",
@@ -71,17 +72,18 @@ pub trait Scalar:
     /// Returns the scalar nearest to an exact rational.
     fn constant(c: &Constant<'_>) -> Self;
 
-    /// Returns 1/self; `None` if the value does not exist and division would panic.
+    /// Returns 1/self, or `None` if the reciprocal does not exist and division would panic.
     ///
-    /// Floats always return a value (1/0 is infinite), so their steps have no branches.
+    /// Floats always return a number, because 1/0 is infinite. Therefore their steps have no
+    /// branches.
     fn reciprocal(&self) -> Option<Self> {
         if self.is_zero() { None } else { Some(Self::one() / self.clone()) }
     }
 
-    /// Returns self/divisor; `None` if the divisor has no [`reciprocal`](Self::reciprocal).
+    /// Returns self/divisor, or `None` if the divisor has no [`reciprocal`](Self::reciprocal).
     #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
-        // If reciprocals always exist, the compiler removes this one.
+        // If reciprocals always exist, the compiler removes this reciprocal.
         divisor.reciprocal()?;
         Some(self / divisor)
     }
@@ -91,32 +93,33 @@ pub trait Scalar:
         than.is_zero() && !self.is_zero()
     }
 
-    /// Returns self·factor + addend, with one rounding if the target can fuse it, otherwise two.
+    /// Returns self·factor + addend, rounded once if the target can fuse both operations, otherwise
+    /// twice.
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
 
-    /// Returns self·factor − subtrahend, rounded like [`multiply_add`](Self::multiply_add).
+    /// Returns self·factor − subtrahend, rounded as [`multiply_add`](Self::multiply_add) rounds.
     #[inline(always)]
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
         self * factor - subtrahend
     }
 
-    /// Returns self − a·b, rounded like [`multiply_add`](Self::multiply_add).
+    /// Returns self − a·b, rounded as [`multiply_add`](Self::multiply_add) rounds.
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
 
-    /// Returns the number as a constant of a prepared step. A number with a derivative along the
-    /// state drops that derivative, because ε and parameters do not depend on the state.
+    /// Returns the number as a constant of a prepared step. If the number has a derivative along
+    /// the state, the derivative is dropped, because ε and parameters do not depend on the state.
     #[inline(always)]
     fn prepared(&self) -> Self {
         self.clone()
     }
 
-    /// Returns a nearby `f64` for reports, never for computing; NaN by default.
+    /// Returns a nearby `f64` for reports, never for computing. The default is NaN.
     fn approximate(&self) -> f64 {
         f64::NAN
     }

@@ -1,7 +1,7 @@
-//! Macros that implement arithmetic operators from functions.
+//! Macros that implement the arithmetic operators of a type from functions.
 
-/// Implements + − × ÷ and their assignments, each operator from a function of two numbers. The
-/// generic parameters of the type stand in brackets.
+/// Implements + − × ÷ and the assignment operators, each operator from a function of two numbers.
+/// The generic parameters of the type stand in brackets.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! operators {

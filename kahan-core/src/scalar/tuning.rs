@@ -1,27 +1,30 @@
-//! Tuning for compilers and processors: steps divided by ε, and fences against auto-vectorisation.
+//! Tuning for compilers and processors: division of steps by ε, and protection against
+//! auto-vectorisation.
 //!
-//! Results stay equal. Optimised programs contain no type tests: types are known at compile time.
+//! Tuning does not change results. Types are known at compile time; therefore optimised programs do
+//! not test types.
 
 use core::any::{Any, TypeId};
 
 use super::Scalar;
 use super::bounded::{Bounded, PackedDouble, PackedSingle};
 
-/// Steps over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ for this k, which keeps powers of ε in range.
+/// The exponent k for `f32`. Steps may divide by ε from 2⁻ᵏ to 2ᵏ, which keeps powers of ε in
+/// range.
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
-/// The limit of ε for `f64`, like [`BITS_OF_SINGLE_STEPS`].
+/// The exponent k for `f64`, analogous to [`BITS_OF_SINGLE_STEPS`].
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Plain `f64` steps may divide by ε down to 2 to the power minus this. Fractions of a step and
+/// The exponent j for plain `f64` steps, which may divide by ε down to 2⁻ʲ. Fractions of a step and
 /// stages of a composition then use the form of the whole step.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 #[inline(always)]
 pub(crate) fn is<T: 'static, U: 'static>() -> bool {
-    // Compares sizes first, because comparing types in every step is slow without optimisation.
+    // Sizes are compared first, because comparing types in every step is slow without optimisation.
     size_of::<T>() == size_of::<U>() && TypeId::of::<T>() == TypeId::of::<U>()
 }
 
-/// Casts a number of type T to U, which must be T.
+/// Casts a number of type T to U, which must be the type T.
 ///
 /// # Panics
 /// If T is another type.
@@ -38,7 +41,7 @@ pub(crate) fn is_float<T: 'static>() -> bool {
     is::<T, f32>() || is::<T, f64>()
 }
 
-/// Returns j and k if steps over T may divide by ε from 2⁻ʲ to 2ᵏ; `None` if they never may.
+/// Returns j and k if steps over T may divide by ε from 2⁻ʲ to 2ᵏ, or `None` if they never may.
 #[inline(always)]
 fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     if is::<T, f64>() {
@@ -52,13 +55,13 @@ fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
     }
 }
 
-/// Returns whether steps over T are divided by ε if their plan has that form.
+/// Returns whether steps over T are divided by ε, if the step has a form divided by ε.
 #[inline(always)]
 pub(crate) fn divides_by_eps<T: 'static>() -> bool {
     bits_of_steps::<T>().is_some()
 }
 
-/// Returns whether a step at this ε may be divided by it.
+/// Returns whether a step at this ε may be divided by ε.
 #[inline(always)]
 pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     bits_of_steps::<T>().is_some_and(|bits| {
@@ -67,10 +70,11 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// Returns the number after fencing it, or a bounded value's magnitude, in a register.
+/// Returns the number after an empty assembler statement that keeps it in a register. For a bounded
+/// value, the statement concerns the magnitude.
 ///
-/// Compilers pack adjacent scalars into vectors. If one scalar is late, the others wait for it, and
-/// the shuffles cost more than the saved operations.
+/// Compilers pack adjacent scalars into vectors. If one scalar is late, the other scalars wait for
+/// it. The shuffles also cost more than the saved operations.
 #[inline(always)]
 pub fn fenced<T: 'static>(mut number: T) -> T {
     let _ = change(&mut number, |single: &mut f32| *single = fence::single(*single))
@@ -80,17 +84,18 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃. It is fenced in `f32`, which has more lanes than components, and
-/// after `several` successive reciprocals, when one component is on an orbit's critical path.
+/// Returns a component of x̃, possibly [`fenced`]. In `f32` it is fenced, because registers have
+/// more lanes than x̃ has components. It is also fenced after `several` successive reciprocals,
+/// where one component is on an orbit's critical path.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }
 }
 
-/// Applies `change` if the number is a U; returns whether it is.
+/// Applies `change` if the number has the type U, and returns whether it has.
 #[inline(always)]
 fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -> bool {
-    // Compares types first, so that unreachable calls of `downcast_mut` need no inlining.
+    // Types are compared first; therefore unreachable calls of `downcast_mut` need no inlining.
     if is::<T, U>()
         && let Some(number) = (number as &mut dyn Any).downcast_mut()
     {
@@ -100,7 +105,7 @@ fn change<T: 'static, U: 'static>(number: &mut T, change: impl FnOnce(&mut U)) -
     false
 }
 
-/// An empty assembler statement, which prevents packing across it.
+/// An empty assembler statement, across which compilers do not pack numbers.
 #[cfg(all(target_arch = "x86_64", not(miri)))]
 #[allow(unsafe_code, reason = "nothing else keeps a compiler from packing scalars, and costs no instruction")]
 mod fence {

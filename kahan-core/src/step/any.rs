@@ -1,7 +1,8 @@
 //! The common interface of all maps at their ε.
 //!
 //! In: a state as a slice. Out: the state after some steps, in place. A function over [`Step`]
-//! accepts compiled maps, maps read at run time, chains and compositions, as type or `&dyn Step`.
+//! accepts compiled maps, maps read at run time, chains and compositions, as a type or as `&dyn
+//! Step`.
 
 #[cfg(feature = "std")]
 use std::any::Any;
@@ -37,8 +38,9 @@ use crate::{Scalar, SingularStep};
 /// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) accept
 /// any map. Chains cannot be composed, and have neither compensation nor tangent vectors.
 ///
-/// The bits are those of the map's own methods; a state of another length panics. A chain has its
-/// own method `advance`, so write `Step::advance(&chain, …)` for the method of this trait.
+/// Results have the bits of the map's own methods. A state of another length panics. A chain has
+/// its own method `advance`; therefore write `Step::advance(&chain, …)` for the method of this
+/// trait.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -75,12 +77,12 @@ pub trait Step {
     /// The type of the numbers in a state.
     type Scalar: Scalar;
 
-    /// The type of states: an array if the number of variables is known at compile time.
+    /// The type of states. It is an array if the number of variables is known at compile time.
     type State: StateVector<Self::Scalar>
     where
         Self: Sized;
 
-    /// Returns the length of a state.
+    /// Returns the number of entries in a state.
     fn dimension(&self) -> usize;
 
     /// Returns ε, half the time step.
@@ -88,44 +90,47 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps.
     ///
-    /// Each call creates a workspace; [`advance`](Self::advance) reuses one.
+    /// Each call creates a workspace. [`advance`](Self::advance) can reuse a workspace.
     ///
     /// # Errors
     /// # Panics
-    /// Those of [`advance`](Self::advance).
+    /// Returns and panics as [`advance`](Self::advance) does.
     fn run(&self, x: &mut [Self::Scalar], steps: u64) -> Result<(), Stopped> {
         self.advance(x, steps, &mut Workspace::new())
     }
 
     /// Replaces `x` by the state after one step at another ε.
     ///
-    /// Each call creates a workspace; [`part`](Self::part) reuses one.
+    /// Each call creates a workspace. [`part`](Self::part) can reuse a workspace.
     ///
     /// # Errors
     /// # Panics
-    /// Those of [`advance`](Self::advance).
+    /// Returns and panics as [`advance`](Self::advance) does.
     fn run_part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar]) -> Result<(), Stopped> {
         self.part(eps, x, &mut Workspace::new())
     }
 
     /// Replaces `x` by the state after `steps` steps, using `workspace` as scratch memory.
     ///
-    /// Steps do not allocate. A call may allocate once, for a chain or a wrapped map on vectors.
+    /// Steps do not allocate. A call may allocate once, for a chain or for a wrapped map on
+    /// vectors.
     ///
     /// # Errors
-    /// [`Stopped`] at a pole of an exact scalar, with the pole in `x`. Floats continue at poles.
+    /// Returns [`Stopped`] at a pole of an exact scalar, and leaves the pole in `x`. Floats
+    /// continue at poles.
     ///
     /// # Panics
     /// If the length of `x` is not [`dimension`](Self::dimension).
     fn advance(&self, x: &mut [Self::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped>;
 
-    /// Replaces `x` by the state after one step at another ε, which is prepared anew.
+    /// Replaces `x` by the state after one step at another ε, for which the step is prepared anew.
     ///
-    /// The curve θ ↦ φ_{θε}(x), 0 ≤ θ ≤ 1, joins x to x̃ and is as close to the flow as a step is.
+    /// For 0 ≤ θ ≤ 1, the curve θ ↦ φ_{θε}(x) joins x to x̃, where φ_ε is the map. Its points are
+    /// as close to the flow as a step is.
     ///
     /// # Errors
     /// # Panics
-    /// Those of [`advance`](Self::advance).
+    /// Returns and panics as [`advance`](Self::advance) does.
     fn part(
         &self,
         eps: &Self::Scalar,
@@ -133,7 +138,7 @@ pub trait Step {
         workspace: &mut Workspace,
     ) -> Result<(), Stopped>;
 
-    /// Returns the state at a point; numbers stored beside the point are 0.
+    /// Returns the state at a point. Numbers that the state stores beside the point are 0.
     ///
     /// # Panics
     /// If `point` is longer than a state.
@@ -146,7 +151,7 @@ pub trait Step {
         state
     }
 
-    /// Returns x̃; `None` at a pole of an exact scalar.
+    /// Returns the next state x̃, or `None` at a pole of an exact scalar.
     #[inline]
     fn next(&self, x: &Self::State, workspace: &mut Workspace) -> Option<Self::State>
     where
@@ -158,10 +163,10 @@ pub trait Step {
     }
 }
 
-/// The points of a map's orbits: states without the numbers stored beside the point.
+/// The points of a map's orbits: states without the numbers that are stored beside the point.
 pub type PointOf<S> = <<S as Step>::State as StateVector<<S as Step>::Scalar>>::Point;
 
-/// Runs [`Step::advance`] by `next` on a local state, which compilers keep in registers.
+/// Runs [`Step::advance`] with `next` on a local state, which compilers keep in registers.
 #[inline(never)]
 pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     x: &mut [T],
@@ -191,21 +196,21 @@ pub(crate) fn check_length(found: usize, expected: usize) {
     assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
-/// A state as a slice: a point, then other numbers such as compensations or tangent vectors.
+/// A state as a slice: a point, then other numbers, for example compensations or tangent vectors.
 pub trait StateVector<T>: Clone + fmt::Debug {
-    /// The type of the point; for a `Vec` it is the whole state.
+    /// The type of the point. For a `Vec` the point is the whole state.
     type Point: StateVector<T>;
 
     /// Returns a state of `len` zeros.
     ///
     /// # Panics
-    /// If the type has a fixed length other than `len`.
+    /// If the type has a fixed length that differs from `len`.
     fn zeros(len: usize) -> Self;
 
-    /// Returns all numbers.
+    /// Returns all numbers of the state.
     fn as_slice(&self) -> &[T];
 
-    /// Returns all numbers, mutably.
+    /// Returns all numbers of the state, mutably.
     fn as_mut_slice(&mut self) -> &mut [T];
 
     /// Returns the numbers of the point.
@@ -214,14 +219,15 @@ pub trait StateVector<T>: Clone + fmt::Debug {
     /// Returns a copy of the point.
     fn to_point(&self) -> Self::Point;
 
-    /// Replaces the state by the next one without allocating; `None` at a pole of an exact scalar.
+    /// Replaces the state by the next state without allocating. Returns `None` at a pole of an
+    /// exact scalar.
     fn step_with<S>(&mut self, map: &S, workspace: &mut Workspace) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,
         T: Scalar;
 }
 
-/// A state as columns; the first column is the point.
+/// A state stored as columns, of which the first is the point.
 impl<T: Scalar, const N: usize, const C: usize> StateVector<T> for SMatrix<T, N, C> {
     type Point = SVector<T, N>;
 
@@ -295,8 +301,8 @@ impl<T: Scalar> StateVector<T> for Vec<T> {
     }
 }
 
-/// Reusable scratch memory, allocated by a map at first use. Its contents never influence results,
-/// so one workspace can serve different maps.
+/// Reusable scratch memory, which a map allocates at first use. The contents never influence
+/// results. Therefore one workspace can serve different maps.
 #[derive(Default)]
 pub struct Workspace {
     #[cfg(feature = "std")]
@@ -310,7 +316,8 @@ impl Workspace {
         Self::default()
     }
 
-    /// Returns the stored memory if it has type `M` and `fits`, otherwise new memory from `make`.
+    /// Returns the stored memory if it has type `M` and `fits` accepts it. Otherwise `make` creates
+    /// new memory.
     #[cfg(feature = "std")]
     pub fn of<M: Any + Send + Sync>(
         &mut self,
@@ -338,10 +345,10 @@ impl fmt::Debug for Workspace {
     }
 }
 
-/// The report on a run that stopped early.
+/// The report on a run that stopped before its last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stopped {
-    /// The number of steps taken.
+    /// The number of steps taken before the failure.
     pub steps: u64,
     /// The reason why the next step failed.
     pub why: SingularStep,

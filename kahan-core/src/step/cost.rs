@@ -1,25 +1,27 @@
 //! The cost of a step.
 
-/// The cost of a step, counted in its plan; deterministic, for comparing settings.
+/// The cost of a step, counted in its program. The cost is deterministic and serves to compare
+/// settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// Additions, subtractions, multiplications and divisions; a multiply-add counts as two.
+    /// The number of additions, subtractions, multiplications and divisions. A multiply-add counts
+    /// as two.
     pub operations: u32,
-    /// Divisions, which are also counted in `operations`.
+    /// The number of divisions, which `operations` also counts.
     pub divisions: u32,
-    /// Latency in cycles from one state to the next, with 3 cycles per addition, 4 per
-    /// multiplication and 14 per division.
+    /// The latency from one state to the next, in cycles. An addition takes 3 cycles, a
+    /// multiplication 4 cycles, a division 14 cycles.
     pub critical_path: u32,
 }
 
 impl StepCost {
-    /// Creates a cost; `operations` includes the `divisions`.
+    /// Creates a cost. `operations` must include the `divisions`.
     pub const fn of(operations: u32, divisions: u32, critical_path: u32) -> Self {
         StepCost { operations, divisions, critical_path }
     }
 
-    /// Returns the cycles of a step: the larger of latency and throughput, at two operations per
-    /// cycle and four cycles per division.
+    /// Returns the cycles of a step: the latency or the throughput time, whichever is larger. The
+    /// throughput is two operations per cycle, and a division takes four cycles.
     pub fn cycles(self) -> f64 {
         let work = f64::from(self.operations) / 2.0 + 4.0 * f64::from(self.divisions);
         work.max(f64::from(self.critical_path))

@@ -1,12 +1,12 @@
-//! The error of a step without a value.
+//! The error of a step that has no finite result.
 //!
-//! The report holds floats for every scalar, so it is `Copy` and never allocates.
+//! The error stores floats for every scalar; therefore it is `Copy` and never allocates.
 
 use core::fmt;
 
 use crate::Scalar;
 
-/// The error of a step without a finite value: pole, overflow, or insufficient precision.
+/// The error of a step without a finite result: a pole, an overflow, or insufficient precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SingularStep {
@@ -22,26 +22,27 @@ pub struct SingularStep {
 pub enum Reason {
     /// The point is an exact pole of the map.
     Pole,
-    /// The point, ε or a parameter is not a finite number.
+    /// The point, ε or a parameter is infinite or NaN.
     NotFinite,
-    /// The field has a zero divisor at these parameters.
+    /// The field divides by zero at these parameters.
     NoField,
-    /// The step is known, but beyond the range of the scalar.
+    /// The result is known, but lies beyond the range of the scalar.
     BeyondRange,
-    /// This number of 64-bit digits does not determine the step.
+    /// Numbers with this many 64-bit digits do not determine the step.
     Digits(usize),
-    /// Elimination with iterative refinement left too large a backward error.
+    /// After elimination with iterative refinement, the backward error was too large.
     Refined,
     /// Numbers overflowed before any other reason was found.
     Overflow,
-    /// Limits along different lines through the point differ; only on orbits through poles.
+    /// Limits along different lines through the point differ. Only orbits through poles return
+    /// this.
     Indeterminate,
-    /// No limit along lines through the point was found; only on orbits through poles.
+    /// No limit along lines through the point was found. Only orbits through poles return this.
     Unfollowed,
 }
 
 impl SingularStep {
-    /// Creates the error of a step without bounds from det A(x,ε) and ε.
+    /// Creates the error of a step without error bounds, from the numbers det A(x,ε) and ε.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
         let reason = if determinant == 0.0 {
             Reason::Pole
@@ -53,7 +54,8 @@ impl SingularStep {
         Self::because(reason, determinant, f64::INFINITY, eps)
     }
 
-    /// Creates the error for a reason; `bound` is the smallest relative error bound reached.
+    /// Creates the error for a reason. `bound` is the smallest relative error bound that was
+    /// reached.
     pub(crate) fn because(reason: Reason, determinant: f64, bound: f64, eps: f64) -> Self {
         Self { determinant, bound, eps, reason }
     }
@@ -79,20 +81,22 @@ impl SingularStep {
         self.reason
     }
 
-    /// Returns det A(x,ε) rounded to `f64`: 0 at an exact pole, NaN if unknown or overflown.
+    /// Returns det A(x,ε) rounded to `f64`. The result is 0 at an exact pole, and NaN if the
+    /// determinant is unknown or overflowed.
     pub fn determinant(&self) -> f64 {
         self.determinant
     }
 
     /// Returns the smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that any precision reached.
     ///
-    /// It is infinite at a pole and if no bound was computed. In more than eight variables it is
-    /// the backward error. A bound below 64 u belongs to a result beyond the range of the scalar.
+    /// The bound is infinite at a pole, and if no bound was computed. In more than eight variables
+    /// it is a bound of the backward error. If the bound is below 64 rounding units, the result is
+    /// beyond the range of the scalar.
     pub fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// Returns the ε (half the time step) of the failed step, rounded to `f64`.
+    /// Returns ε, half the time step of the failed step, rounded to `f64`.
     pub fn eps(&self) -> f64 {
         self.eps
     }
@@ -139,14 +143,14 @@ impl fmt::Display for SingularStep {
                 )?;
             }
         }
-        // Scalars without an approximation by `f64` have no ε to print.
+        // If the scalar has no approximation by `f64`, there is no ε to print.
         if eps.is_nan() { Ok(()) } else { write!(f, " (eps = {eps:?}, half the time step)") }
     }
 }
 
 impl core::error::Error for SingularStep {}
 
-/// Panics with the report of a pole, for functions that cannot return an error.
+/// Panics with the report of a pole. Functions that cannot return an error call this.
 #[cold]
 pub fn pole<T: Scalar>(eps: &T) -> ! {
     panic!("{}", SingularStep::pole(eps.approximate()))

@@ -1,4 +1,5 @@
-//! The increment of a step before its last multiplication, so that the caller can fuse it.
+//! The increment of a step before its last multiplication, which the caller can fuse with an
+//! addition.
 
 use core::array::from_fn;
 
@@ -12,31 +13,33 @@ use crate::scalar::tuning::component;
 ///
 /// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ without a reciprocal.
 ///
-/// Numerators or reciprocals contain the factor 2ε.
+/// The numerators or the reciprocals contain the factor 2ε.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotients<T, const N: usize> {
-    /// The numerators.
+    /// The numerators of the increments.
     pub numerators: [T; N],
-    /// The reciprocals of the denominators; `None` if the numerator is already the increment.
+    /// The reciprocals of the denominators. An entry is `None` if the numerator is already the
+    /// increment.
     pub reciprocals: [Option<T>; N],
-    /// Whether later reciprocals depend on earlier ones.
+    /// Whether later reciprocals are computed from earlier reciprocals.
     pub(crate) several: bool,
 }
 
 impl<T: Scalar, const N: usize> Quotients<T, N> {
-    /// Creates increments numeratorᵢ · reciprocal.
+    /// Creates the increments numeratorᵢ · reciprocal.
     #[inline(always)]
     pub fn over(numerators: [T; N], reciprocal: T) -> Self {
         Self { numerators, reciprocals: from_fn(|_| Some(reciprocal.clone())), several: false }
     }
 
-    /// Creates increments numeratorᵢ · reciprocalᵢ, or numeratorᵢ.
+    /// Creates the increments numeratorᵢ · reciprocalᵢ, or numeratorᵢ if there is no reciprocal.
     #[inline(always)]
     pub fn over_each(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: false }
     }
 
-    /// Like [`over_each`](Self::over_each), for reciprocals in sequence; some components need one.
+    /// Creates increments as [`over_each`](Self::over_each) does, for reciprocals that are computed
+    /// one after another. At least one component needs a reciprocal.
     #[inline(always)]
     pub fn over_several(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: true }
@@ -48,7 +51,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         Self { numerators: increments, reciprocals: from_fn(|_| None), several: false }
     }
 
-    /// Returns x̃ − x, with at most one multiplication per component.
+    /// Returns the increment x̃ − x, with at most one multiplication per component.
     #[inline(always)]
     pub fn increment(&self) -> SVector<T, N> {
         vector(from_fn(|i| match &self.reciprocals[i] {
@@ -57,7 +60,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         }))
     }
 
-    /// Returns x̃, with one multiply-add or addition per component.
+    /// Returns the next state x̃, with one multiply-add or one addition per component.
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
         vector(from_fn(|i| component(self.sum(i, x[i].clone()), self.several)))
@@ -72,16 +75,18 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         }
     }
 
-    /// Returns x̃ and its carry from x and its carry c: the step of a compensated orbit.
+    /// Returns the next state x̃ and its carry from x and its carry c. A carry is the rounding
+    /// error of a state on a compensated orbit.
     ///
-    /// The carry is added while the step waits for its division, so the critical path is that of a
-    /// plain step. With b = x + c and rest = c − (b − x):
+    /// The carry is added while the step waits for its division; therefore the critical path is
+    /// that of a plain step. With the increment n·r, b = x + c and rest = c − (b − x), the results
+    /// are
     ///
     /// t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
-    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding of n·r is lost. Otherwise t − b is rounded
-    /// too, and the carry errs by no more than that rounding, at most u·|t − b|. So no branch is
-    /// needed.
+    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding error of n·r is lost. Otherwise t − b is
+    /// rounded, too, and the carry errs by at most that rounding, u·|t − b| with the rounding unit
+    /// u. No branch is needed.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));
@@ -94,7 +99,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         [next, carry]
     }
 
-    /// Returns x̃ᵢ − xᵢ − d, with one multiply-subtract or subtraction.
+    /// Returns x̃ᵢ − xᵢ − d, with one multiply-subtract or one subtraction.
     #[inline(always)]
     fn less(&self, i: usize, d: T) -> T {
         let numerator = self.numerators[i].clone();

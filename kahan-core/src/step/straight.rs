@@ -1,6 +1,7 @@
 //! Steps as straight-line programs over prepared constants.
 //!
-//! In: a generated [`Kernel`], and constants fixed by ε and parameters. Out: a [`PreparedStep`].
+//! In: a generated [`Kernel`], and constants that depend on ε and the parameters. Out: a
+//! [`PreparedStep`].
 
 use core::array::from_fn;
 use core::marker::PhantomData;
@@ -18,21 +19,23 @@ pub trait Kernel<const N: usize, const C: usize> {
     /// The cost of one step.
     const COST: StepCost;
 
-    /// Returns the increment before its last multiplication; `None` at a pole of an exact scalar.
+    /// Returns the increment before its last multiplication, or `None` at a pole of an exact
+    /// scalar.
     fn quotients<T: Scalar>(constants: &[Padded<T>; C], state: [T; N]) -> Option<Quotients<T, N>>;
 }
 
 /// A prepared constant, padded to 32 bytes.
 ///
-/// Compilers load adjacent scalars as one vector, and unpacking it lengthens the critical path of
-/// an orbit. They also load a single-precision constant with the next twelve bytes and compute with
-/// all four numbers. Zeros fill these bytes, because subnormal contents would be many times slower.
+/// Compilers load adjacent scalars as one vector, and unpacking this vector lengthens the critical
+/// path of an orbit. Compilers also load a single-precision constant with the next twelve bytes,
+/// and compute with all four numbers. Zeros fill these bytes, because computing with subnormal
+/// numbers would be many times slower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);
 
 impl<T: Scalar> Padded<T> {
-    /// Returns the constant.
+    /// Returns the constant without its padding.
     #[inline(always)]
     pub fn get(&self) -> T {
         self.0.prepared()
@@ -46,7 +49,7 @@ pub struct StraightStep<K, T, const C: usize> {
 }
 
 impl<K, T: Clone, const C: usize> StraightStep<K, T, C> {
-    /// Creates the step from its constants.
+    /// Creates the step from its prepared constants.
     #[inline(always)]
     pub fn new(constants: [T; C]) -> Self {
         Self { constants: from_fn(|i| Padded(constants[i].clone(), [0; 3])), kernel: PhantomData }
@@ -96,8 +99,8 @@ where
     }
 }
 
-/// Evaluates the formulas for scalars that own memory, such as big rationals. Their operations are
-/// calls anyway, so the formulas are compiled once instead of inlined.
+/// Evaluates the formulas for scalars that own memory, for example big rationals. The operations of
+/// such scalars are calls anyway. Therefore the formulas are compiled once instead of inlined.
 #[inline(never)]
 fn called<K, T, const N: usize, const C: usize>(
     constants: &[Padded<T>; C],

@@ -1,4 +1,4 @@
-//! Steps with two prepared forms: a general one, and one that is faster in some cases.
+//! Steps with two prepared forms: a general form, and a form that is faster in some cases.
 
 use nalgebra::SVector;
 
@@ -7,23 +7,26 @@ use crate::scalar::tuning;
 
 use super::{PreparedStep, Quotients, StepCost, StraightStep};
 
-/// A step with a form divided by ε, for floats at an ordinary ε, and a general form.
+/// A step with two forms. One is divided by ε and serves floats at an ordinary ε; the other is
+/// general.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, a multiplication less on the
-/// critical path. The divided form is undefined at ε = 0, overflows sooner, and is not for lanes.
+/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x. This saves one multiplication on
+/// the critical path. The divided form is undefined at ε = 0, overflows sooner, and cannot run in
+/// lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
-    /// The divided form; `None` if ε or the scalar does not allow it.
+    /// The divided form, `None` if ε or the scalar does not allow this form.
     over_eps: Option<S>,
     general: G,
 }
 
-/// The two forms of the kernels S and G, with C and D constants.
+/// The step with the forms of the kernels S and G, which have C and D constants.
 pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// Creates the step at `eps` from the constants of both forms; calls `over_eps` if allowed.
+    /// Creates the step at `eps` from the constants of both forms. `over_eps` is called only if ε
+    /// and the scalar allow the divided form.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -76,8 +79,9 @@ where
     }
 }
 
-/// Evaluates the general form for a scalar that usually takes the other. Not inlined, which keeps
-/// the step small; takes copies, so that a loop keeps its state in registers.
+/// Evaluates the general form for a scalar that usually takes the divided form. The function is not
+/// inlined, which keeps the step small. It takes copies, and therefore a loop keeps its state in
+/// registers.
 #[cold]
 #[inline(never)]
 fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
@@ -86,7 +90,7 @@ where
     T: Scalar,
 {
     let quotients = general.quotients(&x)?;
-    // For floats the increment is half the size of the quotients.
+    // For floats the increment takes half as much memory as the quotients.
     Some(if tuning::is_float::<T>() {
         Quotients::whole(quotients.increment().data.0[0].clone())
     } else {
@@ -94,14 +98,15 @@ where
     })
 }
 
-/// A form for orbits, whose second division shortens the critical path, and one for lanes.
+/// A step with two forms: one for lanes, and one for orbits, in which a second division shortens
+/// the critical path.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,
     of_lanes: G,
 }
 
-/// The two steps of the kernels S and G, with C and D constants.
+/// The step with the forms of the kernels S and G, which have C and D constants.
 pub type StepOfOneOrbit<S, G, T, const C: usize, const D: usize> =
     OneOrbit<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 

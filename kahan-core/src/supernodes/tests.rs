@@ -1,11 +1,12 @@
-//! Tests of panels against the loops over entries.
+//! Compares elimination by panels with the loops over entries.
 
 use std::vec;
 
 use super::*;
 use crate::field::couplings::CouplingRow;
 
-/// The tables of an elimination in the order of the variables, from the coupled pairs.
+/// The tables of an elimination in the order of the variables, made from the pairs of coupled
+/// variables.
 struct Pattern {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,
@@ -74,7 +75,7 @@ fn factors_are_those_of_rows<T: InLanes>(from: impl Fn(f64) -> T) {
                 let is_factored = couplings.factor(&mut expected, &mut vec![T::zero(); n]);
                 let workspace = &mut PanelWorkspace::default();
                 assert_eq!(supernodes.factor(&couplings, false, &mut found, workspace), is_factored);
-                // Equal numbers have equal bits, because no factor is 0 by chance.
+                // Equal numbers have equal bits here, because no factor is 0 by chance.
                 assert!(!is_factored || found == expected, "{n} variables, blocks of {block}");
                 refused += usize::from(!is_factored);
             }
@@ -93,7 +94,8 @@ fn lattice(side: usize) -> Pattern {
     Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
 }
 
-/// Returns the smallest nonzero factor, and the solution; `units` are those of the variables.
+/// Returns the smallest nonzero factor, and the solution. `units` returns the unit of each
+/// variable.
 fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
     let n = pattern.order.len();
     let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
@@ -122,8 +124,8 @@ fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
     assert_eq!(flushed, exact);
 }
 
-/// Units are powers of 2, which change no digit. Two alternating units never make both a factor and
-/// an entry right of its pivot large.
+/// The units of the variables are powers of 2, which change no digit. Where two units alternate, a
+/// factor and an entry to the right of its pivot are never both large.
 #[test]
 fn solutions_are_independent_of_extreme_units() {
     let (pattern, eps) = (lattice(24), 1e-3);

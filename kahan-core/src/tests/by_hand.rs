@@ -1,4 +1,4 @@
-//! Test systems: closed forms by the macro, and a handwritten system with elimination.
+//! Test systems. Most have a closed form by the macro; one is written by hand and uses elimination.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -44,11 +44,11 @@ crate::kahan! {
     wdot = y*z + x;
 }
 
-/// A field with quadratic, linear and constant terms, stepped by elimination.
+/// A field with quadratic, linear and constant terms, whose steps use elimination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Coupled;
 
-/// Implements the field of one type for another type with a handwritten map.
+/// Implements the field of one type for another type, which has a handwritten map.
 macro_rules! field_of {
     ($field:expr, for $name:ident in $n:literal) => {
         impl<T: Scalar> QuadraticField<T, $n> for $name {

@@ -1,8 +1,8 @@
-//! Literals as data: floats are correctly rounded, and exact numbers stay exact.
+//! Tests literals: floats are correctly rounded, and exact numbers stay exact.
 
 use crate::{Constant, Scalar};
 
-/// −(2⁶⁴ + 1)/3 = −(5555555555555555₁₆ + 2/3), as the macro would write it.
+/// The constant −(2⁶⁴ + 1)/3 = −(5555555555555555₁₆ + 2/3), written as the macro would write it.
 const LONG: Constant<'_> = Constant::exact(
     true,
     &[1, 1],
@@ -64,7 +64,7 @@ mod exact {
         assert_eq!(Q::constant(&LONG), -(power + q(1, 1)) / q(3, 1));
     }
 
-    /// Returns whether |x − approximation| ≤ u·|x|, as after rounding to nearest.
+    /// Returns whether |x − approximation| ≤ unit·|x|, which holds after rounding to nearest.
     fn is_rounded(x: &Q, approximation: f64, unit: f64) -> bool {
         (x - rational(approximation)).abs() <= x.abs() * rational(unit)
     }

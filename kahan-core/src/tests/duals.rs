@@ -1,4 +1,4 @@
-//! The rules of differentiation of dual numbers, without rounding.
+//! Tests the rules of differentiation of dual numbers, without rounding.
 
 use num_traits::{One, Zero};
 

@@ -1,4 +1,4 @@
-//! The laws of Kahan's map, exact over the rationals, at seeded points of each system.
+//! Tests the laws of Kahan's map exactly over the rationals, at seeded points of each system.
 
 use num_traits::Zero;
 
@@ -7,13 +7,13 @@ use super::rationals::{Q, Rationals, product, q, scaled};
 use crate::field::linear::{determinant, solve};
 use crate::{KahanMap, eps_from_dt};
 
-/// Returns points and ε without vanishing denominators.
+/// Returns points and ε for which no denominator vanishes.
 fn points<const N: usize>(seed: u64) -> impl Iterator<Item = (nalgebra::SVector<Q, N>, Q)> {
     let mut rationals = Rationals::seeded(seed);
     core::iter::repeat_with(move || (rationals.vector(), rationals.next())).take(12)
 }
 
-/// Checks a law for all systems at all points with det A ≠ 0, of which there must be some.
+/// Checks a law for all systems, at all points with det A ≠ 0. There must be such points.
 macro_rules! on_every_system {
     ($law:ident) => {{
         macro_rules! on {
@@ -62,7 +62,8 @@ fn the_step_solves_the_linear_system() {
 fn stepping_back_returns_the_start_exactly() {
     fn law<M: KahanMap<Q, N>, const N: usize>(map: &M, x: &V<N>, eps: Q) {
         let next = map.step(x, eps.clone());
-        // If det ∂x̃/∂x = 0, the map contracts a surface, and x̃ is a pole of the inverse.
+        // If det ∂x̃/∂x = 0, the map contracts a surface to a point, and x̃ is a pole of the
+        // inverse.
         if map.det_matrix(&next, -eps.clone()).is_zero() {
             return;
         }
@@ -126,10 +127,10 @@ fn the_forms_are_polarizations_of_the_field() {
         let origin = x.map(|_| Q::zero());
         let constant = map.field(&origin);
         assert_eq!(map.polarized(x, x), map.field(x));
-        // f(x+y) − f(x) − f(y) + f(0) = 2Q(x,y)
+        // The second difference f(x+y) − f(x) − f(y) + f(0) equals 2Q(x,y).
         let second_difference = map.field(&(x + &y)) - map.field(x) - map.field(&y) + constant;
         assert_eq!(second_difference, scaled(&q(2, 1), &map.bilinear(x, &y)));
-        // f(x+y) = f(x) + f′(x)y + Q(y,y)
+        // The expansion is f(x+y) = f(x) + f′(x)y + Q(y,y).
         let expansion = map.field(x) + product(&map.field_jacobian(x), &y) + map.bilinear(&y, &y);
         assert_eq!(map.field(&(x + &y)), expansion);
     }

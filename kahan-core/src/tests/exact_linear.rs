@@ -1,4 +1,5 @@
-//! Elimination against the division-free algorithm over the rationals, including singular matrices.
+//! Compares elimination over the rationals with the algorithm without divisions, also for singular
+//! matrices.
 
 use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};

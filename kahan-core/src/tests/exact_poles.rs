@@ -1,4 +1,5 @@
-//! Poles over the rationals; at removable ones the map has the values of the paper's formulas.
+//! Tests poles over the rationals. At removable poles, the map has the values of the paper's
+//! formulas.
 
 use std::format;
 use std::panic::catch_unwind;
@@ -29,7 +30,7 @@ fn e1_has_a_value_at_its_removable_pole() {
     assert!(E1.det_matrix(&x, eps.clone()).is_zero());
     assert_eq!(E1.step(&x, eps.clone()), next);
     assert_eq!(E1.det_jacobian(&x, eps.clone()), -Q::one());
-    // With a parameter, the map retains the factor that cancels at ξ = 1.
+    // With a parameter ξ, the map retains the factor that cancels at ξ = 1.
     assert!(E7 { xi: q(1, 1) }.try_step(&x, eps).is_err());
 }
 
@@ -51,7 +52,7 @@ fn a_pole_is_an_error_that_names_the_determinant_and_eps() {
 
 #[test]
 fn elimination_reports_its_pole() {
-    // At x = y = z = w = 0, A has the determinant (1 + 2ε)(1 − ε)(1 + ε²).
+    // At x = y = z = w = 0, the matrix A has the determinant (1 + 2ε)(1 − ε)(1 + ε²).
     let origin = vector![Q::zero(), Q::zero(), Q::zero(), Q::zero()];
     assert!(Coupled.det_matrix(&origin, q(-1, 2)).is_zero());
     assert!(Coupled.try_step(&origin, q(-1, 2)).is_err());
@@ -74,7 +75,7 @@ fn an_exact_step_at_a_pole_panics_and_says_so() {
 
 #[test]
 fn an_exact_orbit_ends_at_a_pole_and_says_why() {
-    // x̃ = x/(1 + 2εx): x = −1/4 is followed by −1/3, −1/2 and −1, whose successor is infinite.
+    // The map is x̃ = x/(1 + 2εx). After x = −1/4 follow −1/3, −1/2, −1 and infinity.
     let mut orbit = E1.orbit(vector![q(-1, 4), q(1, 1), q(1, 1)], q(1, 2));
     let mut length = 0;
     while orbit.next().is_some() {

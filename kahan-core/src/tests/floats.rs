@@ -1,4 +1,4 @@
-//! Guarantees for floats: no input panics, poles and overflow are detected, `f32` works.
+//! Tests guarantees for floats: no input panics, poles and overflow are detected, `f32` works.
 
 use std::format;
 

@@ -1,4 +1,5 @@
-//! Macros in a scope without a prelude, beside user types named like prelude items.
+//! Tests the macros in a scope without a prelude, beside user types with the names of prelude
+//! items.
 
 mod scope {
     #![no_implicit_prelude]

@@ -1,4 +1,4 @@
-//! Elimination over floats: backward errors, singular matrices, infinities and NaNs.
+//! Tests elimination over floats: backward errors, singular matrices, infinities and NaNs.
 
 use nalgebra::{SMatrix, SVector};
 

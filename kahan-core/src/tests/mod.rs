@@ -1,4 +1,5 @@
-//! The laws of the method on example systems: exact over rationals, with bounds over floats.
+//! Tests the laws of the method on example systems: exactly over rationals, with bounds over
+//! floats.
 
 mod by_hand;
 mod constants;

@@ -1,11 +1,11 @@
-//! Orbits over floats: the first point, laziness, ownership.
+//! Tests orbits over floats: their first point, laziness and ownership.
 
 use nalgebra::SVector;
 
 use super::by_hand::{E1, E3};
 use crate::{KahanAt, KahanMap, Orbit, vector};
 
-/// Returns an orbit that outlives the map and the point it was made from.
+/// Returns an orbit that outlives the map and the point from which it was made.
 fn owned() -> Orbit<KahanAt<E3, f64, 3>> {
     let (map, start) = (E3, vector![0.1, 0.2, 0.3]);
     map.orbit(start, 0.05)

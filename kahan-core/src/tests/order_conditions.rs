@@ -1,8 +1,9 @@
-//! The coefficients of compositions satisfy the order conditions and are correctly rounded.
+//! Tests that the coefficients of compositions satisfy the order conditions and are correctly
+//! rounded.
 //!
-//! A symmetric one-step method is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with general derivations Yₖ (Y₁ = f),
-//! so its composition is a product of such exponentials with γᵢh. The composition has order p for
-//! every method if the product equals exp(hY₁) up to hᵖ, as series in non-commuting letters; the
+//! A symmetric one-step method is exp(hY₁ + h³Y₃ + h⁵Y₅ + …) with general derivations Yₖ, where Y₁
+//! = f. A composition is a product of such exponentials with γᵢh in place of h. It has order p for
+//! every method if the product equals exp(hY₁) up to hᵖ, as series in non-commuting letters. The
 //! grade of a word is the sum of its indices. (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical
 //! Integration, III.3.)
 
@@ -17,8 +18,9 @@ use crate::{Composition, Constant};
 
 type Q = BigRational;
 
-/// A series in the words over 1, 3, 5, 7, truncated by grade, with coefficients in units of 2⁻²⁰⁰.
-/// A product rounds by at most one unit, and 10⁶ products by less than 10⁻⁵⁴.
+/// A series in the words over 1, 3, 5, 7, truncated by grade (the sum of a word's letters). The
+/// coefficients are multiples of 2⁻²⁰⁰. A product rounds by at most one unit, and 10⁶ products by
+/// less than 10⁻⁵⁴.
 type Series = BTreeMap<Vec<u32>, BigInt>;
 
 const BITS: u32 = 200;
@@ -53,7 +55,7 @@ fn exponential(letters: &Series, grade: u32) -> Series {
     sum
 }
 
-/// Returns the largest difference between composition and flow, up to a grade.
+/// Returns the largest difference between composition and flow in the words up to this grade.
 fn residual(composition: Composition, grade: u32) -> Q {
     let mut composed: Series = [(Vec::new(), one())].into();
     for gamma in composition.coefficients() {
@@ -73,7 +75,7 @@ fn ten_to_minus(digits: u32) -> Q {
     Q::new(BigInt::one(), BigInt::from(10).pow(digits))
 }
 
-/// Decimals of 40 digits err by 5·10⁻⁴¹, conditions of degree up to 7 by less than 10⁻³⁸.
+/// Decimals of 40 digits err by 5·10⁻⁴¹. Conditions of degree up to 7 then err by less than 10⁻³⁸.
 #[test]
 fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     for composition in Composition::ALL {
@@ -82,7 +84,8 @@ fn the_coefficients_satisfy_the_order_conditions_to_40_digits() {
     }
 }
 
-/// Shows that the previous test can fail. Even grades hold automatically, so p + 1 fails first.
+/// Shows that the previous test can fail. Conditions of even grade hold automatically; therefore
+/// grade p + 1 fails first.
 #[test]
 fn the_order_is_not_higher_than_stated() {
     for composition in Composition::ALL {

@@ -1,11 +1,11 @@
-//! An overflowing denominator or pivot is not mistaken for an increment of zero.
+//! Tests that an overflowing denominator or pivot is not mistaken for an increment of zero.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::by_hand::{Coupled, E1, field_of};
 use crate::{KahanMap, NoLanes, PreparedStep, QuadraticField, Quotients, Scalar, vector};
 
-/// A handwritten map of E1, over one common denominator.
+/// A handwritten map of E1, whose components share one denominator.
 #[derive(Clone)]
 struct ByHand;
 
@@ -40,7 +40,7 @@ fn an_overflowing_denominator_is_seen_and_elimination_takes_over() {
     let (x, eps) = (vector![1e-50_f64, 5e-51, 2.5e-51], 1e220);
     assert_eq!(ByHand.step(&x, eps), x);
     let next = ByHand.try_step(&x, eps).unwrap();
-    // x̃₁ and x̃₂ are tiny: x + 2ε·(−x²)/(1 + 2εx) cancels up to rounding.
+    // x̃₁ and x̃₂ are tiny, because x + 2ε·(−x²)/(1 + 2εx) cancels up to rounding.
     assert!(next[0].abs() <= 2.0 * f64::EPSILON * x[0], "{next}");
     assert!(next[1].abs() <= 2.0 * f64::EPSILON * x[1], "{next}");
 }
@@ -53,7 +53,8 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // εw overflows, and elimination divides by it: x̃₁ = x₁, but exactly x̃₁ − x₁ = 2.7e-10.
+    // The product εw overflows, and elimination divides by it. This gives x̃₁ = x₁, but exactly x̃₁
+    // − x₁ is 2.7e-10.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);
@@ -63,13 +64,13 @@ fn an_overflowing_pivot_is_refused() {
 
 #[test]
 fn a_component_at_rest_is_no_overflow() {
-    // A removable pole with y = 0, where elimination would fail.
+    // At this removable pole y is 0, and elimination would fail.
     let x = vector![-2.0_f64, 0.0, 1.0];
     assert_eq!(ByHand.det_matrix(&x, 0.5), 0.0);
     assert_eq!(ByHand.try_step(&x, 0.5), Ok(ByHand.step(&x, 0.5)));
 }
 
-/// ẋ = −x² together with a clock ṫ = 1, each with its own denominator.
+/// The equation ẋ = −x² together with a clock ṫ = 1, each with its own denominator.
 #[derive(Clone)]
 struct Clock;
 
@@ -115,7 +116,7 @@ impl KahanMap<f64, 2> for Clock {
 
 #[test]
 fn one_overflowing_denominator_is_seen_beside_components_that_move() {
-    // (1 + 2εx)·εx is about 1e340, so x seems constant. The clock moves, and elimination succeeds.
+    // (1 + 2εx)·εx is about 1e340, and x seems constant. The clock moves, and elimination succeeds.
     let (x, eps) = (vector![1e-50_f64, 0.0], 1e220);
     assert_eq!(Clock.step(&x, eps), vector![1e-50, 2e220]);
     let next = Clock.try_step(&x, eps).unwrap();

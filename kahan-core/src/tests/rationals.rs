@@ -11,7 +11,7 @@ pub(super) fn q(p: i64, q: i64) -> Q {
     Q::new(BigInt::from(p), BigInt::from(q))
 }
 
-/// A fixed sequence of small rationals (the 64-bit generator of Knuth's MMIX).
+/// A fixed sequence of small rationals, from the 64-bit generator of Knuth's MMIX.
 pub(super) struct Rationals(u64);
 
 impl Rationals {

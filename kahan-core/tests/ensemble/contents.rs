@@ -1,4 +1,4 @@
-//! The points, columns and grids of an ensemble.
+//! Tests the points, columns and grids of an ensemble.
 
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Ensemble, Level};

@@ -1,4 +1,4 @@
-//! Floats whose multiply-adds are rounded once in every build, like those of a fusing processor.
+//! Floats whose multiply-adds are rounded once in every build, as on a processor that fuses.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -1,4 +1,5 @@
-//! More maps for ensembles: one to six variables, with or without parameters, one by elimination.
+//! More maps for ensembles. They have one to six variables; some have parameters, and one
+//! eliminates.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};
@@ -36,7 +37,7 @@ kahan! {
     p3dot = m2*p1 - m1*p2;
 }
 
-/// A handwritten Lotka–Volterra field: a map without a closed form.
+/// A Lotka–Volterra field written by hand, whose map has no closed form.
 #[derive(Clone, Copy)]
 pub(crate) struct ByElimination;
 

@@ -1,4 +1,4 @@
-//! Every level against plain steps in its arithmetic.
+//! Compares every instruction set with plain steps in its arithmetic.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal};
@@ -8,13 +8,13 @@ use crate::ensemble::in_lanes::{ByElimination, Clebsch, E3, E5, Logistic};
 use crate::ensemble::{assert_same, fuses, levels, points};
 use crate::systems::{EulerTop, LotkaVolterra};
 
-/// Lengths around the widths of all registers and around tiles.
+/// Lengths around the widths of all registers, and around the lengths of tiles.
 #[cfg(not(miri))]
 const LENGTHS: [usize; 13] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 17, 511, 513, 1000];
 #[cfg(not(miri))]
 const STEPS: u64 = 7;
 
-/// Sizes that Miri can run in minutes.
+/// The lengths that Miri can run in minutes.
 #[cfg(miri)]
 const LENGTHS: [usize; 3] = [1, 8, 17];
 #[cfg(miri)]
@@ -32,7 +32,7 @@ fn step_each<T: Scalar, M: KahanMap<T, N>, const N: usize>(
     points
 }
 
-/// Steps each point by the plan for lanes, if there is one.
+/// Steps each point by the form of the step for lanes, if the map has this form.
 fn step_each_as_lanes<T, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     mut points: Vec<SVector<T, N>>,
@@ -50,7 +50,8 @@ where
     points
 }
 
-/// Compares a map over floats on every level with single steps over plain or fused floats.
+/// Compares a map over floats on every instruction set with single steps over plain or fused
+/// floats.
 fn compare<F, M, W, const N: usize>(
     map: &KahanAt<M, F, N>,
     fused: &KahanAt<W, Fused<F>, N>,
@@ -97,7 +98,7 @@ fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// A step without lanes runs as plain code on every level.
+/// A step without lanes runs as plain code on every instruction set.
 fn every_level_computes_as<T: EnsembleScalar, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     start: &[SVector<T, N>],
@@ -130,7 +131,7 @@ fn any_scalar_that_is_copy_makes_ensembles() {
 #[test]
 #[should_panic(expected = "det A = 0: the Kahan map has a pole at this point")]
 fn a_scalar_without_a_reciprocal_of_zero_panics_at_a_pole() {
-    // 1 − ε·rate·(1 − 2x) = 0
+    // Here the denominator 1 − ε·rate·(1 − 2x) is 0.
     let mut ensemble = Ensemble::new(vec![vector![Fused(0.5)], vector![Fused(0.0)]]);
     ensemble.advance(&Logistic { rate: Fused(4.0) }.at(Fused(0.25)), 1);
 }
@@ -146,7 +147,7 @@ fn an_estimated_reciprocal_changes_avx_512_only_and_little() {
         divided.advance(&map, 20);
         estimated.advance(&map, 20);
         if level == Level::Avx512 {
-            // Each of twenty steps may round once more or less.
+            // Each of twenty steps may have one rounding more or less.
             let furthest = divided.points().zip(estimated.points()).map(|(a, b)| (a - b).amax());
             assert!(furthest.fold(0.0, f64::max) < 1e-14);
             assert!(divided != estimated, "the estimate is not used");

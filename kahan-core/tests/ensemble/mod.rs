@@ -1,12 +1,13 @@
-//! Ensembles against single steps, bit for bit.
+//! Compares ensembles with single steps, bit for bit.
 //!
-//! 1. `levels`: every level, system, float type and awkward length against plain steps.
-//! 2. `neighbours`: infinities and NaNs do not spread; index and threads change nothing.
+//! 1. `levels`: every instruction set, system, float type and unusual length against plain steps.
+//! 2. `neighbours`: infinities and NaNs do not spread; index and threads change no bits.
 //! 3. `maps`: one map per trajectory gives the bits of ensembles with that map.
 //! 4. `contents`: points, columns and grids are returned as given.
 //!
-//! Levels that the processor lacks are skipped with a message. The tests also run under Miri,
-//! without estimated reciprocals, on the levels named by the flags:
+//! # Miri
+//! Instruction sets that the processor lacks are skipped with a message. The tests also run under
+//! Miri, without estimated reciprocals, on the instruction sets that the flags name:
 //!
 //! ```text
 //! RUSTFLAGS="-C target-cpu=x86-64-v4" cargo +nightly miri test -p kahan-core --lib ensemble
@@ -43,7 +44,7 @@ fn points<const N: usize>(count: usize) -> Vec<SVector<f64, N>> {
         .collect()
 }
 
-/// Compares debug texts: bit for bit, except that all NaNs are equal.
+/// Compares debug texts. The comparison is bit for bit, but all NaNs are equal.
 #[track_caller]
 fn assert_same<T: EnsembleScalar, const N: usize>(ensemble: &Ensemble<T, N>, expected: &[SVector<T, N>]) {
     assert_eq!(ensemble.len(), expected.len());

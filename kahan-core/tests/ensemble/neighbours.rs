@@ -1,4 +1,5 @@
-//! A trajectory's bits do not depend on its neighbours, its index or the threads.
+//! Tests that a trajectory's bits depend neither on its neighbours, nor on its index, nor on
+//! threads.
 
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, Reciprocal};
@@ -18,7 +19,7 @@ fn what_is_not_finite_stays_alone() {
         disturbed[i][k / 3 % 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][k % 3];
     }
     for level in levels() {
-        // Miri does not support the estimate.
+        // Miri does not support the instruction for the estimate.
         let estimated = if cfg!(miri) { Reciprocal::Divided } else { Reciprocal::Estimated };
         for reciprocal in [Reciprocal::Divided, estimated] {
             let [alone, beside] = [&ordinary, &disturbed].map(|points| {
@@ -67,7 +68,7 @@ fn the_number_of_threads_does_not_matter() {
         let expected: Vec<_> = one.points().collect();
         assert_same(&two, &expected);
         assert_same(&five, &expected);
-        // A single thread also divides the work into tasks, but not for single steps.
+        // A single thread also divides the work into tasks, except for single steps.
         let mut in_turn = start.clone();
         for _ in 0..steps {
             in_turn.advance(&map, 1);

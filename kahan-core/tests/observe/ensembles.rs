@@ -1,4 +1,4 @@
-//! Observers of ensembles report the bits of single orbits, at any index.
+//! Tests that observers of ensembles report the bits of single orbits, at any index.
 
 use kahan_core::observe::{Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::prelude::*;
@@ -21,7 +21,7 @@ fn all<'a>(
     (variables, Lyapunov::new(map), indicators)
 }
 
-/// Returns the debug text, which also compares NaNs; some of these orbits escape.
+/// Returns the debug text, which also compares NaNs, because some of these orbits escape.
 fn text(report: impl std::fmt::Debug) -> String {
     format!("{report:?}")
 }
@@ -66,7 +66,7 @@ fn neither_place_nor_number_of_trajectories_matters() {
         Ensemble::new(points)
             .observe(&map, steps, |i| (Fli::new(&map), Extrema::of(move |_: &[f64]| i as f64)))
     };
-    // Enough for several threads, if available.
+    // The points are enough for several threads, if there are several.
     let many = observe(points(3000), 50);
     for (i, (fli, index)) in many.iter().enumerate() {
         assert_eq!(index.unwrap().least, i as f64);
@@ -85,7 +85,7 @@ fn single_precision_and_double_double_are_observed_too() {
     let wide = HenonHeiles.at(Dd::from(EPS));
     let starts = points(20).into_iter().map(|x| x.map(Dd::from)).collect();
     let wide = Ensemble::new(starts).observe(&wide, STEPS, |_| Fli::new(&wide));
-    // The middle orbits stay bounded, and their vectors grow slowly.
+    // The orbits in the middle stay bounded, and their tangent vectors grow slowly.
     for (narrow, wide) in reports[5..15].iter().zip(&wide[5..15]) {
         assert!((narrow - wide).abs() < 1e-2, "{narrow} {wide}");
     }

@@ -1,4 +1,4 @@
-//! Escape, return, residence, extrema; several observers at once, and orbits that end.
+//! Tests escape, return, residence, extrema, several observers at once, and orbits that end.
 
 use kahan_core::observe::{Escape, Extrema, Period, Residence};
 use kahan_core::prelude::*;
@@ -38,7 +38,7 @@ fn compensated_and_scaled_orbits_show_the_points_that_they_yield() {
 fn returns_are_counted_after_leaving() {
     let slow = Turn.at(0.01);
     let back = slow.orbit(vector![1.0, 0.0]).observe(1000, Period::within(0.1, [0.0; 2])).unwrap();
-    // One revolution is 2π/(2·atan ε) = 314.17 steps, and 0.1 is 5 of them.
+    // One revolution takes 2π/(2·atan ε) = 314.17 steps, and the radius 0.1 is about 5 steps.
     assert_eq!(back.step, 310);
     assert_eq!(slow.orbit(vector![1.0, 0.0]).observe(300, Period::within(0.1, [0.0; 2])), None);
 }
@@ -48,7 +48,7 @@ fn a_histogram_counts_every_point_once() {
     let parts = Residence::of(|x: &[f64]| x[0], -0.5..0.5, vec![0; 10]);
     let stays = Turn.orbit(vector![1.0, 0.0], 0.01).observe(9999, parts);
     assert_eq!(stays.within.iter().sum::<u64>() + stays.outside, 10_000);
-    // |x| < ½ on a third of the circle; each of 32 revolutions errs by a point.
+    // A third of the circle has |x| < ½. Each of 32 revolutions may err by one point.
     assert!(stays.outside.abs_diff(6667) < 64, "{stays:?}");
     assert!(stays.within.iter().all(|&count| count.abs_diff(333) < 40), "{stays:?}");
 }

@@ -1,4 +1,5 @@
-//! Sign changes at zeros and at jumps: poles of maps, poles and gaps of functions.
+//! Tests sign changes at zeros and at jumps. Jumps are poles of maps, and poles and gaps of
+//! functions.
 
 use kahan_core::observe::{
     Crossing, Direction, FirstCrossings, Observer, Section, SectionReport, StoredCrossings, first_crossing,
@@ -57,7 +58,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     [count(|before, after| before < 0.0 && after >= 0.0), count(|before, after| before > 0.0 && after <= 0.0)]
 }
 
-/// Checks that every sign change in one direction is a crossing, and in the other a jump.
+/// Checks that every sign change in one direction is a crossing, and in the other direction a jump.
 fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S::State, is_mirrored: bool) {
     let [rising, falling] = sign_changes(map, start.clone(), 200, |x| x[0]);
     assert!(rising > 5 && falling > 5);
@@ -72,7 +73,7 @@ fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S
     assert_eq!((found.points.all, found.jumps), (0, poles));
     let found = section(map, start.clone(), 200, Direction::Both, |x| x[0]);
     assert_eq!((found.points.all, found.jumps), (zeros, poles));
-    // 1/x is 0 only where x is infinite, which is not a crossing.
+    // The function 1/x is 0 only where x is infinite, which is not a crossing.
     let found = section(map, start, 200, Direction::Both, |x| T::one() / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, zeros + poles));
 }
@@ -128,7 +129,7 @@ fn poles_steps_and_holes_of_a_function_are_jumps() {
     }
 }
 
-/// A limit of 0 counts as a zero, although the function has no value there.
+/// A limit of 0 counts as a zero, although the function is undefined there.
 #[test]
 fn a_function_without_a_value_at_its_zero_crosses_there() {
     let found =
@@ -140,7 +141,7 @@ fn a_function_without_a_value_at_its_zero_crosses_there() {
     assert!(found.points.kept[0].point[0].abs() < 1e-15);
 }
 
-/// A search may start where the function overflows.
+/// A search may start at an argument for which the function overflows.
 #[test]
 fn a_zero_is_found_from_an_infinite_value() {
     let level = |x: &[f64]| (1000.0 * x[0]).exp() - 1.0;
@@ -164,16 +165,16 @@ fn a_start_on_the_section_is_neither_a_crossing_nor_a_jump() {
             assert_eq!((found.points.all, found.jumps), (0, 0));
         }
     }
-    // At a pole of the function.
+    // Here the function has a pole.
     let found = section(&Straight.at(0.5), vector![0.0], 9, Direction::Both, |x: &[f64]| 1.0 / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, 0));
-    // A step that ends at a pole.
+    // Here a step ends at a pole of the function.
     let found = section(&Straight.at(0.5), vector![-2.0], 9, Direction::Both, |x: &[f64]| 1.0 / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }
 
-/// The circle touches x = 1 from inside without a sign change. A line slightly nearer is crossed
-/// twice whenever a point lies beyond it.
+/// The circle touches x = 1 from inside without a sign change. A line slightly nearer to the centre
+/// is crossed twice whenever a point lies beyond the line.
 #[test]
 fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     for eps in [0.02, -0.02, 1e-4] {
@@ -190,7 +191,8 @@ fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     }
 }
 
-/// Steps of a relative 10⁻⁹ leave seven digits of the function's change.
+/// Each step moves the point by a relative 10⁻⁹, which leaves seven digits of the function's
+/// change.
 #[test]
 fn crossings_of_slow_orbits_are_found() {
     for eps in [1e-3_f64, 1e-6, 1e-9] {
@@ -203,7 +205,7 @@ fn crossings_of_slow_orbits_are_found() {
     assert_eq!((found.points.all, found.jumps), (1, 0));
 }
 
-/// Scaling the function or the state changes nothing.
+/// Scaling the function or the state does not change the crossings.
 #[test]
 fn units_do_not_matter() {
     let map = Tangent.at(0.05);
@@ -216,7 +218,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// Chains of few sites, and chains long enough to be stepped in parts.
+/// Some chains have few sites, and others are long enough to be stepped in parts.
 #[test]
 fn chains_cross_and_jump() {
     for sites in [3, 700] {
@@ -260,7 +262,7 @@ fn projective_orbits_jump_at_infinity() {
         let found = Tangent.orbit(vector![0.1, 0.0], 0.05).projective().observe(299, section(direction));
         assert_eq!((found.points.all, found.jumps), expected);
     }
-    // A point at infinity is skipped, so its neighbours are not consecutive.
+    // A point at infinity is skipped, and therefore its neighbours are not consecutive.
     let map = Burst.at(0.25);
     let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, FirstCrossings::new(9));
     let found = Burst.orbit(vector![1.0], 0.25).projective().observe(4, both);

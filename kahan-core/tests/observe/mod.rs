@@ -1,4 +1,4 @@
-//! Observers against known results: the literature, closed forms, plain loops.
+//! Compares observers with known results: the literature, closed forms, plain loops.
 
 mod ensembles;
 mod exponents;
@@ -26,5 +26,5 @@ kahan! {
     qdot = -y - x^2 + y^2;
 }
 
-/// The usual parameters.
+/// The usual parameters of Lorenz' system.
 pub(crate) const LORENZ: Lorenz<f64> = Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 };

@@ -1,4 +1,4 @@
-//! Sections of the Hénon–Heiles system against a plain loop.
+//! Compares sections of the Hénon–Heiles system with a plain loop.
 
 use kahan_core::observe::{Crossing, Direction, FirstCrossings, Section};
 use kahan_core::prelude::*;
@@ -41,7 +41,7 @@ fn crossings_are_those_of_a_plain_loop() {
             let beyond = HenonHeiles.step(before, middle * eps)[0].signum() != sign;
             if beyond { right = middle } else { left = middle }
         }
-        // Across the step x changes by at least 10⁻³, with rounding errors of about 10⁻¹⁷.
+        // Within the step x changes by at least 10⁻³, with rounding errors of about 10⁻¹⁷.
         assert!((part - right).abs() < 1e-12, "{part} {right}");
         assert_eq!(point, HenonHeiles.step(before, part * eps));
         assert_eq!(time, 2.0 * eps * (step as f64 + part));
@@ -49,8 +49,8 @@ fn crossings_are_those_of_a_plain_loop() {
     }
 }
 
-/// The flow's energy has an O(ε²) error on the orbit, and no larger one between its points. The
-/// order is measured by the spread over the crossings at ε and ε/4.
+/// On the orbit the flow's energy has an error O(ε²), and between its points the error is no
+/// larger. The spread over the crossings at ε and at ε/4 measures the order.
 #[test]
 fn energy_on_the_section_has_the_order_of_the_map() {
     let energy = |x: [f64; 4]| {

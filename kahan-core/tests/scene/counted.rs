@@ -1,4 +1,4 @@
-//! The cost of choosing a setting, counted.
+//! Counts the cost of choosing a setting.
 
 use std::cell::Cell;
 
@@ -14,7 +14,7 @@ thread_local! {
     static FORMS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A map that counts its steps and bilinear forms, over any scalar.
+/// A map over any scalar that counts its steps and its bilinear forms.
 #[derive(Clone, Debug)]
 struct Counted<M>(M);
 
@@ -64,7 +64,7 @@ impl<T: Scalar, M: ExtendScalars<T, N>, const N: usize> ExtendScalars<T, N> for 
     }
 }
 
-/// Chooses a setting and returns the cost; a bilinear form counts as a third of a step.
+/// Chooses a setting and returns the cost. A bilinear form counts as a third of a step.
 fn work<M, const N: usize>(
     map: M,
     x0: [f64; N],

@@ -1,12 +1,13 @@
-//! The library's choice of a setting.
+//! Tests the library's choice of a setting.
 //!
-//! 1. `choices`: on scenes of five systems the chosen setting meets its tolerance against a
-//!    double-double trajectory, and no setting of a third of its model cost does. The map's integrals are conserved
-//!    to the tolerance.
-//! 2. `answers`: refusals, printed settings, and running what was printed.
-//! 3. `counted`: the cost of choosing.
+//! # Modules
+//! 1. `choices`: on scenes of five systems the chosen setting meets its tolerance, compared with a
+//!    double-double trajectory. No setting of a third of its cost does. The map's integrals are
+//!    conserved to the tolerance.
+//! 2. `answers`: tests refusals, printed settings, and runs of the printed settings.
+//! 3. `counted`: counts the cost of choosing.
 //!
-//! Costs are those of the model, not of a clock, so every run gives equal numbers.
+//! Costs are counted by a model and not by a clock; therefore every run gives equal numbers.
 
 mod answers;
 mod choices;

@@ -1,7 +1,7 @@
 //! A reference trajectory of the flow in double-double.
 //!
-//! Points lie on a grid of times, by the composition of order 8; points between them take one more
-//! step. A trajectory with half the steps differs by [`Trajectory::doubt`].
+//! The points of a time grid come from the composition of order 8, and points between these from
+//! one more step. A trajectory with half the steps differs by [`Trajectory::doubt`].
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -28,7 +28,7 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
         Self { map, points, dt, scale }
     }
 
-    /// The largest relative difference from a trajectory with half the steps.
+    /// Returns the largest relative difference from `coarse`, a trajectory with half the steps.
     pub(crate) fn doubt(&self, coarse: &Self) -> f64 {
         let pairs = self.points.iter().step_by(2).zip(&coarse.points);
         pairs.map(|(fine, coarse)| norm(&(fine - coarse)) / self.scale).fold(0.0, f64::max)
@@ -50,8 +50,9 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
         if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
-    /// Returns the largest relative distance of a setting's orbit at its end and about `samples`
-    /// points, or the first above `enough`. `Dd` is rounded to `f64` first, which adds half an ulp.
+    /// Returns the largest relative distance of a setting's orbit, at its end and at about
+    /// `samples` points. The first distance above `enough` is returned at once. `Dd` is rounded to
+    /// `f64` first, which adds half an ulp.
     pub(crate) fn error(
         &self,
         setting: &Setting,

@@ -1,4 +1,4 @@
-//! Register allocation in one pass: each operation gets a register and a machine instruction.
+//! Register allocation in one pass: gives each operation a register and a machine instruction.
 
 use kahan_program::Node;
 
@@ -15,22 +15,22 @@ pub(super) struct Allocator<'a> {
     pub(super) ends: ResultDestination,
     pub(super) time: usize,
     pub(super) uses: Uses,
-    /// The value in each register, except the registers reserved for constants.
+    /// The value that each register holds, without the registers reserved for constants.
     pub(super) registers: Vec<Option<usize>>,
     pub(super) locked: Vec<bool>,
     pub(super) register_of: Vec<Option<Vector>>,
     pub(super) home: Vec<Option<ValueLocation>>,
     pub(super) is_kept: Vec<bool>,
     pub(super) free_slots: Vec<usize>,
-    /// For each value, the indices of the results that it is.
+    /// For each value, the indices of the results that are equal to this value.
     pub(super) results_of: Vec<Vec<usize>>,
-    /// For each result, whether it must be stored after the last read of the states.
+    /// For each result, whether it is stored only after the last read of the states.
     pub(super) waits: Vec<bool>,
     pub(super) code: Allocation,
 }
 
 impl<'a> Allocator<'a> {
-    /// Prepares a pass; the constants in `kept` occupy the last registers.
+    /// Prepares a pass. The values in `kept` are constants, which occupy the last registers.
     pub(super) fn new(program: &'a Program, registers: u8, ends: ResultDestination, kept: &[usize]) -> Self {
         let count = program.operations.len();
         let own = usize::from(registers) - kept.len();
@@ -63,7 +63,8 @@ impl<'a> Allocator<'a> {
         allocator
     }
 
-    /// Finds each result's destination; it is stored last if later operations read that state.
+    /// Finds each result's destination. A result is stored last if later operations still read the
+    /// state that it overwrites.
     fn expect_results(&mut self) {
         let results: Vec<usize> = self.program.outputs.iter().map(|output| output.0).collect();
         let mut states: Vec<Option<usize>> = vec![None; results.len()];
@@ -141,7 +142,7 @@ impl<'a> Allocator<'a> {
         }
     }
 
-    /// Stores the current value, except results that must be stored last.
+    /// Stores the current value as a result, unless the result must be stored last.
     fn store_results(&mut self) {
         let value = self.time;
         let Some(register) = self.register_of[value].filter(|_| !self.is_kept[value]) else { return };
@@ -158,7 +159,7 @@ impl<'a> Allocator<'a> {
         self.drop_dead(value);
     }
 
-    /// Stores the results that had to wait for the end.
+    /// Stores the results that had to wait until all states were read.
     fn store_last(&mut self) {
         for (i, output) in self.program.outputs.iter().enumerate() {
             if self.waits[i] {
@@ -178,14 +179,14 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add; its `FusedOrder` says which operand is overwritten.
+    /// Writes a fused multiply-add. Its `FusedOrder` tells which operand the result overwrites.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;
         for operand in operands {
             self.lock(operand);
         }
-        // At most one operand may be in memory, and only once among the three.
+        // At most one operand may be in memory, and this operand must not occur twice.
         for operand in [c, b, a] {
             let in_memory = |value: &usize| self.register_of[*value].is_none();
             let is_only = operands.iter().filter(|value| in_memory(value)).count() == 1;
@@ -206,7 +207,8 @@ impl<'a> Allocator<'a> {
         } else if dies(a) {
             (self.source_register(a), a)
         } else {
-            // A fresh register takes the operand in memory, otherwise the addend.
+            // The operand that is in memory is loaded into a fresh register, otherwise the addend
+            // is copied.
             let overwritten =
                 operands.into_iter().find(|value| self.register_of[*value].is_none()).unwrap_or(c);
             if overwritten == b {
@@ -218,7 +220,7 @@ impl<'a> Allocator<'a> {
             (to, overwritten)
         };
         let (order, second, third) = if overwritten == c {
-            // The memory operand comes last.
+            // The instruction can read only its last operand from memory.
             if self.register_of[a].is_none() {
                 (a, b) = (b, a);
             }
@@ -234,7 +236,7 @@ impl<'a> Allocator<'a> {
         self.free_slots_of(&operands);
     }
 
-    /// Writes an instruction whose operands are ready, and allocates its result register.
+    /// Writes an instruction whose operands are ready, and allocates the register of the result.
     fn finish(&mut self, operands: &[usize], instruction: impl FnOnce(Vector) -> MachineInstruction) {
         self.release(operands);
         let to = self.target();

@@ -33,9 +33,9 @@ pub(crate) enum MachineInstruction {
     Load(Vector, ValueLocation),
     Store(ValueLocation, Vector),
     Copy(Vector, Vector),
-    /// to, a, b: to = a ∘ b
+    /// Computes to = a ∘ b, with the operands in the order to, a, b.
     Binary(Binary, Vector, Vector, Source<ValueLocation>),
-    /// to, b, c, as the instruction orders them
+    /// A fused multiply-add. `FusedOrder` says which of the operands to, b, c are multiplied.
     Fused(Fused, FusedOrder, Vector, Vector, Source<ValueLocation>),
     RoundToSingle(Vector, Vector),
 }
@@ -46,19 +46,19 @@ pub(crate) struct Allocation {
     pub(crate) round: Vec<MachineInstruction>,
     pub(crate) after: Vec<MachineInstruction>,
     pub(crate) slots: usize,
-    /// The most registers in use at once, without those reserved for constants.
+    /// The largest number of registers in use at once, without those reserved for constants.
     most_taken: u8,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundPlan {
-    /// The destination of the results.
+    /// The place where the results end.
     pub(crate) ends: ResultDestination,
-    /// Whether many rounds use equal constants.
+    /// Whether many rounds run with equal constants.
     pub(crate) keeps_constants: bool,
 }
 
-/// The fewest registers: three operands, and one to move them into position.
+/// The smallest number of registers: three hold operands, and a fourth helps to move them.
 pub(crate) const FEWEST_REGISTERS: u8 = 4;
 
 impl ValueLocation {
@@ -94,10 +94,10 @@ impl MachineInstruction {
 }
 
 impl Allocation {
-    /// Allocates `registers` registers, at least [`FEWEST_REGISTERS`].
+    /// Allocates `registers` registers, of which there must be at least [`FEWEST_REGISTERS`].
     pub(crate) fn of(program: &Program, registers: u8, plan: RoundPlan) -> Self {
         let first = Allocator::new(program, registers, plan.ends, &[]).run();
-        // Spare registers hold constants that each round would load again.
+        // Spare registers hold constants that would otherwise be loaded again in each round.
         let kept = kept(program, plan, usize::from(registers - first.most_taken));
         if kept.is_empty() { first } else { Allocator::new(program, registers, plan.ends, &kept).run() }
     }
@@ -110,19 +110,19 @@ impl Allocation {
         self.all().count()
     }
 
-    /// Returns one more than the number of the highest register written.
+    /// Returns the number of vector registers in use, one more than the highest register written.
     pub(crate) fn vectors(&self) -> u8 {
         let written = self.all().filter_map(MachineInstruction::written);
         written.map(|register| register.0 + 1).max().unwrap_or(0)
     }
 }
 
-/// Returns the constants to keep in registers, the most used first.
+/// Returns at most `most` constants to keep in registers, beginning with the most used one.
 fn kept(program: &Program, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(program);
     let is_kept = |value: &usize| match program.operations[*value] {
         Instruction::Input(Input::Constant(_)) => plan.keeps_constants,
-        // A program with results elsewhere runs a single round.
+        // A program whose results go elsewhere runs only one round.
         Instruction::Constant(_) => plan.ends != ResultDestination::Elsewhere,
         _ => false,
     };

@@ -1,10 +1,10 @@
-//! The parallel move of a round's results to the states of the next round.
+//! Moves a round's results to the states of the next round, as if all moves happened at once.
 
 use crate::assembler::{Source, Vector};
 
 use super::{Allocation, MachineInstruction, ValueLocation};
 
-/// Moves `sources[i]` into register i for all i; a free register or a stack slot breaks cycles.
+/// Moves `sources[i]` into register i for all i. A free register or a stack slot breaks cycles.
 pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize, code: &mut Allocation) {
     let states = sources.len();
     let mut moves: Vec<(Vector, Source<ValueLocation>)> =
@@ -13,7 +13,7 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
         let (to, source) = moves[place];
         let still_read = moves.iter().any(|(_, source)| *source == Source::Register(to));
         if still_read {
-            // A cycle: first move the value in the target register elsewhere.
+            // In a cycle, the value in the target register is first moved elsewhere.
             let elsewhere = match spare(&moves, states, registers) {
                 Some(register) => {
                     code.round.push(MachineInstruction::Copy(register, to));
@@ -36,7 +36,7 @@ pub(super) fn move_results(sources: Vec<Source<ValueLocation>>, registers: usize
     }
 }
 
-/// Returns the index of a move whose target no other move reads, otherwise of any move.
+/// Returns the index of a move whose target no other move reads. Without one, any move is returned.
 fn next(moves: &[(Vector, Source<ValueLocation>)]) -> Option<usize> {
     let is_free = |(to, _): &(Vector, Source<ValueLocation>)| {
         !moves.iter().any(|(_, source)| *source == Source::Register(*to))

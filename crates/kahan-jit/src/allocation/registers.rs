@@ -1,4 +1,4 @@
-//! Register contents, and moves between registers and memory.
+//! Tracks which values the registers hold, and moves values between registers and memory.
 
 use crate::assembler::{Source, Vector};
 use crate::lowering::ResultDestination;
@@ -19,7 +19,7 @@ impl Allocator<'_> {
         self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
-    /// Returns the register of an operand, loading it if necessary.
+    /// Returns the register of an operand. If the operand is in memory, it is loaded first.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
         if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
@@ -31,7 +31,7 @@ impl Allocator<'_> {
         self.source_register(value)
     }
 
-    /// Returns an operand, which stays in memory if a load does not pay.
+    /// Returns an operand. The operand stays in memory if loading it into a register does not pay.
     pub(super) fn operand(&mut self, value: usize) -> Source<ValueLocation> {
         if self.is_worth_loading(value) {
             return Source::Register(self.in_register(value));
@@ -40,7 +40,8 @@ impl Allocator<'_> {
         self.source(value)
     }
 
-    /// Returns whether a value in memory is a variable, is read again, and a register is free.
+    /// Returns whether loading a value from memory pays: a variable is read again and a register is
+    /// free.
     pub(super) fn is_worth_loading(&self, value: usize) -> bool {
         let is_variable =
             !matches!(self.home[value], Some(ValueLocation::Constant(_) | ValueLocation::Literal(_)) | None);
@@ -56,7 +57,8 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register for the current value, preferably that of the state it becomes.
+    /// Returns a register for the current value. If the value becomes state i, register i is
+    /// preferred.
     pub(super) fn target(&mut self) -> Vector {
         let carried = self.results_of[self.time].first().filter(|_| self.ends == ResultDestination::Carried);
         match carried {
@@ -65,7 +67,7 @@ impl Allocator<'_> {
         }
     }
 
-    /// Returns a register to write to, spilling a value if necessary.
+    /// Returns a register to write to. If no register is free, a value is spilled first.
     pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,
@@ -76,7 +78,7 @@ impl Allocator<'_> {
         Vector(index as u8)
     }
 
-    /// Spills the unlocked register with the farthest next use.
+    /// Spills the unlocked register whose value has the farthest next use.
     pub(super) fn give_up(&mut self) -> usize {
         let next = |register: &usize| {
             self.registers[*register]
@@ -102,7 +104,7 @@ impl Allocator<'_> {
         register
     }
 
-    /// Ends the uses of these operands at this operation; frees the registers of dead values.
+    /// Marks these operands as used by this operation, and frees the registers of dead values.
     pub(super) fn release(&mut self, values: &[usize]) {
         for &value in values {
             self.uses.end(value, self.time);

@@ -1,14 +1,14 @@
-//! The next use of each value, which decides what is spilled.
+//! The later uses of each value decide which value is spilled.
 
 use crate::lowering::SIGN;
 use crate::program::{Instruction, Program};
 
 pub(super) struct Uses {
-    /// The uses of all values, value after value, each with room for one more use.
+    /// The times of all uses, ordered by value. Each value has room for one more use.
     times: Vec<u32>,
     /// For each value, the range of its remaining uses in `times`.
     of: Vec<[usize; 2]>,
-    /// The index of [`SIGN`], an implicit operand of negations.
+    /// The index of the constant [`SIGN`], which negations read without naming it as an operand.
     sign: Option<usize>,
 }
 
@@ -49,7 +49,7 @@ impl Uses {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
 
-    /// Adds a use after those of all operands, at most once.
+    /// Adds a use at `time`, later than all other uses, unless the value already has it.
     pub(super) fn add(&mut self, value: usize, time: usize) {
         if self.last(value) != Some(time) {
             self.push(value, time);

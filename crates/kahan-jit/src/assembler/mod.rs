@@ -1,8 +1,8 @@
 //! Assemblers for straight-line floating-point code, one per processor.
 //!
-//! In: one call per instruction, on registers and memory. Out: machine code, with constants in a
-//! pool behind it. Both processors' modules have an `Assembler` and register names with one
-//! interface. Tests compile both and compare their bytes with those of established assemblers.
+//! In: one call per instruction, on registers and memory. Out: machine code, followed by a pool of
+//! constants. The modules of both processors have an `Assembler` and register names with the same
+//! interface. Tests compile both modules and compare their bytes with those of other assemblers.
 
 #[cfg(any(target_arch = "aarch64", test))]
 mod a64;
@@ -23,46 +23,47 @@ pub(crate) enum Binary {
     Subtract,
     Multiply,
     Divide,
-    /// a if a > b, else b
+    /// Computes a if a > b, else b.
     Maximum,
-    /// a if a < b, else b
+    /// Computes a if a < b, else b.
     Minimum,
-    /// a xor b, bitwise. b is −0, so the sign of a flips.
+    /// Computes a xor b on the bits. Here b is −0, and therefore the sign of a flips.
     ExclusiveOr,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Fused {
-    /// product + addend
+    /// Computes product + addend.
     MultiplyAdd,
-    /// product − addend
+    /// Computes product − addend.
     MultiplySubtract,
-    /// addend − product
+    /// Computes addend − product.
     SubtractProduct,
 }
 
-/// Which of the operands d, b, c of a fused operation are multiplied; the result overwrites d.
+/// The operands of a fused operation, d, b and c, of which two are multiplied. The result
+/// overwrites d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FusedOrder {
-    /// d·c and b
+    /// Multiplies d by c; b is the addend.
     D132,
-    /// b·d and c
+    /// Multiplies b by d; c is the addend.
     D213,
-    /// b·c and d
+    /// Multiplies b by c; d is the addend.
     D231,
 }
 
-/// The registers and stack that a function uses, apart from its arguments.
+/// The registers and the stack that a function uses besides its arguments.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FrameNeeds {
-    /// The bytes of its stack slots, which start at the stack pointer.
+    /// The size of the stack slots in bytes. The slots start at the stack pointer.
     pub(crate) stack: usize,
-    /// Whether it uses [`GeneralRegister::POINTERS`], some of which must be saved for the caller.
+    /// Whether the function uses [`GeneralRegister::POINTERS`]; some of these belong to the caller.
     pub(crate) uses_pointers: bool,
-    /// The number of vector registers in use, from the first on.
+    /// The number of vector registers in use, counted from the first register.
     pub(crate) vectors: u8,
     pub(crate) instructions: usize,
 }
 
-/// The smallest page size; the stack grows page by page, so each page is touched in order.
+/// The smallest page size. The stack grows page by page, and therefore pages are touched in order.
 const PAGE: usize = 4096;

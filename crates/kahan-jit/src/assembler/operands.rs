@@ -8,17 +8,17 @@ pub(crate) enum Element {
     Double,
 }
 
-/// The part of a register that an instruction works on.
+/// The part of a register on which an instruction works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Width {
-    /// The lowest lane only.
+    /// Only the lowest lane.
     Scalar,
     Bits128,
     Bits256,
     Bits512,
 }
 
-/// The element type and width of an operand.
+/// The element type and the width of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OperandForm {
     pub(crate) element: Element,
@@ -48,18 +48,18 @@ impl OperandForm {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Vector(pub(crate) u8);
 
-/// A memory operand; G is the processor's type of general-purpose registers.
+/// A memory operand. G is the processor's type of general-purpose registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory<G> {
-    /// base + offset
+    /// The address base + offset.
     At { base: G, offset: i32 },
-    /// base + index; neither is the stack pointer.
+    /// The address base + index. Neither register is the stack pointer.
     Indexed { base: G, index: G },
-    /// A number of the pool.
+    /// A number in the constant pool.
     Pool(Entry),
 }
 
-/// The last operand of an instruction; M is the type of a memory operand.
+/// The last operand of an instruction. M is the type of a memory operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Source<M> {
     Register(Vector),
@@ -67,7 +67,7 @@ pub(crate) enum Source<M> {
 }
 
 impl<M> Source<M> {
-    /// Converts a memory operand with `of`; a register stays.
+    /// Converts a memory operand with `of`, and keeps a register.
     pub(crate) fn map<N>(self, of: impl FnOnce(M) -> N) -> Source<N> {
         match self {
             Self::Register(register) => Source::Register(register),

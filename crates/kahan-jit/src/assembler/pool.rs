@@ -1,21 +1,21 @@
-//! The constant pool behind the code.
+//! The pool of constants that follows the code.
 
 use super::operands::{Element, OperandForm};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Entry(usize);
 
-/// The constants of a function and the instructions that refer to them.
+/// The constants of a function, and the places in the code that refer to them.
 #[derive(Debug)]
 pub(super) struct Pool {
     form: OperandForm,
-    /// The bits of one lane of each constant.
+    /// The bits of each constant in one lane.
     entries: Vec<u64>,
-    /// The position of each reference in the code, and its constant.
+    /// For each reference, its position in the code and its constant.
     uses: Vec<(usize, Entry)>,
 }
 
-/// Entries start on a cache line and are at least 16 bytes, which bitwise instructions read.
+/// The alignment of the first entry, a cache line.
 const LINE: usize = 64;
 const SHORTEST: usize = 16;
 
@@ -24,7 +24,7 @@ impl Pool {
         Pool { form, entries: Vec::new(), uses: Vec::new() }
     }
 
-    /// Returns the entry of a constant, added on first use; `bits` encodes one lane.
+    /// Returns the entry of a constant, which is added at first use. `bits` encodes one lane.
     pub(super) fn entry(&mut self, bits: u64) -> Entry {
         let known = self.entries.iter().position(|known| *known == bits);
         Entry(known.unwrap_or_else(|| {
@@ -37,8 +37,8 @@ impl Pool {
         self.uses.push((place, entry));
     }
 
-    /// Appends the constants to the code. `filler` bytes, which trap when executed, pad the code up
-    /// to the cache line. `refer` patches each reference with its target.
+    /// Appends the constants to the code, at the start of a cache line. The bytes before them are
+    /// `filler`, which traps when executed. `refer` patches each reference with its target.
     pub(super) fn append_to(
         self,
         mut code: Vec<u8>,

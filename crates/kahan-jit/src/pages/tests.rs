@@ -2,7 +2,7 @@
 
 use super::Pages;
 
-/// Returns more than one page of bytes, neighbours distinct.
+/// Returns more bytes than one page holds. Neighbouring bytes differ.
 fn bytes() -> Vec<u8> {
     (0..10_000_u32).map(|k| (k % 251) as u8).collect()
 }
@@ -63,7 +63,7 @@ mod on_linux {
         }
     }
 
-    /// Counts the executable bytes of this process; neighbouring ranges may be merged.
+    /// Counts the executable bytes of this process. The system may merge neighbouring ranges.
     fn executable() -> usize {
         let pieces = pieces().into_iter().filter(|piece| piece.permissions.contains('x'));
         pieces.map(|piece| piece.addresses.len()).sum()
@@ -77,12 +77,12 @@ mod on_linux {
         for _ in 0..PAGES {
             drop(Pages::new(&bytes).expect("the system gives pages"));
         }
-        // Concurrent tests hold far fewer than a tenth of these pages.
+        // Tests that run at once hold far fewer than a tenth of these pages.
         let (after, most) = (executable(), before + PAGES / 10 * bytes.len());
         assert!(after < most, "{after} bytes, not {before}");
     }
 
-    /// Re-runs this test in a process limited to 1 GiB of address space.
+    /// Runs this test again in a process that is limited to 1 GiB of address space.
     #[test]
     fn a_refusal_of_the_system_is_an_error() {
         const LIMITED: &str = "KAHAN_JIT_LIMITED";

@@ -1,4 +1,4 @@
-//! A program that runs once.
+//! Code that runs a program once.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{RoundPlan, ValueLocation};
@@ -17,10 +17,10 @@ pub struct Function<T> {
 }
 
 impl<T: Float> Function<T> {
-    /// Compiles a program in some microseconds per hundred operations.
+    /// Compiles a program, in some microseconds per hundred operations.
     ///
     /// # Errors
-    /// [`CompileError`], with the reason.
+    /// Returns a [`CompileError`] with the reason.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: ResultDestination::Elsewhere, keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
@@ -32,19 +32,20 @@ impl<T: Float> Function<T> {
             ValueLocation::Literal(_) | ValueLocation::Slot(_) => unreachable!("they have addresses already"),
         });
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads one register per state and constant of the program and writes one
-        // per result. Only `Code::function` enters it.
+        // SAFETY: for each state and each constant of the program, the code reads one register. For
+        // each result, the code writes one register. Only `Code::function` enters the code.
         Ok(Function { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
-    /// Returns the length of the results, in numbers.
+    /// Returns how many numbers the results take.
     #[must_use]
     pub fn results(&self) -> usize {
         let [_, _, results] = self.code.extent().numbers();
         results
     }
 
-    /// Computes the results. Each array entry is one register of numbers.
+    /// Computes the results. For each entry of a program's array, the slice holds a register of
+    /// numbers.
     ///
     /// # Panics
     /// If an array is too short.

@@ -1,4 +1,4 @@
-//! Routines around straight-line code: loads before, a loop, stores after.
+//! Routines around straight-line code: a routine loads before a loop and stores after the loop.
 
 mod function;
 mod orbit;
@@ -16,12 +16,12 @@ use crate::lowering::{ResultDestination, lowered};
 use crate::program::{Program, entries};
 use crate::{CompileError, Shape};
 
-/// The maximum number of instructions, so that all jumps and offsets fit.
+/// The maximum number of instructions. Jumps and offsets of longer code might not fit.
 const MOST_INSTRUCTIONS: usize = 50_000;
-/// The maximum stack for slots, half of a thread's stack in bytes.
+/// The maximum stack for slots in bytes, half of a thread's stack.
 const MOST_STACK: usize = 1 << 20;
 
-/// Returns the memory operand of a location, after loading its address if necessary.
+/// Returns the memory operand of a location. If necessary, the location's address is loaded first.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, ValueLocation) -> Memory;
 
 struct Frame {
@@ -32,10 +32,10 @@ struct Frame {
 }
 
 impl Frame {
-    /// Begins a function over numbers of type `T`, with slots above the stack pointer.
+    /// Begins a function over numbers of type `T`. Its stack slots lie above the stack pointer.
     ///
     /// # Panics
-    /// If results become states and a state that is read has no result.
+    /// If results become states, and a state that the program reads has no result.
     fn open<T: Float>(
         program: &Program,
         shape: Shape,

@@ -1,4 +1,4 @@
-//! A program iterated on one state, which stays in registers.
+//! Code that iterates a program on one state, which stays in registers.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{FEWEST_REGISTERS, RoundPlan, ValueLocation};
@@ -17,7 +17,7 @@ pub struct Orbit<T> {
     ends: ResultDestination,
 }
 
-/// Code that iterates a program; each round runs it once per set of constants, in order.
+/// Code that iterates a program. A round runs the program once for each set of constants, in order.
 #[derive(Debug)]
 pub struct ComposedOrbit<T> {
     code: Code<T>,
@@ -27,17 +27,17 @@ impl<T: Float> Orbit<T> {
     /// Compiles a program with one result per state.
     ///
     /// # Errors
-    /// [`CompileError`], with the reason.
+    /// Returns a [`CompileError`] with the reason.
     ///
     /// # Panics
-    /// If a state that is read has no result.
+    /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let ends = ends(program, shape);
         let plan = RoundPlan { ends, keeps_constants: true };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
         let [states, constants, steps, last_state, _] = GeneralRegister::ARGUMENTS;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
-        // Carried states are read from one array and written to another or the same.
+        // Carried states are read from one array, and written to another array or back.
         let last = |assembler: &mut Assembler, place| match place {
             ValueLocation::State(i) => assembler.form().entry(last_state, i),
             _ => unreachable!("only states are written at the end"),
@@ -50,9 +50,9 @@ impl<T: Float> Orbit<T> {
         frame.after(&last);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads one register per result and per constant of the program, and
-        // writes only the results, to the last state if they are carried. Only `Code::orbit` and,
-        // for carried states, `Code::orbit_step` enter it.
+        // SAFETY: for each result and each constant of the program, the code reads one register.
+        // The code writes only the results, to the last state if these are carried. Only
+        // `Code::orbit` enters the code; for carried states `Code::orbit_step` enters it, too.
         let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
     }
@@ -65,8 +65,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// Writes the state one step later to `next`. Carried code copies the state itself, because a
-    /// copy before it would stall on recent stores.
+    /// Writes the state one step later to `next`. Code that carries states copies the state itself,
+    /// because a copy before the call would stall on recent stores.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.
@@ -84,14 +84,15 @@ impl<T: Float> ComposedOrbit<T> {
     /// Compiles a program with one result per state.
     ///
     /// # Errors
-    /// [`CompileError`], with the reason.
+    /// Returns a [`CompileError`] with the reason.
     ///
     /// # Panics
-    /// If a state that is read has no result.
+    /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false };
         let mut frame = Frame::open::<T>(program, shape, plan, false)?;
-        // The fifth argument is unused; its register holds the address of the next table entry.
+        // The routine has only four arguments; the fifth register holds the address of the next
+        // table entry.
         let [states, table, stages, steps, entry] = GeneralRegister::ARGUMENTS;
         let [constants, left, _] = GeneralRegister::SPARE;
         let addresses = |assembler: &mut Assembler, place| address(assembler, place, states, constants);
@@ -109,21 +110,23 @@ impl<T: Float> ComposedOrbit<T> {
         frame.after(&addresses);
         frame.assembler.bind(end);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes one register per result. From each address of the table
-        // it reads one register per constant of the program. Only `Code::composed_orbit` enters it.
+        // SAFETY: for each result, the code reads and writes one register. From each address of the
+        // table, the code reads one register per constant. Only `Code::composed_orbit` enters the
+        // code.
         Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
     /// Advances the state by `steps` rounds; `stages` holds the constants of each stage of a round.
     ///
     /// # Panics
-    /// If an array is too short, or there are no stages, or more than 64.
+    /// If an array is too short, if there are no stages, or if there are more than 64 stages.
     pub fn run<'a>(&self, state: &mut [T], stages: impl Iterator<Item = &'a [T]>, steps: u64) {
         self.code.composed_orbit(state, stages, steps);
     }
 }
 
-/// Returns where states live between rounds: in registers if enough are available.
+/// Returns where states live between rounds. States live in registers if there are enough
+/// registers.
 fn ends(program: &Program, shape: Shape) -> ResultDestination {
     let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
     if program.outputs.len() <= room { ResultDestination::Carried } else { ResultDestination::InPlace }

@@ -1,4 +1,4 @@
-//! A program iterated over columns of trajectories, one register of trajectories after another.
+//! Code that iterates a program over columns of trajectories, one register after another.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{RoundPlan, ValueLocation};
@@ -10,16 +10,16 @@ use crate::{CompileError, Program};
 
 use super::Frame;
 
-/// The constants of a sweep.
+/// The constants with which a sweep runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Constants {
-    /// One set for all trajectories.
+    /// All trajectories share one set of constants.
     Shared,
-    /// One set for each register of trajectories.
+    /// Each register of trajectories has its own set of constants.
     Own,
 }
 
-/// Code that advances many trajectories; column i holds state i of each trajectory.
+/// Code that advances many trajectories. Column i holds state i of each trajectory.
 #[derive(Debug)]
 pub struct Sweep<T> {
     code: Code<T>,
@@ -30,10 +30,10 @@ impl<T: Float> Sweep<T> {
     /// Compiles a program with one result per state.
     ///
     /// # Errors
-    /// [`CompileError`], with the reason.
+    /// Returns a [`CompileError`] with the reason.
     ///
     /// # Panics
-    /// If a state that is read has no result.
+    /// If a state that the program reads has no result.
     pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, CompileError> {
         let plan = RoundPlan { ends: ResultDestination::InPlace, keeps_constants: of == Constants::Shared };
         let mut frame = Frame::open::<T>(program, shape, plan, true)?;
@@ -68,31 +68,31 @@ impl<T: Float> Sweep<T> {
         frame.assembler.repeat_below(index, length, next_register);
         frame.assembler.count_down(steps, next_step);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes the first `states` columns register by register, and
+        // SAFETY: the code reads and writes the first `states` columns register by register. It
         // reads one register per constant from the constants' address. Only `Code::sweep` enters
-        // it. That method passes the register width and the stride between sets of constants.
+        // the code, with the register width and with the stride between sets of constants.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 
-    /// Returns the number of trajectories per register; column lengths must be multiples of it.
+    /// Returns the number of trajectories per register. Lengths of columns must be multiples of it.
     #[must_use]
     pub fn width(&self) -> usize {
         self.code.extent().width
     }
 
-    /// Returns the length of one set of constants, in numbers.
+    /// Returns how many numbers one set of constants takes.
     #[must_use]
     pub fn constants(&self) -> usize {
         let [_, constants, _] = self.code.extent().numbers();
         constants
     }
 
-    /// Advances all trajectories by `steps` rounds. Each constant fills a register of numbers. Sets
-    /// for separate registers of trajectories follow each other.
+    /// Advances all trajectories by `steps` rounds. Each constant fills a register of numbers. If
+    /// each register of trajectories has its own constants, the sets follow one another.
     ///
     /// # Panics
-    /// If the columns differ in length, the length is not a multiple of [`width`](Self::width),
-    /// there are too few constants, or there are more than 256 columns.
+    /// If the columns differ in length, or the length is not a multiple of [`width`](Self::width).
+    /// If there are too few constants or more than 256 columns.
     pub fn run(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], steps: u64) {
         self.code.sweep(columns, constants, self.of == Constants::Own, steps);
     }

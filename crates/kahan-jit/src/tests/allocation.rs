@@ -89,7 +89,7 @@ impl Machine {
     }
 }
 
-/// Interprets the allocated code of a program; returns the results after `rounds` rounds.
+/// Interprets the allocated code of a program, and returns the results after `rounds` rounds.
 fn allocated(
     program: &Program,
     (registers, plan): (u8, RoundPlan),
@@ -143,7 +143,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
     }
 }
 
-/// An operand with a single use stays in memory or passes its register to the result.
+/// At its last use, an operand stays in memory or its register becomes that of the result.
 #[test]
 fn a_last_use_takes_no_instruction_of_its_own() {
     let mut program = Program::default();

@@ -5,7 +5,7 @@ use crate::{ComposedOrbit, Constants, Float, Function, InstructionSet, LaneCount
 
 use super::{Draw, random_program, run, same};
 
-/// Returns the shapes available on this machine and prints the others.
+/// Returns the shapes that are available on this machine, and prints the other shapes.
 fn shapes(lanes: LaneCount) -> impl Iterator<Item = Shape> {
     InstructionSet::ALL.into_iter().flat_map(move |instructions| {
         if !instructions.is_available() {
@@ -36,7 +36,7 @@ impl Tested for f64 {
 }
 
 fn numbers<T: Tested>(draw: &mut Draw, count: usize) -> Vec<T> {
-    // Special numbers are rare in most arrays, so most results are finite.
+    // Special numbers are rare in most arrays, and therefore most results are finite.
     let ordinary = if draw.below(3) == 0 { 55 } else { 5000 };
     (0..count).map(|_| T::of(draw.number(ordinary))).collect()
 }
@@ -46,7 +46,7 @@ fn assert_same<T: Tested>(found: &[T], expected: &[T], what: &str, program: &Pro
     assert!(agree, "{what}: {found:?}, not {expected:?}\n{program:?}");
 }
 
-/// Draws a program: usually small, sometimes one that spills heavily.
+/// Draws a program, which is usually small and sometimes long enough to spill many values.
 fn draw_program(draw: &mut Draw, case: usize) -> (Program, usize, usize) {
     let (states, constants) = match case % 10 {
         9 => (40, 30),
@@ -180,7 +180,7 @@ fn a_sweep_advances_each_trajectory() {
     sweeps::<f32>();
 }
 
-/// Long code needs other jumps and loads on some processors.
+/// Long code needs other jumps and loads on 64-bit Arm.
 #[test]
 fn long_code_computes_its_results() {
     let program = random_program(&mut Draw(7), 3, 2, 24_000);

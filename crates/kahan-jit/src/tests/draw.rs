@@ -1,4 +1,4 @@
-//! Programs drawn at random from a seed.
+//! Random programs, drawn from a seed.
 
 use kahan_program::{Float, Node};
 
@@ -19,7 +19,7 @@ impl Draw {
         (self.next() % bound as u64) as usize
     }
 
-    /// Draws a number: ordinary with weight `ordinary`, otherwise special, such as NaN.
+    /// Draws an ordinary number with weight `ordinary`, otherwise a special number such as NaN.
     pub(crate) fn number(&mut self, ordinary: usize) -> f64 {
         match self.below(5 + ordinary) {
             0 => 0.0,
@@ -32,7 +32,7 @@ impl Draw {
     }
 }
 
-/// Appends an operation, even a duplicate, and returns its node.
+/// Appends an operation, even if the program already has it, and returns its node.
 pub(crate) fn push(program: &mut Program, operation: Instruction) -> Node {
     program.operations.push(operation);
     Node(program.operations.len() - 1)
@@ -50,7 +50,7 @@ pub(crate) fn literal(value: f64) -> Instruction {
     Instruction::Constant(Float::of(value))
 }
 
-/// Draws a program with one result per state. Most values are used soon, some much later.
+/// Draws a program with one result per state. Most values are used soon, and some much later.
 pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {
@@ -84,7 +84,7 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
         push(&mut program, instruction);
     }
     let known = program.operations.len();
-    // Sometimes a result is a state, a constant, or a value used twice.
+    // Sometimes a result is a state, a constant, or a value that another operation uses, too.
     let result = |draw: &mut Draw| match draw.below(8) {
         0 => Node(draw.below(states + constants + 2)),
         _ => Node(known - 1 - draw.below(known.min(2 * states + 4))),

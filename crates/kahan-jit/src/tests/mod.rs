@@ -1,4 +1,4 @@
-//! Random programs, and an interpreter as the reference for allocation and code.
+//! Random programs, and an interpreter as the reference for the allocation and the code.
 
 mod allocation;
 mod code;
@@ -8,7 +8,7 @@ mod hostile;
 mod refused;
 mod run;
 
-/// Returns whether this test binary can run itself; under an emulator it cannot.
+/// Returns whether this test binary can start itself, which fails under an emulator.
 #[cfg(target_os = "linux")]
 pub(crate) fn starts_itself() -> bool {
     let program = std::env::current_exe().expect("this program has a name");

@@ -1,4 +1,4 @@
-//! Refused programs, and availability of instruction sets.
+//! Tests that some programs are refused, and that instruction sets are available.
 
 use kahan_program::Node;
 
@@ -27,7 +27,7 @@ fn program(operations: &[Instruction], outputs: Vec<Node>) -> Program {
     Program { operations: operations.to_vec(), outputs }
 }
 
-/// Instructions hold signed 32-bit offsets from the start of an array.
+/// Instructions hold offsets from the start of an array as signed 32-bit numbers.
 #[test]
 fn entries_beyond_the_reach_of_an_instruction_are_refused() {
     if is_unavailable() {
@@ -64,7 +64,7 @@ fn more_results_than_a_straight_line_has_are_refused() {
     );
 }
 
-/// Operations may read only earlier ones, because later ones have no register yet.
+/// An operation may read only earlier operations, because later operations have no register yet.
 #[test]
 fn programs_that_read_what_was_not_computed_are_refused() {
     let x = Node(0);
@@ -74,7 +74,7 @@ fn programs_that_read_what_was_not_computed_are_refused() {
         (Instruction::MultiplyAdd(x, x, Node(usize::MAX)), x),
         (Instruction::Call(CalledFunction::Maximum, x, Node(1)), x),
         (Instruction::Call(CalledFunction::RoundToSingle, Node(1), Node(1)), x),
-        // A function of one argument takes its operand twice.
+        // A function of one argument gets its operand twice.
         (Instruction::Call(CalledFunction::Copy, x, Node(1)), Node(1)),
         (Instruction::Call(CalledFunction::RoundToSingle, x, Node(usize::MAX)), Node(1)),
         (Instruction::Negate(x), Node(2)),
@@ -99,7 +99,7 @@ fn a_round_has_a_result_for_each_state() {
     let _ = Orbit::<f64>::compile(&program(&[state(14)], vec![Node(0)]), SHAPE);
 }
 
-/// Returns a program with `values` live values, which are combined at the end.
+/// Returns a program with `values` live values, which the last operations combine.
 fn wide(values: usize) -> Program {
     let mut program = Program::default();
     let mut last = push(&mut program, state(0));
@@ -150,8 +150,8 @@ fn more_numbers_at_once_than_the_stack_holds_are_refused() {
     }
 }
 
-/// Re-runs this test in a process that must die. Code touches each stack page in order, so it stops
-/// at the first inaccessible page and writes nothing below the stack.
+/// Runs this test again in a process that must die. The code touches the pages of the stack in
+/// order, stops at the first inaccessible page, and writes nothing below the stack.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_stack_that_is_too_small_stops_the_process() {

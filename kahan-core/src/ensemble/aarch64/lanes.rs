@@ -1,6 +1,6 @@
-//! Scalars over NEON registers: each operation is one instruction on all lanes.
+//! Scalars over NEON registers. Each operation is one instruction on all lanes.
 //!
-//! In: two `f64` or four `f32` of a column. Out: per lane, the arithmetic of one float.
+//! In: two `f64` or four `f32` of a column. Out: in each lane, the arithmetic of one float.
 #![expect(unused_unsafe, reason = "the multiply-adds are functions of this module, which are safe to call")]
 
 use core::arch::aarch64::*;
@@ -15,12 +15,12 @@ use crate::{Constant, Scalar};
 
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: every 64-bit Arm that has the standard library has NEON.
+        // SAFETY: every 64-bit Arm processor with the standard library has NEON.
         unsafe { $expression }
     };
 }
 
-/// Defines a lane type over a NEON register, with the multiply-adds of the named module.
+/// Defines a lane type over a NEON register. The multiply-adds are those of the named module.
 macro_rules! lanes_of_neon {
     ($name:ident(float64x2_t), $multiply_adds:ident) => {
         lanes! {
@@ -63,7 +63,7 @@ macro_rules! multiply_adds {
     };
 }
 
-/// a·b + c, a·b − c and c − a·b with two roundings.
+/// The operations a·b + c, a·b − c and c − a·b with two roundings.
 mod rounded_twice {
     multiply_adds! {
         add_f64(a, b, c: float64x2_t) vaddq_f64(vmulq_f64(a, b), c);
@@ -75,7 +75,8 @@ mod rounded_twice {
     }
 }
 
-/// a·b + c, a·b − c and c − a·b with one rounding. The first operand of `vfma` is the addend.
+/// The operations a·b + c, a·b − c and c − a·b with one rounding. The first operand of `vfma` is
+/// the addend.
 mod rounded_once {
     multiply_adds! {
         add_f64(a, b, c: float64x2_t) vfmaq_f64(c, a, b);
@@ -108,7 +109,8 @@ choosing! {
 fn doubles(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
     for (r, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
-        // SAFETY: r and k are at most 2, so each slice of a row has two numbers or more.
+        // SAFETY: r and k are at most 2, and therefore each slice of a row has at least two
+        // numbers.
         unsafe {
             let (a, b) = (vld1q_f64(rows[r][k..].as_ptr()), vld1q_f64(rows[r + 1][k..].as_ptr()));
             vst1q_f64(square[k][r..].as_mut_ptr(), vtrn1q_f64(a, b));
@@ -118,14 +120,14 @@ fn doubles(rows: Square<f64>) -> Square<f64> {
     square
 }
 
-/// Transposes a 4 × 4 matrix of floats: `vld4q` loads every fourth number into one register.
+/// Transposes a 4 × 4 matrix of floats. `vld4q` loads every fourth number into one register.
 #[inline(always)]
 fn singles(rows: Square<f32>) -> Square<f32> {
     let mut square = [[0.0; 4]; 4];
-    // SAFETY: the flattened rows have sixteen numbers.
+    // SAFETY: the four rows together have sixteen numbers.
     let columns = unsafe { vld4q_f32(rows.as_flattened().as_ptr()) };
     for (column, register) in square.iter_mut().zip([columns.0, columns.1, columns.2, columns.3]) {
-        // SAFETY: a column has four numbers.
+        // SAFETY: `column` has four numbers.
         unsafe { vst1q_f32(column.as_mut_ptr(), register) };
     }
     square

@@ -1,7 +1,7 @@
 //! Macros that define lane types over vector registers of any processor.
 //!
-//! In: the names of a processor's intrinsics. Out: a type that computes in all lanes what one float
-//! computes. Each processor's module defines `machine!`, which runs an intrinsic.
+//! In: the names of a processor's intrinsics. Out: a type whose lanes compute as one float does.
+//! Each processor's module defines the macro `machine!`, which runs an intrinsic.
 
 #[cfg(test)]
 pub(super) mod tests;
@@ -9,7 +9,7 @@ pub(super) mod tests;
 use super::lanes::Square;
 
 /// A vector register with the comparisons and selections that
-/// [`Lanes`](crate::ensemble::lanes::Lanes) needs.
+/// [`Lanes`](crate::ensemble::lanes::Lanes) requires.
 pub(in crate::ensemble) trait SelectLanes: Copy {
     type Float;
     type Mask: Copy;
@@ -48,8 +48,8 @@ macro_rules! choosing {
     };
 }
 
-/// Defines a lane type: its name, register, number of lanes, float, and the intrinsic of each
-/// operation. The fused operations are a·b + c, a·b − c and c − a·b.
+/// Defines a lane type from its name, its register, the number of lanes, the float, and the
+/// intrinsic of each operation. The fused operations are a·b + c, a·b − c and c − a·b.
 macro_rules! lanes {
     (
         $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
@@ -81,14 +81,14 @@ macro_rules! lanes {
             fn load(entries: &[$float], place: usize) -> Self {
                 let entries = &entries[place..place + $lanes];
                 // SAFETY: the slice holds as many floats as the register, and the address need not
-                // be aligned; the instruction exists, as `machine!` says.
+                // be aligned. The instruction exists, because `machine!` runs it.
                 Self(unsafe { $load(entries.as_ptr()) })
             }
 
             #[inline(always)]
             fn store(self, entries: &mut [$float], place: usize) {
                 let entries = &mut entries[place..place + $lanes];
-                // SAFETY: as in `load`.
+                // SAFETY: as in `load`, the slice is long enough and the instruction exists.
                 unsafe { $store(entries.as_mut_ptr(), self.0) };
             }
 
@@ -153,7 +153,7 @@ macro_rules! lanes {
         impl Neg for $name {
             type Output = Self;
 
-            /// −0 − x equals −x for every x.
+            /// Computes −0 − x, which equals −x for every x.
             #[inline(always)]
             fn neg(self) -> Self {
                 Self::splat(-0.0) - self

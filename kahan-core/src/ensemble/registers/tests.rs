@@ -8,7 +8,7 @@ use crate::ensemble::columns::{GROUP, Group};
 use crate::ensemble::lanes::Lanes;
 use crate::{Constant, Scalar};
 
-/// The number of operations compared; the last three are multiply-adds.
+/// The number of operations that are compared. The last three are multiply-adds.
 const OPERATIONS: usize = 14;
 
 fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
@@ -36,7 +36,7 @@ fn operations<L: Lanes<T>, T>(a: L, b: L, c: L) -> [L; OPERATIONS] {
     ]
 }
 
-/// Computes all operations on one float; the multiply-adds have one rounding or two.
+/// Computes all operations on one float. The multiply-adds have one rounding or two.
 macro_rules! operations_on {
     ($name:ident, $float:ty) => {
         pub(in crate::ensemble) fn $name(
@@ -59,7 +59,7 @@ macro_rules! operations_on {
 operations_on!(operations_f32, f32);
 operations_on!(operations_f64, f64);
 
-/// Yields floats from random bits, so that all exponents occur; every fourth is a special value.
+/// Yields floats from random bits, with all exponents. Every fourth float is a special value.
 macro_rules! operands_of {
     ($name:ident, $float:ty, $bits:ty) => {
         pub(in crate::ensemble) fn $name(seed: u64) -> impl Iterator<Item = $float> {
@@ -107,7 +107,7 @@ pub(in crate::ensemble) fn compare<L, T>(
                 let [a, b, c] = operands.map(|group| group[k]);
                 let one = expected(a, b, c)[operation];
                 let (text, text_of_one) = (std::format!("{:?}", results[k]), std::format!("{one:?}"));
-                // Debug text distinguishes −0 from 0 and treats all NaNs as equal.
+                // Debug text tells −0 from 0, and is equal for all NaNs.
                 assert_eq!(text, text_of_one, "operation {operation} on {a:?}, {b:?}, {c:?}");
             }
         }

@@ -1,8 +1,8 @@
-//! Scalars over x86-64 vector registers: each operation is one instruction on all lanes.
+//! Scalars over x86-64 vector registers. Each operation is one instruction on all lanes.
 //!
-//! In: two to sixteen floats of a column. Out: per lane, the arithmetic of one float. AVX2 and
-//! AVX-512 fuse multiply-adds. SSE2 fuses only if scalar code of the build does, so the two agree
-//! bit for bit. `==` compares all lanes together; steps do not use it.
+//! In: two to sixteen floats of a column. Out: in each lane, the arithmetic of one float. AVX2 and
+//! AVX-512 fuse multiply-adds. SSE2 fuses only if scalar code of the build does, and the bits of
+//! both are equal. `==` compares all lanes together; steps do not use `==`.
 #![allow(
     unused_unsafe,
     reason = "where the whole program is compiled for the instructions, calling them is safe"
@@ -24,14 +24,14 @@ mod transposing;
 macro_rules! machine {
     ($expression:expr) => {
         // SAFETY: the instructions exist here. AVX lane types are used only inside `avx2`,
-        // `avx512`, `work_on_avx2` and `work_on_avx512`, which run after a check of the processor
-        // (see the module above). SSE2 is part of x86-64, and fused operations on SSE2 registers
-        // are compiled only if the whole program is compiled for FMA.
+        // `avx512`, `work_on_avx2` and `work_on_avx512`. These functions run after a check of the
+        // processor (see the module above). SSE2 is part of x86-64. Fused operations on SSE2
+        // registers are compiled only if the whole program is compiled for FMA.
         unsafe { $expression }
     };
 }
 
-/// Defines a lane type over an AVX-512 register, with the given quotient (divided or estimated).
+/// Defines a lane type over an AVX-512 register. The quotient is a division or an estimate.
 macro_rules! lanes_of_avx512 {
     ($name:ident(__m512d), quotient $quotient:path) => {
         lanes! {
@@ -85,7 +85,7 @@ lanes_of_avx512!(F64x8(__m512d), quotient divided);
 
 lanes_of_avx512!(F32x16(__m512), quotient divided);
 
-/// Multiply-adds of SSE2 registers, fused if scalar floats of this build are.
+/// Multiply-adds of SSE2 registers. They are fused if the scalar floats of this build are fused.
 mod of_the_build {
     use core::arch::x86_64::*;
 

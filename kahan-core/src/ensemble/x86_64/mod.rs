@@ -1,9 +1,9 @@
 //! Runs `OverLanes` work (ensembles, chains, elimination) in the vector registers of x86-64.
 //!
-//! The lane types are private, so this module justifies their `unsafe`. SSE2 lanes are valid on
-//! every x86-64 processor. Others exist only inside [`avx2`], [`avx512`], [`work_on_avx2`] and
-//! [`work_on_avx512`], which are compiled for their instructions and run after a check of the
-//! processor. Steps and other work get the lane types as type arguments inside these functions.
+//! The lane types are private; therefore this module justifies their `unsafe`. SSE2 lanes are valid
+//! on every x86-64 processor. Other lanes exist only inside [`avx2`], [`avx512`], [`work_on_avx2`]
+//! and [`work_on_avx512`]. These functions are compiled for their instructions, and run after a
+//! check of the processor. There, steps and other work get the lane types as type arguments.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;
@@ -31,11 +31,11 @@ macro_rules! dispatch_for_float {
             fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
                 match level {
                     Level::Avx512 if level.is_available() => {
-                        // SAFETY: `is_available` found AVX-512F in the guard above.
+                        // SAFETY: `is_available` found AVX-512F in the condition above.
                         unsafe { work_on_avx512::<$avx512, _, W>(work) }
                     }
                     Level::Avx2 if level.is_available() => {
-                        // SAFETY: `is_available` found AVX2 and FMA in the guard above.
+                        // SAFETY: `is_available` found AVX2 and FMA in the condition above.
                         unsafe { work_on_avx2::<$avx2, _, W>(work) }
                     }
                     _ if W::IS_SMALL => work.run::<RegisterPair<$sse2>>(),
@@ -56,15 +56,15 @@ macro_rules! dispatch_for_float {
             {
                 match (level, reciprocal) {
                     (Level::Avx512, Reciprocal::Estimated) if level.is_available() => {
-                        // SAFETY: `is_available` found AVX-512F in the guard above.
+                        // SAFETY: `is_available` found AVX-512F in the condition above.
                         unsafe { avx512::<$estimated, _, S, N>(map, columns, steps) }
                     }
                     (Level::Avx512, Reciprocal::Divided) if level.is_available() => {
-                        // SAFETY: `is_available` found AVX-512F in the guard above.
+                        // SAFETY: `is_available` found AVX-512F in the condition above.
                         unsafe { avx512::<$avx512, _, S, N>(map, columns, steps) }
                     }
                     (Level::Avx2, _) if level.is_available() => {
-                        // SAFETY: `is_available` found AVX2 and FMA in the guard above.
+                        // SAFETY: `is_available` found AVX2 and FMA in the condition above.
                         unsafe { avx2::<$avx2, _, S, N>(map, columns, steps) }
                     }
                     _ => widen_and_sweep::<$sse2, _, S, N>(map, columns, steps),
@@ -77,7 +77,7 @@ macro_rules! dispatch_for_float {
 dispatch_for_float!(f32, NEGLIGIBLE_F32: F32x4, F32x8, F32x16, F32x16Estimated);
 dispatch_for_float!(f64, NEGLIGIBLE_F64: F64x2, F64x4, F64x8, F64x8Estimated);
 
-/// Defines a function with the given attributes that advances columns over registers R.
+/// Defines a function with the given attributes, which advances columns over registers R.
 macro_rules! over_registers {
     ($(#[$attribute:meta])* $name:ident: |$map:ident, $columns:ident, $steps:ident| $body:expr) => {
         $(#[$attribute])*
@@ -105,7 +105,7 @@ over_registers! {
     avx512: |map, columns, steps| widen_and_sweep::<R, T, S, N>(map, columns, steps)
 }
 over_registers! {
-    /// Must be inlined, so that the caller's target features apply.
+    /// The function must be inlined; only then the caller's target features apply.
     #[inline(always)]
     widen_and_sweep: |map, columns, steps| {
         sweep::<R, S, _, _, N>(&map.stages(|at| at.prepared.widen(R::spread)), columns, steps)
@@ -120,7 +120,7 @@ where
     if W::IS_SMALL { work.run::<RegisterPair<L>>() } else { work.run::<L>() }
 }
 
-/// Needs no [`RegisterPair`]: one AVX-512 register has the lanes of two AVX2 registers.
+/// No [`RegisterPair`] is needed, because one AVX-512 register has the lanes of two AVX2 registers.
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()

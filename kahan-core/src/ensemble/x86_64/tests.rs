@@ -1,6 +1,6 @@
 //! Compares each lane of every lane type with a float, and the estimated reciprocal with division.
 //!
-//! Levels that the processor lacks are skipped with a message.
+//! Instruction sets that the processor lacks are skipped with a message.
 
 use crate::ensemble::Level;
 use crate::ensemble::columns::{GROUP, Group};
@@ -33,7 +33,8 @@ fn numbers_fill_all_lanes() {
 
 macro_rules! estimates_are_near_quotients {
     ($name:ident, $lanes:ty, $float:ty, $operands:ident, $share:literal) => {
-        /// Covers numbers of every exponent whose reciprocal is finite, including subnormal ones.
+        /// The operands have every exponent whose reciprocal is finite, including subnormal
+        /// numbers.
         #[test]
         #[cfg_attr(miri, ignore = "Miri knows no estimate")]
         fn $name() {
@@ -53,7 +54,7 @@ macro_rules! estimates_are_near_quotients {
             }
             let share = f64::from(off) / (groups * GROUP) as f64;
             assert!(share < $share, "{off} of {} are not rounded correctly", groups * GROUP);
-            // An estimate that never differs would be a division.
+            // If the estimate never differed from a division, it would be a division.
             assert!(off > 0);
         }
     };

@@ -1,4 +1,4 @@
-//! Memory aligned to cache lines, so that no register load crosses two lines.
+//! Memory aligned to cache lines, in which no register load crosses two lines.
 
 use std::vec;
 use std::vec::Vec;
@@ -15,9 +15,9 @@ pub(super) struct Buffer<T> {
 impl<T: Scalar> Buffer<T> {
     pub(super) fn new(len: usize) -> Self {
         let most = LINE / size_of::<T>().max(1);
-        // The vector never grows, so its address, and the alignment, stay fixed.
+        // The vector never grows, and therefore its address and the alignment stay fixed.
         let entries = vec![T::zero(); len + most];
-        // Without an aligned index within reach only speed suffers.
+        // If no aligned index can be reached, loads are slower.
         let start = Some(entries.as_ptr().align_offset(LINE)).filter(|&start| start <= most).unwrap_or(0);
         Self { entries, start }
     }

@@ -1,7 +1,9 @@
-//! The first pass: eliminates the interiors of parts, leaving Schur complements of the separators.
+//! The first pass, which eliminates the interiors of parts and leaves the Schur complements of the
+//! separators.
 //!
-//! In: the states of some groups, with one part per lane. Out: per part its largest multiplier and
-//! 2S rows of 2S + 1 numbers (S = R·B). Those of the right separator come first.
+//! In: the states of some groups, with one part per lane. Out: for each part its largest multiplier
+//! and 2S rows of 2S + 1 numbers, where S = R·B is the number of unknowns of a separator. The rows
+//! of the right separator come first.
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::ops::Range;
@@ -47,7 +49,8 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let FirstPass { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The final system: last interior, right separator, left separator, right-hand side.
+        // The columns of the final system belong to the last rows of the interior, to the right and
+        // the left separator, and to the right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(separators::size(s));
@@ -97,7 +100,8 @@ impl<
                 }
             }
             for r in 0..R {
-                // Only couplings to this interior; the other entries belong to the next part.
+                // Only the couplings to this interior are used. The other entries belong to the
+                // next part.
                 let SiteLine { a, .. } = map.line::<L, B, P, C, SITES>(&mut sites);
                 for b in 0..B {
                     for k in 0..R - r {
@@ -126,9 +130,9 @@ impl<
 
 struct InteriorElimination<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
-    /// The rows of the left separator.
+    /// The rows of the left separator's unknowns.
     border: [[WindowRow<L, B, R, WIDTH>; B]; R],
-    /// The largest multiplier of the border rows.
+    /// The largest multiplier with which a row of `border` was reduced.
     worst: L,
 }
 
@@ -152,7 +156,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
 }
 
 /// The final dense system of the first pass, followed by the largest multipliers. Its first columns
-/// are eliminated, with pivots only from the first rows.
+/// are eliminated, and only its first rows may become pivot rows.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

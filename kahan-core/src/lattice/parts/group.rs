@@ -1,17 +1,17 @@
-//! The parts of a group in SIMD lanes, gathered from the state and scattered back.
+//! The parts of a group, gathered from the state into SIMD lanes and scattered back.
 //!
-//! In: the positions of the parts. Out: their sites in order, one register per array, with the
-//! separator and R more sites on either side.
+//! In: the positions of the parts. Out: the sites of each part in order, one register per array.
+//! The separator and R more sites on either side are included.
 
 use crate::ensemble::Level;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
 use crate::lattice::{LatticeMap, LatticeScalar};
 
-/// Consecutive parts of one length, one per lane.
+/// Consecutive parts of equal length, one in each lane.
 #[derive(Clone, Copy)]
 pub(super) struct PartGroup {
-    /// The first site of the first part, where its separator starts.
+    /// The first site of the first part, which is the first site of its separator.
     pub(super) start: usize,
     /// The number of sites of each part, including its separator.
     pub(super) length: usize,
@@ -19,8 +19,8 @@ pub(super) struct PartGroup {
 }
 
 impl PartGroup {
-    /// Gathers the states and parameters of all sites that the rows of both separators use, from R
-    /// before the left separator to R after the right one.
+    /// Gathers the states and parameters of all sites that the rows of both separators use. These
+    /// sites range from R sites before the left separator to R sites after the right separator.
     pub(super) fn gather<M: LatticeMap<T>, T: LatticeScalar + InLanes>(
         self,
         map: &M,
@@ -54,8 +54,8 @@ impl PartGroup {
         }
     }
 
-    /// Gathers the numbers of the R sites before each part and of the 2R sites after it: `block`
-    /// numbers per site, with a distance of `stride` registers between sites.
+    /// Gathers the numbers of the R sites before each part and of the 2R sites after it. There are
+    /// `block` numbers per site, and `stride` registers between two sites.
     fn gather_edges<M, T>(
         self,
         map: &M,
@@ -69,7 +69,7 @@ impl PartGroup {
         M: LatticeMap<T>,
     {
         let (reach, length) = (map.sizes().reach as isize, self.length as isize);
-        // Only these sites may wrap around.
+        // Only these sites may lie beyond the end of a ring and wrap around.
         for site in (-reach..0).chain(length..length + 2 * reach) {
             for b in 0..block {
                 let place = ((site + reach) as usize * stride + b) * self.width;
@@ -83,7 +83,8 @@ impl PartGroup {
     }
 
     /// Gathers the first `sites` sites of each part, which do not wrap around. `chain` starts with
-    /// the first part; each number goes to every `stride`-th register.
+    /// the first part. Each number of a site goes to a register, and sites are `stride` registers
+    /// apart.
     pub(super) fn gather_inner<T: InLanes>(
         self,
         chain: &[T],

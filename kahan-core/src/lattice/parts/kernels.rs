@@ -1,6 +1,7 @@
-//! The kernels of both passes, selected by the sizes of a family, and their division among threads.
+//! The kernels of both passes, which the sizes of a family select, and their division among
+//! threads.
 //!
-//! Groups are independent, so the number of threads changes no bits.
+//! Groups are independent, and therefore the number of threads changes no bits.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -15,7 +16,7 @@ use super::partition::Partition;
 use super::scratch::Scratch;
 use super::second_pass::SecondPass;
 
-/// Divides groups and their numbers among threads; `place` returns a group's offset.
+/// Divides groups and their numbers among threads. `place` returns the offset of a group's numbers.
 pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
@@ -53,7 +54,7 @@ pub(in crate::lattice) enum Pass<'a, M, T> {
     Second(SecondPass<'a, M, T>),
 }
 
-/// The kernels for chains of certain sizes: a single one, or a menu.
+/// The kernels for chains of certain sizes: those of one stencil, or those of a menu of stencils.
 pub(in crate::lattice) trait Kernels {
     fn supports(sizes: Sizes) -> bool;
 
@@ -88,7 +89,8 @@ impl<
     }
 }
 
-/// Splits the parts of groups into batches of `width`, each with the index of its first part.
+/// Splits the parts of groups into batches of `width` parts. Yields each batch with the index of
+/// its first part.
 #[inline(always)]
 pub(super) fn batches(
     partition: &Partition,

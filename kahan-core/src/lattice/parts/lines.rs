@@ -1,4 +1,4 @@
-//! The equations of sites in SIMD lanes, and the rows that kernels make of them.
+//! The equations of sites in SIMD lanes, and the matrix rows that kernels make of these.
 
 use core::array::from_fn;
 use core::ops::Range;
@@ -10,32 +10,33 @@ use crate::lattice::Stencil;
 
 use super::window::WindowRow;
 
-/// The results of the equations at one site.
+/// The values of the equations at one site.
 #[derive(Clone, Copy, Debug)]
 pub struct SiteLine<L, const B: usize, const SITES: usize> {
-    /// The field.
+    /// The field at the site, one number per array.
     pub f: [L; B],
-    /// The rows of A: for each array, its entries site by site.
+    /// The rows of A. For each array of the site, the entries are stored site by site.
     pub a: [[[L; B]; SITES]; B],
 }
 
-/// Sites gathered in SIMD lanes, one register per entry. Their equations are requested in order.
+/// Sites gathered in SIMD lanes, one register per number. Kernels request their equations in order.
 #[derive(Debug)]
 pub struct Gathered<'a, T, L, const C: usize> {
-    /// The constants of the equations.
+    /// The prepared constants of the equations.
     pub constants: &'a [T],
     pub(in crate::lattice) spread: [L; C],
-    /// States, site by site.
+    /// The states, site by site.
     pub x: &'a [T],
-    /// Parameters, site by site.
+    /// The parameters, site by site.
     pub c: &'a [T],
-    /// [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast) scratch registers.
+    /// Scratch memory of [`Sizes::registers_abreast`](crate::lattice::Sizes::registers_abreast)
+    /// registers.
     pub registers: &'a mut [T],
-    /// The instruction set level of the registers.
+    /// The instruction set of the registers.
     pub level: Level,
-    /// The index of the next site in the registers.
+    /// The index of the site whose equations come next, among the gathered sites.
     pub site: usize,
-    /// The sites whose equations are already computed, for a family read at run time.
+    /// The sites whose equations are already computed. Only families read at run time use this.
     pub computed: Range<usize>,
 }
 
@@ -72,7 +73,7 @@ impl<
         row.right = line.f[b];
         let entries = line.a[b].as_flattened();
         for k in 0..WIDTH {
-            // The first and last rows of a block have fewer entries on one side.
+            // The first and the last rows of a site have fewer entries on one side.
             if R * B + b + k >= LOWER && R * B + b + k - LOWER < SITES * B {
                 row.band[k] = entries[R * B + b + k - LOWER];
             }
@@ -90,7 +91,7 @@ impl<
         for k in 0..R - i {
             for e in 0..B {
                 row.left[i + k][e] = line.a[b][k][e];
-                // Entries of the separator must not be eliminated with the identity rows.
+                // Entries of the separator must not be eliminated by the identity rows.
                 let distance = (R - k) * B + b - e;
                 if distance <= LOWER {
                     row.band[LOWER - distance] = L::zero();
@@ -100,7 +101,8 @@ impl<
         row
     }
 
-    /// Returns a row of site r of the left separator, without the entries of the previous part.
+    /// Returns a row of site r of the left separator, without the entries that belong to the
+    /// previous part.
     #[inline(always)]
     pub(super) fn row_of_left<L: Scalar + Copy>(
         line: &SiteLine<L, B, SITES>,

@@ -1,8 +1,9 @@
 //! Steps of a long chain in parts, which are eliminated in SIMD lanes.
 //!
 //! In: a state. Out: the next state in place, or a refusal. The first pass eliminates the interiors
-//! and reduces the separators' rows to a small banded system; the second computes the interiors
-//! from its solution. A step is refused if an entry far exceeds a pivot, which would lose digits.
+//! of the parts, and reduces the rows of the separators between parts to a small banded system. The
+//! second pass computes the interiors from the solution of this system. A step is refused if an
+//! entry far exceeds a pivot, because digits would be lost.
 
 mod buffer;
 mod first_pass;
@@ -39,28 +40,29 @@ pub(super) struct PartWorkspace<T> {
     partition: Partition,
     level: Level,
     scratch: Vec<Scratch<T>>,
-    /// The results of the first pass, part by part.
+    /// The results of the first pass for each part; see [`separators::size`].
     joints: Vec<T>,
-    /// The old states of the separators and of the remaining sites.
+    /// The old states of the separators and of the remaining sites at the end of the chain.
     kept: Vec<T>,
     reduced: Folded<T>,
 }
 
 pub(in crate::lattice) trait PartSolver<T>: Sized + Send + Sync + 'static {
-    /// The number of parts per group; `None` for scalars without lanes.
+    /// The number of parts per group, `None` for scalars without lanes.
     const LANES: Option<usize>;
 
-    /// Allocates a workspace; `None` for scalars without lanes.
+    /// Allocates a workspace. Returns `None` for scalars without lanes.
     fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
-    /// Takes one step; refuses small pivots and non-finite numbers, with the state unchanged.
+    /// Takes one step. Small pivots and numbers that are not finite are refused, and leave the
+    /// state unchanged.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,
         T: LatticeScalar;
 }
 
-/// The parts of a scalar without lanes; has no values.
+/// The solver for scalars without lanes, a type without values.
 pub(in crate::lattice) enum NoPartSolver {}
 
 impl<T> PartSolver<T> for NoPartSolver {

@@ -1,10 +1,10 @@
 //! The division of a chain into parts, which affects the bits of a step.
 //!
-//! In: the number of sites, the reach, the number of lanes. Out: separators of R sites, each
-//! followed by an interior, in groups of one part per lane. All parts of a group have equal
+//! In: the number of sites, the reach R, the number of lanes. Out: parts, each a separator of R
+//! sites followed by an interior, in groups of one part per lane. All parts of a group have equal
 //! lengths. At least R sites remain at the end and close the chain.
 
-/// The intended length of a part: long compared with its separator, short enough for a cache.
+/// The intended length of a part, long compared with its separator and short enough for a cache.
 const LENGTH: usize = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub(in crate::lattice) struct Partition {
     lanes: usize,
     groups: usize,
     length: usize,
-    /// The number of leading groups whose parts have one more site.
+    /// The number of groups at the beginning whose parts have one more site.
     longer: usize,
 }
 
@@ -23,7 +23,8 @@ impl Partition {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
-    /// Divides a chain into parts of about `about` sites; `None` if that is less than `least`.
+    /// Divides a chain into parts of about `about` sites. Returns `None` if `about` is less than
+    /// `least`.
     pub(in crate::lattice) fn with_length(
         sites: usize,
         reach: usize,
@@ -31,7 +32,7 @@ impl Partition {
         about: usize,
         least: usize,
     ) -> Option<Self> {
-        // In shorter parts, the neighbours of a separator would reach beyond the part.
+        // In shorter parts, the neighbours of a separator would lie beyond the part.
         let least = least.max(3 * reach);
         let covered = sites.checked_sub(reach)?;
         let groups = (covered / (lanes * about)).max(1);
@@ -52,7 +53,8 @@ impl Partition {
         self.groups * self.lanes
     }
 
-    /// Returns the first site of a group; after the last group, the first remaining site.
+    /// Returns the first site of a group. For the index after the last group, returns the first
+    /// remaining site.
     pub(super) fn start(&self, group: usize) -> usize {
         self.lanes * (group * self.length + group.min(self.longer))
     }
@@ -70,12 +72,14 @@ impl Partition {
         self.sites - self.start(self.groups)
     }
 
-    /// Returns the number of sites of the reduced system: all separators and the remaining sites.
+    /// Returns the number of sites in the reduced system, which contains all separators and the
+    /// remaining sites.
     pub(super) fn kept(&self) -> usize {
         self.parts() * self.reach + self.left_over()
     }
 
-    /// Iterates over the runs of the reduced system: index there, first site, number of sites.
+    /// Iterates over the runs of consecutive sites in the reduced system. Yields the index of each
+    /// run there, its first site and its number of sites.
     pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let partition = *self;
         let separators = (0..partition.parts()).map(move |part| {

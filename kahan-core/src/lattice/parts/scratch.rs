@@ -1,4 +1,4 @@
-//! The workspace of a thread for one group.
+//! The memory in which a thread computes one group.
 
 use crate::Scalar;
 use crate::ensemble::Level;
@@ -9,15 +9,15 @@ use super::partition::Partition;
 
 pub(in crate::lattice) struct Scratch<T> {
     pub(super) level: Level,
-    /// States, from R sites before the left separator to R after the right one.
+    /// The states, from R sites before the left separator to R sites after the right separator.
     pub(super) x: Buffer<T>,
     pub(super) c: Buffer<T>,
     pub(super) registers: Buffer<T>,
     /// The final dense system of the first pass, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The finished rows with their right-hand sides; the identity rows come first.
+    /// The finished rows with their right-hand sides. The first rows are rows of the identity.
     pub(super) done: Buffer<T>,
-    /// The solution at the two adjacent separators.
+    /// The solution at the separators to the left and to the right of the part.
     pub(super) known: Buffer<T>,
 }
 

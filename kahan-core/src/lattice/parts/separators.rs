@@ -1,6 +1,6 @@
-//! The reduced banded system of the separators and the remaining sites.
+//! The reduced banded system, whose unknowns lie at the separators and at the remaining sites.
 //!
-//! In: the results of the first pass. Out: the solution at these sites.
+//! In: the results of the first pass. Out: the solution at the separators and the remaining sites.
 
 use core::ops::Range;
 
@@ -11,15 +11,16 @@ use crate::{Constant, Scalar};
 
 use super::partition::Partition;
 
-/// The largest ratio of a separator's entry to its pivot; 2¹⁰ costs three of sixteen digits.
+/// The largest ratio of a separator's entry to its pivot. The ratio 2¹⁰ costs three of sixteen
+/// digits.
 const GROWTH: i64 = 1 << 10;
 
-/// Returns the numbers stored per part, for separators of this many unknowns.
+/// Returns how many numbers are stored per part if a separator has this many unknowns.
 pub(super) fn size(separator: usize) -> usize {
     2 * separator * (2 * separator + 1) + 1
 }
 
-/// Solves the reduced system; `None` if pivots are too small or numbers are not finite.
+/// Solves the reduced system. Returns `None` if pivots are too small or numbers are not finite.
 pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     partition: &Partition,
     joints: &[T],
@@ -41,14 +42,14 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     let (left_over_from, place_from) = ((sites - left_over) * block, partition.parts() * separator);
     let gained = reduced.solve(|unknown, row| {
         let (before, k) = (unknown / separator, unknown % separator);
-        // The contributions of the parts to the left and to the right.
+        // Adds the contributions of the parts to the left and to the right of a separator.
         if (1..=partition.parts()).contains(&before) {
             add(row, joint(before - 1), k, before, separator);
         }
         if before < partition.parts() {
             add(row, joint(before), separator + k, before + 1, separator);
         }
-        // Direct couplings among the remaining sites, and with the first separator.
+        // Adds couplings among the remaining sites, and between these and the first separator.
         let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
             for (column, entry) in site.entries(map, sites, b) {
                 if columns.contains(&column) {
@@ -71,7 +72,7 @@ pub(super) fn solve<'a, M: LatticeMap<T>, T: LatticeScalar>(
     gained.iter().all(T::is_finite_number).then_some(gained)
 }
 
-/// Adds row k of a part's contribution; `right` is the index of the part's right separator.
+/// Adds row k of a part's contribution. `right` is the index of the separator to the part's right.
 fn add<T: Scalar>(row: &mut BandRow<'_, T>, joint: &[T], k: usize, right: usize, separator: usize) {
     let columns = 2 * separator + 1;
     let entries = &joint[k * columns..][..columns];

@@ -1,7 +1,7 @@
-//! Elimination with partial pivoting in a window of rows that moves along a band, in registers.
+//! Elimination with partial pivoting in registers, in a window of rows that moves along a band.
 //!
-//! In: the rows of a band, one at a time. Out: each finished row, starting with its reciprocal
-//! pivot. Loops have constant lengths, so they are unrolled and numbers stay in registers.
+//! In: the rows of a band, one at a time. Out: each finished row, which starts with its reciprocal
+//! pivot. Loops have constant lengths; therefore they are unrolled and numbers stay in registers.
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
@@ -9,7 +9,7 @@ use crate::ensemble::lanes::Lanes;
 #[derive(Clone, Copy)]
 pub(super) struct WindowRow<L, const B: usize, const R: usize, const WIDTH: usize> {
     pub(super) band: [L; WIDTH],
-    /// The entries in the columns of the left separator.
+    /// The entries of the row in the columns of the left separator.
     pub(super) left: [[L; B]; R],
     pub(super) right: L,
 }
@@ -20,8 +20,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// Exchanges with another row in the lanes where the other's first entry is larger. Usually no
-    /// lane exchanges, so testing all lanes at once is cheaper than a selection.
+    /// Exchanges this row with `other` in the lanes where the first entry of `other` is larger.
+    /// Usually no lane exchanges, and testing all lanes at once is cheaper than a selection.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where
@@ -42,13 +42,14 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
         exchange(&mut self.right, &mut other.right, mask);
     }
 
-    /// Returns the row with another right-hand side and without the separator's columns.
+    /// Returns the row with another right-hand side, and without the columns of the left separator.
     #[inline(always)]
     pub(super) fn without_left(self, right: L) -> WindowRow<L, B, 0, WIDTH> {
         WindowRow { band: self.band, left: [], right }
     }
 
-    /// Writes the row from `place` on, with the first `columns` entries of the band.
+    /// Writes the row to `numbers` from `place` on, with only the first `columns` entries of the
+    /// band.
     #[inline(always)]
     pub(super) fn write<T>(&self, numbers: &mut [T], place: usize, columns: usize)
     where
@@ -96,7 +97,8 @@ pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
     Window<L, B, R, LOWER, WIDTH>
 {
-    /// Returns the initial window: identity rows for columns before the first.
+    /// Returns the initial window, whose rows are rows of the identity for columns before the
+    /// first.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let mut rows = [WindowRow::zero(); LOWER];
@@ -106,7 +108,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
         Self { rows }
     }
 
-    /// Appends a row, eliminates the current column, and returns its row with reciprocal pivot.
+    /// Appends a row and eliminates the current column. Returns the pivot's row with the reciprocal
+    /// pivot.
     #[inline(always)]
     pub(super) fn push<T>(&mut self, row: WindowRow<L, B, R, WIDTH>) -> WindowRow<L, B, R, WIDTH>
     where

@@ -1,4 +1,4 @@
-//! Handwritten families, in the form that the macro generates.
+//! Families written by hand, in the form that the macro generates.
 
 use std::vec;
 use std::vec::Vec;
@@ -10,7 +10,7 @@ const fn boundary(is_open: bool) -> Boundary {
     if is_open { Boundary::Open } else { Boundary::Periodic }
 }
 
-/// ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).
+/// The Volterra chain ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).
 #[derive(Clone, Debug)]
 pub(super) struct Volterra<const OPEN: bool>;
 
@@ -44,7 +44,7 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Volterra<OPEN> {
     }
 }
 
-/// Toda's chain in Flaschka's variables: ȧᵢ = aᵢ(bᵢ₊₁ − bᵢ), ḃᵢ = 2(aᵢ² − aᵢ₋₁²).
+/// The Toda chain in Flaschka's variables: ȧᵢ = aᵢ(bᵢ₊₁ − bᵢ), ḃᵢ = 2(aᵢ² − aᵢ₋₁²).
 #[derive(Clone, Debug)]
 pub(super) struct Toda<const OPEN: bool>;
 
@@ -82,10 +82,11 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Toda<OPEN> {
     }
 }
 
-/// u_t = −6 u u_x − u_xxx by central differences of step h, with a dispersion coefficient per site.
+/// The equation u_t = −6 u u_x − u_xxx, discretised by central differences of step h. Each site has
+/// its own dispersion coefficient.
 #[derive(Clone, Debug)]
 pub(super) struct Kdv<T, const OPEN: bool> {
-    /// 1/h.
+    /// The reciprocal 1/h of the difference step.
     pub(super) inverse: T,
     pub(super) dispersion: Vec<T>,
 }
@@ -134,7 +135,8 @@ impl<T: LatticeScalar, const OPEN: bool> LatticeMap<T> for Kdv<T, OPEN> {
     }
 }
 
-/// An unstructured field: three arrays, offsets up to five, eight products per derivative.
+/// A field without structure: it has three arrays, offsets up to five, and eight products per
+/// derivative.
 #[derive(Clone, Debug)]
 pub(super) struct Tangled<T, const OPEN: bool>(pub(super) [T; 8]);
 

@@ -1,4 +1,5 @@
-//! Steps in parts and by one elimination agree, for any number of sites, lanes and threads.
+//! Tests that steps in parts agree with one elimination, for any number of sites, lanes and
+//! threads.
 
 use std::vec::Vec;
 
@@ -9,7 +10,7 @@ use crate::{LatticeMap, LatticeScalar};
 
 use super::families::{Kdv, Tangled, Toda, Volterra};
 
-/// A wave with values between ½ and 3/2.
+/// Returns a wave with values between ½ and 3/2.
 fn state(len: usize) -> Vec<f64> {
     (0..len).map(|i| 1.0 + 0.5 * (0.37 * i as f64).sin()).collect()
 }
@@ -22,7 +23,7 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<f64, OPEN> {
     Tangled(core::array::from_fn(|term| 0.5 - 0.125 * term as f64))
 }
 
-/// Takes steps in short parts, so that few sites form several groups.
+/// Takes steps in short parts; therefore few sites already form several groups.
 pub(super) fn in_short_parts<M: LatticeMap<f64>>(
     map: M,
     eps: f64,
@@ -40,8 +41,8 @@ fn levels() -> impl Iterator<Item = Level> {
         .filter(|level| level.is_available())
 }
 
-/// Compares steps in parts with one elimination, in the ∞-norm and in units of u. A is diagonally
-/// dominant, so both are within a few roundings of x̃.
+/// Compares steps in parts with one elimination. The distance in the maximum norm is counted in
+/// rounding units. A is diagonally dominant, and both results are within a few roundings of x̃.
 fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item = usize>, eps: f64) {
     for sites in sites {
         let x = state(sites * M::BLOCK);
@@ -95,7 +96,7 @@ fn long_chains_are_cut_into_parts() {
 }
 
 /// If site i is the first of an interior, column i of A has its only entry in the separator's row.
-/// The interior is then exactly singular, although A is not.
+/// The interior is then exactly singular, although A is not singular.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (200, 0.125);

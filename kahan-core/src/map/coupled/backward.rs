@@ -1,9 +1,10 @@
 //! The step with a small backward error, for more than eight variables.
 //!
-//! In: a point and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every row
-//! i, or the reason for failure; k is the largest number of entries in a row of A. At most two
-//! steps of iterative refinement use residuals with error bounds, and these bounds prove the
-//! result. With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
+//! In: a point x and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every
+//! row i of the linear system A·x̃ = b, or the reason for failure. The largest number of entries in
+//! a row of A is k, and u is the rounding unit. At most two steps of iterative refinement compute
+//! residuals with error bounds, which prove the result. The residual is b − A·x̃ = 2εf − A·(x̃ −
+//! x), whose terms are small with ε.
 
 use core::array::from_fn;
 
@@ -25,10 +26,10 @@ use super::{CoupledField, CoupledStep, Factors, zeros};
 
 const REFINEMENTS: usize = 2;
 
-/// The residual of a solution and its backward error.
+/// The residual b − A·x̃ of a solution x̃, with a bound of the solution's backward error.
 struct Residual<T, const N: usize> {
     residual: [T; N],
-    /// An upper bound of the backward error; infinite if unknown.
+    /// An upper bound of the backward error, infinite if no bound is known.
     bound: f64,
 }
 
@@ -63,7 +64,8 @@ where
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Tries sparse elimination, then partial pivoting, with residuals by `rest` or wide numbers.
+    /// Tries sparse elimination, then partial pivoting. The function `rest` computes residuals; if
+    /// these are too inaccurate, wide numbers compute them.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Residual<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -147,8 +149,8 @@ where
         Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
-    /// Writes A(x,ε) with each row divided by its largest entry, and returns the factors. If a row
-    /// has only one entry, a zero component of x̃ stays 0.
+    /// Writes A(x,ε) with each row divided by its largest entry, and returns the factors of the
+    /// rows. If a row has only one entry, a zero component of x̃ stays 0.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
@@ -180,8 +182,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// Returns x̃ after iterative refinement if its backward error is small enough. Lowers `least`
-    /// to the smallest error bound reached.
+    /// Returns x̃ after iterative refinement if the backward error of x̃ is small enough. Lowers
+    /// `least` to the smallest error bound that was reached.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
@@ -239,7 +241,7 @@ where
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
         let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
-        // left: 2f, then 2f + f′d. right: 2f, then 2f − f′x.
+        // With d = x̃ − x, `left` becomes 2f + f′d and `right` becomes 2f − f′x; both start as 2f.
         let mut left = [Bounded::<V>::zero(); N];
         for (left, component) in left.iter_mut().zip(PostfixEvaluator::of(K::FIELD, &parameters, &x)) {
             *left = component + component;

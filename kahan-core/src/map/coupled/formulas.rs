@@ -1,8 +1,8 @@
 //! Formulas as tables in postfix notation, evaluated by one loop.
 //!
-//! In: a table, parameters, a state. Out: the values of the formulas in order. Over bounded
-//! numbers, straight-line code of a large field would dominate the size of a crate although it
-//! rarely runs. The macro orders operands so that the stack stays shallow.
+//! In: a table of formulas, parameters, a state. Out: the values of the formulas in order. Over
+//! bounded numbers, straight-line code of a large field would take most of a crate's size and run
+//! rarely. The macro orders the operands so that the stack stays short.
 
 use core::array::from_fn;
 
@@ -19,21 +19,21 @@ pub enum Postfix<'a> {
     Parameter(u16),
     /// Pushes an exact number.
     Number(Constant<'a>),
-    /// Replaces a by −a.
+    /// Replaces the top a of the stack by −a.
     Negate,
-    /// Replaces a, b by a + b.
+    /// Replaces the two top entries a, b by a + b.
     Add,
-    /// Replaces a, b by a − b.
+    /// Replaces the two top entries a, b by a − b.
     Subtract,
-    /// Replaces a, b by b − a.
+    /// Replaces the two top entries a, b by b − a.
     SubtractFrom,
-    /// Replaces a, b by a·b.
+    /// Replaces the two top entries a, b by a·b.
     Multiply,
-    /// Replaces a, b by a/b.
+    /// Replaces the two top entries a, b by a/b.
     Divide,
-    /// Replaces a, b by b/a.
+    /// Replaces the two top entries a, b by b/a.
     DivideInto,
-    /// Ends a formula; the only entry on the stack is its value.
+    /// Ends a formula. The only entry on the stack is the formula's value.
     Done,
 }
 
@@ -94,7 +94,7 @@ mod tests {
 
     #[test]
     fn tables_are_run_in_their_order() {
-        // 2x₁/p − (p − 1), −x₀(x₁ + ½), (p/x₀)
+        // The table holds the formulas 2x₁/p − (p − 1), −x₀(x₁ + ½) and p/x₀.
         let table = [
             Number(Constant::integer(2)),
             State(1),

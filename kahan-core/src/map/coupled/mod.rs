@@ -1,8 +1,9 @@
-//! The step of a field too large for a closed form, by sparse elimination.
+//! The step of a field that is too large for a closed form, by sparse elimination.
 //!
-//! In: the entries of f and f′ from the macro, with their positions in A. Out: increments x̃ − x =
-//! 2ε·A(x,ε)⁻¹f(x), Jacobians, and a step with a small backward error. If a pivot is too small,
-//! partial pivoting on the whole matrix is used instead.
+//! In: the entries of f and f′ from the macro, with their positions in the matrix A(x,ε) = I −
+//! εf′(x). Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), Jacobians, and a step with a small backward
+//! error. If a pivot is too small, partial pivoting on the whole matrix replaces sparse
+//! elimination.
 
 mod backward;
 mod formulas;
@@ -25,25 +26,26 @@ use super::stable::PromiseScalar;
 use backward::promised;
 pub use formulas::Postfix;
 
-/// A field's formulas: N variables, P parameters, M entries of f′, S entries of A with fill-in.
+/// The formulas of a field f with N variables, P parameters and M nonzero entries of f′. The matrix
+/// A = I − εf′ has S entries, including the entries that elimination fills in.
 pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: usize>: 'static {
-    /// The positions of the entries of A.
+    /// The positions of the entries of A, the matrix of the step.
     const COUPLINGS: Couplings<'static>;
-    /// f as a postfix table.
+    /// The components of f as a postfix table.
     const FIELD: &'static [Postfix<'static>];
-    /// The entries of f′ as a postfix table, in the order of `COUPLINGS`.
+    /// The entries of the derivative f′ as a postfix table, in the order of `COUPLINGS`.
     const SLOPES: &'static [Postfix<'static>];
     /// The cost of one step.
     const COST: StepCost;
 
-    /// Returns f(x).
+    /// Returns f(x), the value of the field.
     fn field<T: Scalar>(parameters: &[T; P], x: &[T; N]) -> [T; N];
 
-    /// Returns the entries of f′(x) in the order of `COUPLINGS`.
+    /// Returns the entries of the derivative f′(x) in the order of `COUPLINGS`.
     fn slopes<T: Scalar>(parameters: &[T; P], x: &[T; N]) -> [T; M];
 
-    /// Returns A(x,ε)⁻¹f(x); `None` if a pivot is too small. The default loops over the tables; the
-    /// macro may generate straight-line code with equal operations.
+    /// Returns A(x,ε)⁻¹f(x), or `None` if a pivot is too small. The default evaluates the tables in
+    /// a loop. The macro may generate straight-line code with equal operations.
     fn velocity<T: Scalar>(parameters: &[T; P], x: &[T; N], eps: &T) -> Option<[T; N]> {
         let factors = Factors::<T, S>::of::<N, M>(&Self::COUPLINGS, &Self::slopes(parameters, x), eps)?;
         let mut velocity = Self::field(parameters, x);
@@ -52,7 +54,7 @@ pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: 
     }
 }
 
-/// The LU factors of A(x,ε), in S entries.
+/// The LU factors of the matrix A(x,ε), stored in S entries.
 struct Factors<T, const S: usize>([T; S]);
 
 impl<T: Scalar, const S: usize> Factors<T, S> {
@@ -67,7 +69,7 @@ impl<T: Scalar, const S: usize> Factors<T, S> {
         couplings.factor(&mut values, &mut row).then_some(Self(values))
     }
 
-    /// Replaces b, in the order of the variables, by A⁻¹b.
+    /// Replaces b by A⁻¹b. The entries of b are in the order of the variables.
     fn solve<const N: usize>(&self, couplings: &Couplings<'_>, b: &mut [T; N]) {
         let mut ordered: [T; N] = from_fn(|k| b[couplings.order[k] as usize].clone());
         couplings.solve(&self.0, &mut ordered);
@@ -87,7 +89,7 @@ pub struct CoupledStep<K, T, const N: usize, const P: usize, const M: usize, con
 impl<K, T: Clone, const N: usize, const P: usize, const M: usize, const S: usize>
     CoupledStep<K, T, N, P, M, S>
 {
-    /// Prepares the step at these parameters and ε, half the time step.
+    /// Prepares the step with these parameters, at `eps`, half the time step.
     pub fn new(parameters: [T; P], eps: T) -> Self {
         Self { parameters, eps, field: PhantomData }
     }
@@ -106,7 +108,7 @@ impl<K, T: Copy, const N: usize, const P: usize, const M: usize, const S: usize>
 {
 }
 
-/// Returns f′(x) as a dense matrix from its entries.
+/// Returns the derivative f′(x) as a dense matrix, built from its nonzero entries.
 pub fn slopes_matrix<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     slopes: [T; M],
 ) -> SMatrix<T, N, N>
@@ -121,7 +123,8 @@ where
     matrix
 }
 
-/// Returns a zero matrix to fill in place; a copy of 200 rows would take much of a thread's stack.
+/// Returns a zero matrix for callers that fill it in place. A copy with 200 rows would take much of
+/// a thread's stack.
 #[inline(never)]
 fn zeros<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
@@ -157,10 +160,10 @@ impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, con
         Some(velocity.map(|entry| time_step.clone() * entry))
     }
 
-    /// Returns x̃ with a proved backward error; for other scalars, the checked step.
+    /// Returns x̃ with a proved backward error. For other scalars the checked step is returned.
     ///
     /// # Errors
-    /// See [`KahanMap::try_step`](crate::KahanMap::try_step).
+    /// Returns the errors of [`KahanMap::try_step`](crate::KahanMap::try_step).
     pub fn promised<F>(&self, map: &F, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep>
     where
         F: KahanMap<T, N, Prepared = Self>,
@@ -183,10 +186,11 @@ impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, con
         Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
     }
 
-    /// Returns ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε).
+    /// Returns the derivative ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) of the next state x̃, with A(x,ε) = I −
+    /// εf′(x).
     ///
     /// # Panics
-    /// For exact scalars, at a pole.
+    /// If the scalar is exact and `x` is a pole.
     pub fn jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         let Some(next) = self.next(x) else { pole(&self.eps) };
         let mut back = zeros();

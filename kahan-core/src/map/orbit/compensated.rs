@@ -1,4 +1,4 @@
-//! Compensated orbits of floats: each step adds the rounding error of the previous point.
+//! Compensated orbits of floats. Each step adds the rounding error of the previous point.
 
 use nalgebra::{ArrayStorage, SMatrix};
 
@@ -8,14 +8,14 @@ use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, StateVector, Step, Sto
 
 use super::Orbit;
 
-/// Maps whose step exposes its increment, as compensated summation requires.
+/// A map whose step exposes the increment, which compensated summation requires.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot carry rounding errors beside its points",
     label = "it does not tell the increments of its steps",
     note = "prepared maps of `kahan!` do, compositions of them, and maps that are read at run time; chains do not"
 )]
 pub trait Increments: Step {
-    /// A state with its carry: a point followed by its rounding error, 2N numbers.
+    /// A state with its carry: 2N numbers, of which N are a point and N are its rounding error.
     type Carried: StateVector<Self::Scalar>;
 
     /// Returns the compensated map; see [`Orbit::compensated`](crate::Orbit::compensated).
@@ -26,10 +26,11 @@ pub trait Increments: Step {
         Compensated(self)
     }
 
-    /// Steps a point with its carry; `None` at a pole of an exact scalar.
+    /// Steps a point with its carry, the rounding error. Returns `None` at a pole of an exact
+    /// scalar.
     fn next_with_carry(&self, x: &Self::Carried, workspace: &mut Workspace) -> Option<Self::Carried>;
 
-    /// Advances a point with its carry by `steps` steps.
+    /// Advances a point with its carry, the rounding error, by `steps` steps.
     ///
     /// # Errors
     /// # Panics
@@ -47,9 +48,10 @@ pub trait Increments: Step {
 
 /// A map on points with their rounding errors; see [`Orbit::compensated`].
 ///
-/// A state is a point followed by its carry, initially zero, so it has twice the map's dimension.
-/// The orbit is at point + carry; the carry is at most about an ulp of the point or of the last
-/// increment. A [part](Step::part) of a step changes only the point.
+/// A state is a point followed by its carry, the rounding error, which is initially zero. Hence a
+/// state has twice the map's dimension. The exact sum point + carry is the position on the orbit.
+/// The carry is at most about an ulp of the point or of the last increment. A [part](Step::part) of
+/// a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -69,7 +71,7 @@ pub trait Increments: Step {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensated<S>(
-    /// The map.
+    /// The map whose orbits are compensated.
     pub S,
 );
 
@@ -132,18 +134,21 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Increments for KahanAt<M
 }
 
 impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
-    /// Continues this orbit with compensated (Kahan) summation: the rounding error of each addition
+    /// Continues this orbit with compensated (Kahan) summation. The rounding error of each addition
     /// x + (x̃ − x) is added in the next step. Yielded points are rounded to about an ulp.
     ///
     /// Benefit: a plain step rounds each component to half an ulp. A compensated step only has the
-    /// error of its increment, O(ε)·u, so the integrals of the map drift less.
+    /// error of its increment, O(ε)·u with the rounding unit u. Therefore the integrals of the map
+    /// drift less.
     ///
     /// Limits: increments are still rounded. If these errors have a nonzero mean, drift grows
-    /// linearly, visible beyond about 10⁶ steps in `f32`, and in `f64` if powers of ε round badly;
-    /// [`nearest_short_eps`](crate::nearest_short_eps) helps. Linear fields gain little, because
-    /// their increments are a constant matrix times the state. Near poles increments are off.
+    /// linearly. The drift is visible beyond about 10⁶ steps in `f32`; in `f64` it is visible if
+    /// powers of ε round badly. In this case [`nearest_short_eps`](crate::nearest_short_eps) helps.
+    /// Linear fields gain little, because their increments are a constant matrix times the state.
+    /// Near poles increments are inaccurate.
     ///
-    /// Cost: seven operations per component, off the critical path; times: `benches/results`.
+    /// Cost: seven operations per component, off the critical path. The times are in
+    /// `benches/results`.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -1,8 +1,9 @@
 //! Orbits as iterators.
 //!
-//! In: a map at its ε, and an initial state. Out: x₀, x₁, …, each computed on demand, because exact
-//! points grow and an unneeded one can cost more than all before it. At a pole an orbit over exact
-//! scalars ends and stores the reason; over floats it continues with infinities or NaNs.
+//! In: a map at its ε, and an initial state. Out: the points x₀, x₁, …, each computed on demand.
+//! Exact points grow, and a point that nobody needs can cost more than all earlier points. At a
+//! pole, an orbit over exact scalars ends and stores the reason. Over floats an orbit continues
+//! with infinities or NaNs.
 
 mod compensated;
 #[cfg(feature = "std")]
@@ -21,10 +22,10 @@ pub use compensated::{Compensated, Increments};
 pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
 
-/// The orbit x₀, x₁, … of a map S at its ε; see [`KahanMap::orbit`] and [`Orbit::new`].
+/// The orbit x₀, x₁, … of a map S at a fixed ε; see [`KahanMap::orbit`] and [`Orbit::new`].
 ///
 /// Everything that depends only on ε and the parameters is computed once. Each point is bit for bit
-/// the [step](Step::next) of the previous one. The following modes are types of this iterator:
+/// the [step](Step::next) of the previous point. The following modes are types of this iterator:
 ///
 /// | mode | made by | map |
 /// |---|---|---|
@@ -34,28 +35,30 @@ pub use scaled::Scaled;
 /// | compensated and of higher order | these two, in either order | `Compensated<Composed<KahanAt<…>>>` |
 /// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
-/// Compensations are not yielded. [`projective`](Self::projective) continues a plain orbit through
-/// poles. [`nth`](Iterator::nth) is as fast as a handwritten loop over
+/// The iterator yields no compensations. [`projective`](Self::projective) continues a plain orbit
+/// through poles. [`nth`](Iterator::nth) is as fast as a handwritten loop over
 /// [`KahanAt::step`](crate::KahanAt::step).
 ///
 /// [`KahanMap::orbit`]: crate::KahanMap::orbit
 ///
 /// # Forward and back
-/// The map with −ε is the inverse map. Hence n steps forward and back return to x₀, exactly over
-/// exact scalars. Over floats each of the 2n steps rounds, and later steps propagate the errors.
-/// With φ the map, ‖∂φ⁻ᵏ(xₖ)‖ is the amplification of an error at xₖ by k steps back. Let δₖ bound
-/// the rounding of a step to xₖ (16 u ‖xₖ‖ at ordinary points); it counts once in each direction.
-/// The final distance from x₀ in the maximum norm is at most
+/// The map with −ε is the inverse map. Hence n steps forward and n steps back return to x₀; over
+/// exact scalars they return exactly. Over floats each of the 2n steps rounds, and later steps
+/// propagate the errors. With φ the map, the norm ‖∂φ⁻ᵏ(xₖ)‖ tells how much k steps back amplify an
+/// error at xₖ. Let δₖ bound the rounding error of a step to xₖ, which is 16 u ‖xₖ‖ at ordinary
+/// points. This error counts once in each direction. The final distance from x₀ in the maximum norm
+/// is at most
 ///
 ///   δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///
-/// up to terms of order u². On a periodic or quasi-periodic orbit errors grow at most in proportion
-/// to k, so the distance grows at most like n²; in chaotic regions both grow exponentially.
+/// up to terms of order u², where u is the rounding unit. On a periodic or quasi-periodic orbit the
+/// amplification by k steps grows at most in proportion to k, and the distance grows at most like
+/// n². In chaotic regions both grow exponentially.
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<S: Step> {
     pub(crate) map: S,
-    /// The last yielded state; before the first, the initial state.
+    /// The last yielded state. Before the first point is yielded, this is the initial state.
     pub(crate) state: S::State,
     begun: bool,
     stopped: Option<SingularStep>,
@@ -63,7 +66,7 @@ pub struct Orbit<S: Step> {
 }
 
 impl<S: Step> Orbit<S> {
-    /// Creates the orbit of a map from this state.
+    /// Creates the orbit of a map that starts at this state.
     ///
     /// # Panics
     /// If the length of the state is not the map's dimension.
@@ -73,7 +76,7 @@ impl<S: Step> Orbit<S> {
         Self { map, state: start, begun: false, stopped: None, workspace: Workspace::new() }
     }
 
-    /// Replaces the map and converts the state. The orbit stays begun or ended as before.
+    /// Replaces the map and converts the state. An orbit that has begun or ended keeps this status.
     #[inline]
     pub(crate) fn with_map<R: Step>(
         self,
@@ -84,7 +87,7 @@ impl<S: Step> Orbit<S> {
         Orbit { map: map_of(map), state: state_of(state), begun, stopped, workspace }
     }
 
-    /// Returns the reason why the orbit has ended: `Some` after a pole of an exact scalar.
+    /// Returns the reason why the orbit has ended. An orbit ends only at a pole of an exact scalar.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
@@ -115,7 +118,7 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        // A run of 2⁶⁴ steps never ends, so saturation is harmless.
+        // A run of 2⁶⁴ steps never ends, and therefore saturation is harmless.
         let steps = (n as u64).saturating_add(self.begun.into());
         self.begun = true;
         if let Err(stopped) = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace) {

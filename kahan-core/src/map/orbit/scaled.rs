@@ -1,4 +1,4 @@
-//! Orbits of homogeneous quadratic fields, f(λx) = λ²f(x), with ε scaled out.
+//! Orbits of homogeneous quadratic fields, f(λx) = λ²f(x), in variables without ε.
 
 use core::array::from_fn;
 
@@ -7,10 +7,11 @@ use crate::{FloatScalar, KahanAt, KahanMap, PointOf, StateVector, Step};
 
 use super::{Compensated, Increments, Orbit};
 
-/// The orbit of a homogeneous field in scaled variables; see [`Orbit::scaled`].
+/// The orbit of a homogeneous field f in scaled variables; see [`Orbit::scaled`].
 ///
-/// The map of a homogeneous f has the symmetry (x, ε) ↦ (λx, ε/λ). Hence X = εx is stepped at ε =
-/// 1, and x = X/ε is yielded. Steps then round neither ε nor its powers, only the parameters.
+/// The map of a homogeneous f has the symmetry (x, ε) ↦ (λx, ε/λ). Hence the scaled variable X = εx
+/// is stepped at ε = 1, and x = X/ε is yielded. These steps round neither ε nor its powers, only
+/// the parameters.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Scaled<S: Step> {
@@ -19,11 +20,13 @@ pub struct Scaled<S: Step> {
 }
 
 impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Continues this orbit with ε scaled out; `None` if the field has linear or constant terms.
+    /// Continues this orbit in variables scaled by ε. Returns `None` if the field has linear or
+    /// constant terms.
     ///
-    /// For long runs at an ε whose powers round badly and that cannot be replaced by a [short
-    /// one](crate::nearest_short_eps). Unless ε is a power of two, each yielded point has two more
-    /// roundings, X = εx and x = X/ε, which do not accumulate. Cost: a division per component.
+    /// This helps in long runs at an ε whose powers round badly and that no [short
+    /// one](crate::nearest_short_eps) can replace. Unless ε is a power of two, each yielded point
+    /// has two more roundings, in X = εx and x = X/ε, which do not accumulate. The cost is one
+    /// division per component.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -62,12 +65,12 @@ impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
         self.eps
     }
 
-    /// Returns the orbit of X = εx at ε = 1, which suits the evaluation of integrals.
+    /// Returns the orbit of X = εx at ε = 1, in whose variables integrals can be evaluated.
     pub fn into_inner(self) -> Orbit<S> {
         self.orbit
     }
 
-    /// Adds compensated summation, like [`Orbit::compensated`].
+    /// Adds compensated summation; see [`Orbit::compensated`].
     pub fn compensated(self) -> Scaled<Compensated<S>>
     where
         S: Increments,

@@ -1,7 +1,8 @@
 //! Orbits at given times.
 //!
-//! In: an orbit, and times between its points. Out: the states at these times, each by the map with
-//! a fraction of ε from the previous point. Such a state is as close to the flow as a step is.
+//! In: an orbit, and times between its points. Out: the states at these times. The map with a
+//! fraction of ε computes each state from the point before it. Such a state is as close to the flow
+//! as a step.
 
 use core::iter::from_fn;
 
@@ -12,12 +13,14 @@ use crate::{Constant, FloatScalar, PointOf, Scalar, StateVector, Step};
 use super::Orbit;
 
 impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
-    /// Yields the states at these times, counted from the next point; a step takes the time 2ε.
+    /// Yields the states at these times. Time 0 belongs to the next point, and a step takes the
+    /// time 2ε.
     ///
-    /// A state between two points results from the earlier point by the map with a fraction of ε.
-    /// It is not on the orbit, and its distance from the flow is that of a step, O(ε³). Times
-    /// should increase, or decrease for negative ε; an earlier time steps back from the last point.
-    /// Cost: one step and its preparation per time, besides the steps of the orbit.
+    /// A state between two points is computed from the earlier point by the map with a fraction of
+    /// ε. The state is not on the orbit, and its distance from the flow is O(ε³), the distance of a
+    /// step. Times should increase, or decrease for negative ε. For an earlier time, the map steps
+    /// back from the last point. Besides the steps of the orbit, each time costs one step and its
+    /// preparation.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -39,7 +42,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         let mut place = self.next();
         let mut made = 0;
         times.iter().map_while(move |&time| {
-            // A NaN counts as zero steps.
+            // The conversion turns NaN into zero steps.
             let steps = ((time / dt).approximate() as u64).max(made);
             if steps > made {
                 place = usize::try_from(steps - made - 1).ok().and_then(|skipped| self.nth(skipped));
@@ -50,8 +53,9 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         })
     }
 
-    /// Yields the points of this orbit before time `end` with their times 0, 2ε, 4ε, …, counted
-    /// from the next point, then the state at `end` by [a part](Self::at_times) of a step.
+    /// Yields the points of this orbit before the time `end`, with their times 0, 2ε, 4ε, …. Time 0
+    /// belongs to the next point. The last item is the state at `end`, computed by [a
+    /// part](Self::at_times) of a step.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -11,18 +11,19 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, BoundedPair, InputLimit, Magnitude, Number, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state and a bound on the error of every component, without the last roundings.
+/// A next state with a bound on the error of every component. The bound excludes the last
+/// roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundedStep<V: Number, const N: usize> {
     pub(super) next: [V; N],
-    /// The error bound in units u of V.
+    /// The error bound, as a multiple of the rounding unit of V.
     error: V::Magnitude,
     largest_input: InputLimit,
 }
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
-    /// Computes the increment form over numbers of V, with the bits of the fast step; `None` if a
-    /// denominator may be zero or an input exceeds the limit for underflow.
+    /// Computes the step from its increments over numbers of V, with the bits of the fast step.
+    /// Returns `None` if a denominator may be zero, or if an input exceeds the limit for underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -38,7 +39,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
             Bounded::<V, P>::from_input(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        // Avoids `finish`, whose closure would be too large for compilers to inline.
+        // Avoids `finish`, because its closure would be too large for compilers to inline.
         let prepared = map.extend_scalars(given).prepare(&Bounded::<V, P>::from_input(embed(eps)));
         let attempt = Self::by_increments(&state, prepared.quotients(&state)?);
         attempt.largest_input.allows(sum.get()).then_some(attempt)
@@ -59,8 +60,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal is a product with 1. Avoids `map` and `chain`, whose
-        // closures would be too large for compilers to inline.
+        // An increment without a reciprocal counts as a product with 1. The loop avoids `map` and
+        // `chain`, because their closures would be too large for compilers to inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -81,14 +82,15 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
             } else {
-                // One reciprocal: the largest magnitude times the largest weight.
+                // With one reciprocal, the bound is the largest magnitude times the largest weight.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input,
         }
     }
 
-    /// Computes the expanded, reduced form N/D, whose increments cannot cancel against the state.
+    /// Computes the step as the expanded, reduced fraction N/D, in which no increment can cancel
+    /// against the state.
     pub(super) fn by_reduced_map<M: KahanMap<Bounded<V>, N>>(
         map: &M,
         x: &SVector<Bounded<V>, N>,
@@ -107,17 +109,18 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         })
     }
 
-    /// Returns whether the error with one more rounding is below `limit` times the maximum norm.
+    /// Returns whether the error, with one more rounding, is below `limit` times the maximum norm.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
-        // An exact zero state qualifies, too. Comparisons with NaN are false, and if a component
-        // overflows, the error does so as well.
+        // An exact zero state also qualifies. Comparisons with NaN are false. If a component
+        // overflows, the error overflows, too.
         V::Magnitude::of((limit - V::UNIT) / V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }
 
-    /// Rounds to another scalar; `None` unless finite and within `limit` times the maximum norm.
+    /// Rounds the state to another scalar. Returns `None` if the rounded state is not finite, or if
+    /// its error exceeds `limit` times the maximum norm.
     pub(super) fn rounded<T: Pivot + Copy>(
         mut self,
         limit: f64,
@@ -130,7 +133,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
-    /// Returns the error bound relative to the largest component; infinite if unknown.
+    /// Returns the error bound relative to the largest component, infinite if no bound is known.
     pub(super) fn bound(&self) -> f64 {
         let units: f64 = (self.error / self.largest()).into();
         if units.is_nan() { f64::INFINITY } else { units * V::UNIT }

@@ -1,18 +1,20 @@
-//! The stable step, with an error of at most 64 u of the largest component.
+//! The stable step, whose error is at most 64 u of the largest component (u is the rounding unit).
 //!
 //! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. Error bounds are computed at increasing levels of precision:
+//! the reason for failure. Error bounds are computed at increasing precision levels.
 //!
+//! # Precision levels
 //! | level | numbers | suffices for |
 //! |---|---|---|
-//! | 1 | the scalar; not for `f32` in more than four variables | ordinary points |
+//! | 1 | the scalar; for `f32` in at most four variables | ordinary points |
 //! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
 //! | 3 | floating point with 17 × 64 bits | overflow, underflow, extreme cancellation |
-//! | 4 | like 3, in the form N/D | increments that cancel against the state |
+//! | 4 | the numbers of level 3, in the form N/D | increments that cancel against the state |
 //! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms too far apart for the other forms |
 //!
-//! [`stable_step`] selects the scalar, [`try_precisions`] tries the levels in order (`precisions.rs`), and each
-//! level makes a [`BoundedStep`](bounded_step::BoundedStep), which runs the prepared step.
+//! [`stable_step`] selects the scalar. [`try_precisions`] tries the levels in order
+//! (`precisions.rs`). Each level makes a [`BoundedStep`](bounded_step::BoundedStep), which runs the
+//! prepared step.
 
 mod bounded_step;
 mod precisions;
@@ -36,11 +38,12 @@ pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 
-/// Steps with the bound that T permits: 64 u for floats of this crate. Other scalars get a finite
-/// result of the fast step or of elimination.
+/// Steps with the error bound that the scalar T permits, which is 64 u for floats of this crate.
+/// Other scalars get a finite result of the fast step or of elimination, without a bound.
 ///
-/// Floats ignore `prepared`, whose numbers are rounded without a bound: each level prepares the
-/// step over bounded numbers. In a loop compilers hoist this preparation.
+/// Floats ignore `prepared`, because its numbers are rounded without a bound. Each precision level
+/// prepares the step over bounded numbers. In a loop compilers move this preparation out of the
+/// loop.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -59,10 +62,11 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     }
 }
 
-/// Tries the levels of F, a type identical to T. The first level is inlined, the others are called.
+/// Tries the precision levels of F, a type identical to T. The first level is inlined, and the
+/// other levels are called.
 ///
-/// A called function works in memory. It gets copies of the state and x̃, so that a loop's state
-/// and the x̃ of the first level can stay in registers.
+/// A called function works in memory. It gets copies of the state and of x̃. Therefore a loop's
+/// state and the x̃ of the first level can stay in registers.
 #[inline(always)]
 fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -74,8 +78,8 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
-        // The limits are those of bounded numbers, which are narrower than those of floats. With
-        // two limits compilers would keep the code of both forms in every step.
+        // The limits are those of bounded numbers, which are narrower than the limits of floats. If
+        // both limits were tested, compilers would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)
@@ -90,7 +94,7 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
 }
 
-/// Tries the levels after the first; writes x̃ to `next`.
+/// Tries the precision levels after the first, and writes x̃ to `next`.
 #[cold]
 #[inline(never)]
 fn try_wider_precisions<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(

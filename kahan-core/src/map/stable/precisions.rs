@@ -1,6 +1,6 @@
-//! The levels of precision, and the report if all of them fail.
+//! The precision levels, and the report if all levels fail.
 //!
-//! Each level returns before the next is called, because wide numbers may need much stack.
+//! Each level returns before the next level is called, because wide numbers may need much stack.
 
 #[cfg(feature = "std")]
 use core::array::from_fn;
@@ -23,10 +23,11 @@ use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 use super::bounded_step::BoundedStep;
 use super::scalars::PromiseScalar;
 
-/// The bound in units u: one of the 64 is reserved for the difference between ‖x̃‖∞ and ‖exact‖∞.
+/// The error bound as a multiple of the rounding unit u. One of the 64 u is reserved for the
+/// difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// Up to this number of operations, values and magnitudes are computed separately: short steps
+/// The number of operations up to which values and magnitudes are computed separately. Short steps
 /// leave execution units idle, and packing would delay the values.
 const SHORT: u32 = 36;
 
@@ -49,8 +50,8 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N
     }
 }
 
-/// Runs level 1 in the general form, for an ε by which the step must not be divided. Separate code
-/// keeps the number of roundings known at compile time.
+/// Runs precision level 1 in the general form, for an ε by which the step must not be divided. In
+/// separate code the number of roundings is known at compile time.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
@@ -81,7 +82,8 @@ pub(super) fn second<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
     in_next_wider(map, x, eps)
 }
 
-/// Runs levels 3 to 5, and reports if all fail; writes x̃ to `next`.
+/// Runs the precision levels 3 to 5, and writes x̃ to `next`. If all levels fail, returns the
+/// reason.
 #[cold]
 #[inline(never)]
 pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
@@ -130,8 +132,9 @@ pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     report(reason, rounded(&determinant), bound)
 }
 
-/// Runs level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to `next`. It
-/// avoids expanded formulas, whose terms may exceed all digits.
+/// Runs precision level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to
+/// `next`. This avoids expanded formulas, whose terms may differ by more digits than the numbers
+/// have.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
@@ -144,7 +147,8 @@ fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     tried.find_map(|settled| settled).unwrap_or(Err(Reason::Digits(LongNumber::MOST_DIGITS)))
 }
 
-/// Eliminates with one capacity; `None` if it does not decide the step.
+/// Eliminates with one capacity of the long numbers. Returns `None` if the capacity does not decide
+/// the step.
 #[cfg(feature = "std")]
 fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
@@ -172,12 +176,12 @@ fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
         *next = vector(rounded);
         return Some(Ok(()));
     }
-    // A known result that does not round to a finite number is beyond the scalar's range.
+    // A known result is beyond the scalar's range if it does not round to a finite number.
     let is_settled = LongNumber::are_settled(exact.iter().zip(rounded.iter().map(T::is_finite_number)));
     is_settled.then_some(Err(Reason::BeyondRange))
 }
 
-/// Fails, because long numbers need a heap.
+/// Fails, because long numbers need a heap, which `std` provides.
 #[cfg(not(feature = "std"))]
 fn by_elimination<T, M, const N: usize>(
     _map: &M,
@@ -188,7 +192,8 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// The inputs of levels 3 and 4, two functions not inlined, so that the stack is freed between.
+/// The inputs of the precision levels 3 and 4. The two functions are not inlined, and therefore the
+/// stack is freed between their calls.
 struct WideInputs<M, const N: usize> {
     map: M,
     state: SVector<Bounded<Wide>, N>,
@@ -218,7 +223,8 @@ fn is_exactly_zero(number: &Wide) -> bool {
     number.is_zero() && number.radius().is_zero()
 }
 
-/// Rounds a determinant to a float: 0 only if it is exactly zero, NaN instead of infinity.
+/// Rounds a determinant to a float. The result is 0 only for an exact zero, and NaN for an
+/// overflow.
 fn rounded(determinant: &Wide) -> f64 {
     match determinant.to_f64() {
         near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,

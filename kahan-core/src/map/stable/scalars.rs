@@ -1,4 +1,5 @@
-//! The scalars with a stable step, each with a wider scalar for level 2, and their conversions.
+//! The scalars with a stable step, their conversions, and for each a wider scalar for precision
+//! level 2.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -13,11 +14,11 @@ pub(crate) trait PromiseScalar: Number + Pivot {
     /// A value with its magnitude, in one register if possible.
     type Packed: BoundedPair<Self>;
 
-    /// The scalar of level 2; the widest scalar names itself.
+    /// The scalar of precision level 2. The widest scalar names itself.
     type Wider: PromiseScalar;
     const IS_WIDEST: bool;
 
-    /// The maximum number of variables for which level 1 uses this scalar.
+    /// The maximum number of variables for which precision level 1 uses this scalar.
     const MOST_VARIABLES: usize = usize::MAX;
 
     fn embed(&self) -> Self::Wider;
@@ -32,7 +33,7 @@ impl PromiseScalar for f32 {
     type Wider = f64;
     const IS_WIDEST: bool = false;
 
-    /// In more variables products exceed the range of `f32`, and most steps would need `f64`.
+    /// In more variables, products exceed the range of `f32`, and most steps would need `f64`.
     const MOST_VARIABLES: usize = 4;
 
     #[inline(always)]
@@ -101,13 +102,14 @@ impl PromiseScalar for Dd {
     }
 }
 
-/// x̃ computed by elimination over long numbers.
+/// The next state x̃, computed by elimination over long numbers.
 #[cfg(feature = "std")]
 pub(crate) struct LongElimination<T> {
     next: Vec<T>,
-    /// Whether each component has an error of at most 8u, which implies the guaranteed bound.
+    /// Whether each component has an error of at most 8 rounding units, which implies the
+    /// guaranteed bound.
     is_promised: bool,
-    /// Whether a larger capacity would give no more information.
+    /// Whether a larger capacity of the long numbers would give no more information.
     is_settled: bool,
 }
 
@@ -122,7 +124,8 @@ impl<T: PromiseScalar> LongElimination<T> {
     }
 }
 
-/// Eliminates with growing capacity until x̃ is proved or `is_kept` accepts it; else `None`.
+/// Eliminates with growing capacity until x̃ is proved or `is_kept` accepts it. Returns `None` if
+/// no capacity suffices.
 #[cfg(feature = "std")]
 pub(crate) fn eliminated_at_any_capacity<T: Pivot>(
     eliminated: impl Fn(Capacity) -> Option<LongElimination<T>>,

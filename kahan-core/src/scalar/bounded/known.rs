@@ -1,16 +1,17 @@
-//! Magnitudes and errors of computed values, and the backward error of a row.
+//! Magnitudes and errors of computed values, and the backward error of a row of a linear system.
 //!
-//! In: the residual of a row of A·x̃ = b, its right-hand side, and the magnitudes of its products,
-//! with error bounds. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
+//! In: the residual of a row of A·x̃ = b, the row's right-hand side, and the magnitudes of its
+//! products, all with error bounds. Out: an upper bound of |A·x̃ − b|/(|A|·|x̃| + |b|).
 
 use super::{Bounded, InputLimit, Magnitude, Number};
 
-/// The magnitude and error bound of a computed value v̂ of an exact value v.
+/// The magnitude and the error bound of a value v̂, which was computed in place of the exact value
+/// v.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KnownBounds<G> {
-    /// |v̂|
+    /// The magnitude |v̂| of the computed value v̂.
     pub(crate) size: G,
-    /// An upper bound of |v̂ − v|.
+    /// An upper bound of |v̂ − v|, where v is the exact value.
     pub(crate) error: G,
     pub(crate) largest_input: InputLimit,
 }
@@ -22,14 +23,15 @@ impl<V: Number> Bounded<V> {
 }
 
 impl<G: Magnitude> KnownBounds<G> {
-    /// Returns a lower bound of |v| that allows for rounded sums; 0 unless the error is small.
+    /// Returns a lower bound of |v| that allows for rounded sums. It is 0 unless the error is
+    /// small.
     pub(crate) fn at_least(&self) -> G {
         if G::of(64.0) * self.error <= self.size { G::of(62.0 / 64.0) * self.size } else { G::zero() }
     }
 }
 
-/// Returns an upper bound of the backward error of a row; `products` is a lower bound of |A|·|x̃|.
-/// Infinite if nothing is known, for example if inputs up to `largest` may cause underflow.
+/// Returns an upper bound of the backward error of a row. `products` is a lower bound of |A|·|x̃|.
+/// The result is infinite if nothing is known, for example if inputs up to `largest` may underflow.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: KnownBounds<G>,
     products: G,
@@ -42,7 +44,7 @@ pub(crate) fn backward_error<G: Magnitude>(
     }
     let limit = residual.largest_input.and(right.largest_input);
     let error: f64 = (error / size).into();
-    // Comparisons with NaN are false.
+    // Comparisons with NaN are false, and a NaN becomes infinite.
     if limit.allows(largest) && error >= 0.0 { error } else { f64::INFINITY }
 }
 
@@ -57,7 +59,7 @@ mod tests {
 
     #[test]
     fn a_backward_error_is_that_of_the_worst_residual_beside_the_least_right_hand_side() {
-        // (3 + 1)/(2 + 6·62/64)
+        // The bound is (3 + 1)/(2 + 6·62/64).
         let expected = 4.0 / (2.0 + 6.0 * 62.0 / 64.0);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.0), 1.0), expected);
         assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.1), 1.0), 2.0);
@@ -68,14 +70,14 @@ mod tests {
     fn nothing_is_known_where_a_premise_is_broken() {
         let fine = known(1.0, 0.0);
         assert_eq!(backward_error(fine, 1.0, fine, 1023.0), 1.0 / (1.0 + 62.0 / 64.0));
-        // Inputs of 2¹⁰ exceed the limit, in the residual or the right-hand side.
+        // Inputs of 2¹⁰ exceed the limit, in the residual or in the right-hand side.
         assert_eq!(backward_error(fine, 1.0, fine, 1024.0), f64::INFINITY);
         let refused = KnownBounds { largest_input: InputLimit::NONE, ..fine };
         assert_eq!(backward_error(refused, 1.0, fine, 0.0), f64::INFINITY);
         assert_eq!(backward_error(fine, 1.0, refused, 0.0), f64::INFINITY);
         let any = KnownBounds { largest_input: InputLimit::ANY, ..fine };
         assert!(backward_error(any, 1.0, any, 1e300).is_finite());
-        // NaN establishes no bound.
+        // A NaN establishes no bound.
         for not_a_number in [known(f64::NAN, 0.0), known(1.0, f64::NAN)] {
             assert_eq!(backward_error(not_a_number, 1.0, fine, 1.0), f64::INFINITY);
         }

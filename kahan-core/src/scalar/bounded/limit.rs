@@ -1,15 +1,15 @@
-//! The limit on a formula's inputs up to which underflow is accounted for.
+//! The limit on a formula's inputs up to which the error bound includes underflow.
 
 use super::number::{Magnitude, power_of_two};
 
-/// A limit on inputs: n allows magnitudes below 2ⁿ⁻¹, and 0 allows none. Compilers fold the
-/// integer, so that a step contains only one comparison.
+/// A limit on the magnitudes of inputs. The integer n allows magnitudes below 2ⁿ⁻¹, and 0 allows no
+/// input. Compilers evaluate the integer, and therefore a step contains only one comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct InputLimit(u32);
 
 impl InputLimit {
     pub(crate) const NONE: Self = Self(0);
-    /// Allows all inputs, as nothing underflows.
+    /// Allows all inputs, because no operation underflows.
     pub(crate) const ANY: Self = Self(u32::MAX);
 
     #[inline(always)]
@@ -22,7 +22,8 @@ impl InputLimit {
         Self(self.0.min(other.0))
     }
 
-    /// Returns the smallest forbidden magnitude: 0 if no input is allowed, infinity if all are.
+    /// Returns the smallest forbidden magnitude. It is 0 if no input is allowed, and infinity if
+    /// all are.
     #[inline(always)]
     pub(crate) fn size(self) -> f64 {
         match self {
@@ -32,7 +33,7 @@ impl InputLimit {
         }
     }
 
-    /// Returns whether inputs up to this magnitude are allowed; false for NaN.
+    /// Returns whether inputs up to this magnitude are allowed. The result is false for NaN.
     #[inline(always)]
     pub(crate) fn allows<G: Magnitude>(self, largest: G) -> bool {
         G::of(self.size()) > largest

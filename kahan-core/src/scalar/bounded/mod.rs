@@ -1,24 +1,25 @@
 //! Values with rigorous error bounds, for the precision levels of a stable step.
 //!
-//! In: exact numbers. Out: for every value v̂ of a formula of + − × ÷ in rounded arithmetic, a
-//! magnitude m and a count k such that the exact value v satisfies
+//! In: exact numbers. Out: every value v̂ of a formula of + − × ÷ in rounded arithmetic, with a
+//! magnitude m and a count k. With the rounding unit u, the exact value v satisfies
 //!
 //! > |v| ≤ m and |v̂ − v| ≤ γₖ·m, γₖ = (1+u)ᵏ − 1.
 //!
 //! # Rules
 //!
-//! The magnitude is the formula with every term made positive; values and magnitudes share
-//! registers. The count depends only on the formula, so it is known at compile time. The rules are:
+//! The magnitude is the value of the formula with every term made positive; values and magnitudes
+//! share registers. The count depends only on the formula, and is therefore known at compile time.
+//! Operands a and b have magnitudes mₐ and m_b and counts kₐ and k_b. The rules are:
 //!
 //! - v = a ± b: m = mₐ + m_b, k = max(kₐ, k_b) + 1, since |a ± b| ≤ mₐ + m_b and one rounding is
 //!   added.
 //! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
 //! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ −
-//!   b)]/b̂ plus a rounding. If γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is
-//!   no quotient. If 1/|â| is known, as in 2/d or 2/d/d′, m is computed as
-//!   |v̂|·(mₐ/|â| + m_b/|b̂|), and the sum in parentheses is stored for the next quotient.
+//!   b)]/b̂ plus a rounding. If γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no
+//!   quotient. If 1/|â| is known, as in 2/d or 2/d/d′, m is computed as |v̂|·(mₐ/|â| + m_b/|b̂|).
+//!   The sum in parentheses is stored for the next quotient.
 //!
-//! Numbers of the last levels carry an error radius, from which m and k follow.
+//! Numbers of the last precision levels carry an error radius, from which m and k follow.
 //!
 //! # Slack
 //! Magnitudes are rounded at most k times, and errors are computed as k·u·m instead of γₖ·m. The
@@ -30,36 +31,37 @@
 //!
 //! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25;
 //!
-//! the gap up to 1.0625 covers the last two roundings of an error. (At t = 1/24 the bound would be
-//! 1.0646, more than the slack.) Sums and products preserve the inequalities of M by the rules
+//! The gap up to 1.0625 covers the last two roundings of an error. At t = 1/24 the bound would be
+//! 1.0646, more than the slack. Sums and products preserve the inequalities of M by the rules
 //! above, because m is rounded whenever k grows. Magnitudes of numbers wider than `f64` are rounded
-//! to 53 bits; all roundings that a `u32` can count amount to less than 2⁻²⁰.
+//! to 53 bits. All roundings that a `u32` can count amount to less than 2⁻²⁰.
 //!
 //! In quotients v̂ replaces v. With q = â/b̂ and an error of b̂ of at most |b̂|/64, |v| ≤
 //! 64/63·(|q| + γ_kₐ·Mₐ/|b̂|), and
 //!
 //! > |q − v| ≤ (γ_kₐ·Mₐ + |v|·γ_k_b·M_b)/|b̂| ≤ 64/63·γ_max(kₐ, k_b)·(Mₐ + |q|·M_b)/|b̂|.
 //!
-//! So m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m. Moreover
-//! (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25 bounds |v̂|/m, which covers the rounding of the quotient.
-//! In a chain c/d/d′/… of n divisors with relative errors ρᵢ ≤ 1/64, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤
-//! 1.0625·Σ ρᵢ for n ≤ 6. Steps divide by one determinant per block, at most eight in all. Under
-//! the premises below every rounding adds 1 to w or to the bits of B, so t < 10⁻⁴; then the slack
-//! of errors is unused, and n ≤ 14 suffices.
+//! Therefore m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m.
+//! Moreover (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25 bounds |v̂|/m, which covers the rounding of the
+//! quotient. In a chain c/d/d′/… of n divisors with relative errors ρᵢ ≤ 1/64, |v/q − 1| ≤ Π
+//! 1/(1−ρᵢ) − 1 ≤ 1.0625·Σ ρᵢ for n ≤ 6. Steps divide by one determinant per block, at most eight
+//! in all. Under the premises of the next section, every rounding adds 1 to w or to the bits of B.
+//! Then t < 10⁻⁴, the slack of errors is unused, and n ≤ 14 suffices.
 //!
 //! # Underflow
-//! A product, quotient or literal that underflows has an error of at most η, and so has its m. If
-//! all inputs are at most 2ᴸ and all products of them at most 2ᴮ, these errors grow to at most
-//! w·2ᴮ·η. A sum takes the larger w of its terms, and its bit of B covers the other. A product or
-//! quotient adds 1 to the w of both operands. If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the
-//! [allowance](number::Range), which every error includes, all underflow is covered. Quotients
-//! count as if every divisor were the smallest allowed one, which is checked, and errors are
-//! divided by it twice. Dividing a constant by ε multiplies it by at most 2 to the power
+//! A product, quotient or literal that underflows has an error of at most η. The error of its
+//! magnitude m has the same bound. Let all inputs be at most 2ᴸ and all products of inputs at most
+//! 2ᴮ. Then these errors grow to at most w·2ᴮ·η, where w counts operations that may underflow. A
+//! sum takes the larger w of its terms, and its bit of B covers the other term. A product or
+//! quotient adds 1 to the w of both operands. Every error includes the [allowance](number::Range).
+//! If w ≤ 2¹⁰ and 2¹⁰·2ᴮ·η is below the allowance, all underflow is covered. Quotients count as if
+//! every divisor were the smallest allowed divisor, which is checked, and errors are divided by it
+//! twice. Dividing a constant by ε multiplies it by at most 2 to the power
 //! [`bits_of_steps`](number::Range).
 //!
-//! Everything except the inputs is known at compile time. [`Bounded::largest_input`] is the limit
-//! that the caller compares them with. It allows no input if operations and constants violate a
-//! premise (such as k·u ≤ 1/25), and every input if nothing can underflow.
+//! Everything except the inputs is known at compile time. The caller compares the inputs with the
+//! limit [`Bounded::largest_input`]. The limit allows no input if operations and constants violate
+//! a premise (for example k·u ≤ 1/25), and every input if nothing can underflow.
 
 mod formats;
 mod known;
@@ -81,32 +83,35 @@ pub(crate) use number::{Magnitude, Number, Range, power_of_two};
 pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{BoundedPair, UnpackedPair};
 
-/// A double and its magnitude, for targets without packed registers.
+/// A double and its magnitude as two numbers, for targets without packed registers.
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedDouble = UnpackedPair<f64>;
-/// A float and its magnitude, for targets without packed registers.
+/// A float and its magnitude as two numbers, for targets without packed registers.
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedSingle = UnpackedPair<f32>;
 
-/// The factor on magnitudes in error bounds, for rounded magnitudes and for (1+u)ᵏ − 1 > k·u.
-/// Quotients are multiplied by it once more, because they are made of rounded values.
+/// The factor on magnitudes in error bounds. It covers the rounding of magnitudes, and the excess
+/// of (1+u)ᵏ − 1 over k·u for k roundings of unit u. Quotients are multiplied by the slack once
+/// more, because they are made of rounded values.
 pub(crate) const SLACK: f64 = 1.0625;
 
-/// A value v̂ with |v̂ − v| ≤ γₖ·m.
+/// A value v̂ with |v̂ − v| ≤ γₖ·m for the exact value v; the module's head defines γₖ and m.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded<V: Number, P: BoundedPair<V> = UnpackedPair<V>> {
-    /// v̂ and m
+    /// The computed value v̂ and its magnitude m.
     pair: P,
-    /// k
+    /// The count k of roundings.
     roundings: u32,
-    /// w
+    /// The count w of underflows; see the section "Underflow" of the module's head.
     underflows: u32,
-    /// The maximum number of inputs multiplied in a term; `bits` counts what other factors add.
+    /// The maximum number of inputs that a term multiplies. `bits` counts the bits of the other
+    /// factors.
     inputs: u32,
     bits: u32,
-    /// About 1/|v̂| of a quotient that starts from a whole constant.
+    /// An approximation of 1/|v̂|, for a quotient that starts from a whole constant.
     inverse: Option<V::Magnitude>,
-    /// About m/|v̂| without the slack. A separate field, so that no vector load covers both.
+    /// An approximation of m/|v̂| without the slack. A separate field prevents a vector load of
+    /// both.
     ratio: Option<V::Magnitude>,
 }
 
@@ -121,10 +126,10 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { inputs: 1, ..Self::of(BoundedPair::new(value, value.size())) }
     }
 
-    /// Creates a literal, known at compile time; a rounded literal may underflow.
+    /// Creates a literal, which is known at compile time. A literal that is rounded may underflow.
     #[inline(always)]
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
-        // The exponent of the next power of two.
+        // The exponent of the next power of two above the value.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
         let pair = BoundedPair::new(value, value.size());
         Self { roundings, underflows: roundings, bits, ..Self::of(pair) }.settled()
@@ -146,7 +151,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         InputLimit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// Creates a value that has no bound and allows no input; with infinite m, 0·m would be NaN.
+    /// Creates a value without a bound, which allows no input. An infinite m alone would give 0·m =
+    /// NaN.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = BoundedPair::new(value, V::Magnitude::of(f64::INFINITY));
@@ -158,7 +164,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Self { pair: self.pair.negated(), ..self }
     }
 
-    /// Replaces m by `change(m)`, which must be numerically equal.
+    /// Replaces the magnitude m by `change(m)`, which must be numerically equal to m.
     #[inline(always)]
     pub(crate) fn with_magnitude(self, change: impl FnOnce(V::Magnitude) -> V::Magnitude) -> Self {
         Self { pair: BoundedPair::new(self.value(), change(self.magnitude())), ..self }
@@ -169,7 +175,8 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.inputs == 0
     }
 
-    /// Returns whether this is an unchanged input by whose magnitude steps may be divided.
+    /// Returns whether this is an unchanged input whose magnitude permits steps to be divided by
+    /// it.
     #[inline(always)]
     pub(crate) fn is_ordinary_input(&self) -> bool {
         let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;
@@ -197,17 +204,17 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         V::Magnitude::of(SLACK * f64::from(self.roundings))
     }
 
-    /// Returns γₖ·m plus the allowance.
+    /// Returns γₖ·m plus the allowance for underflow.
     #[inline(always)]
     pub(crate) fn error(&self) -> V::Magnitude {
         self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
-    /// Returns the weight of this reciprocal r̂. The error of a product n̂·r̂, in units u, is at
-    /// most the weight times the magnitude of n̂, whose count is `roundings`.
+    /// Returns the weight of this reciprocal r̂. The error of a product n̂·r̂, as a multiple of u,
+    /// is at most the weight times the magnitude of n̂. The count of n̂ is `roundings`.
     ///
-    /// n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r), plus one rounding. The weight exceeds |r̂|, so a bound
-    /// made from it overflows if the product does.
+    /// The error is n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r), plus one rounding. The weight exceeds
+    /// |r̂|; therefore a bound made from it overflows if the product does.
     #[inline(always)]
     pub(crate) fn weight(&self, roundings: u32) -> V::Magnitude {
         let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma_in_units();
@@ -227,9 +234,9 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
     }
 }
 
-/// Returns the underflow of a numerator with this count of roundings, as a magnitude. Its product
-/// with a [weight](Bounded::weight), which is at least SLACK·k·|r̂| in units u, is at least the
-/// allowance times |r̂|.
+/// Returns the underflow of a numerator with this count of roundings, as a magnitude. A
+/// [weight](Bounded::weight) of a reciprocal r̂ is at least SLACK·k·|r̂|, as a multiple of u.
+/// Therefore this magnitude times the weight is at least the allowance times |r̂|.
 #[inline(always)]
 pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

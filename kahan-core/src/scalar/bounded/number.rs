@@ -1,4 +1,4 @@
-//! The interface of the number formats of bounded values.
+//! The interface that the number formats of bounded values implement.
 
 use core::fmt::Debug;
 use core::ops::{Div, Mul};
@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use crate::scalar::{Scalar, Size};
 
-/// Nonnegative numbers for error bounds, with few digits. NaN compares as unordered.
+/// Nonnegative numbers for error bounds, with few digits. No comparison with NaN is true.
 pub(crate) trait Magnitude:
     Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
 {
@@ -34,29 +34,31 @@ impl Magnitude for Size {
     }
 }
 
-/// The range that a format allows for products and quotients; see [`bounded`](super).
+/// The range in which a format allows products and quotients; see [`bounded`](super).
 pub(crate) struct Range {
-    /// An upper bound of all errors of underflow; 0 if nothing underflows.
+    /// An upper bound of all errors of underflow, 0 if no operation underflows.
     pub(crate) allowance: f64,
-    /// B: the upper limit 2ᴮ of products of inputs.
+    /// The exponent B of the upper limit 2ᴮ of products of inputs.
     pub(crate) bits_of_products: u32,
-    /// The lower limit of divisors is 2 to the power −`bits_of_divisors`.
+    /// The exponent of the lower limit of divisors, which is 2 to the power −`bits_of_divisors`.
     pub(crate) bits_of_divisors: u32,
-    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`; 0 forbids division.
+    /// Steps divide by ε if |ε| is at least 2 to the power −`bits_of_steps`. The number 0 forbids
+    /// division.
     pub(crate) bits_of_steps: u32,
 }
 
 const POWER_OF_UNDERFLOWS: i32 = 10;
 
-/// The largest w that allowances cover.
+/// The largest count of underflows that allowances cover.
 pub(crate) const MOST_UNDERFLOWS: u32 = 1 << POWER_OF_UNDERFLOWS;
 
 impl Range {
-    /// The range of a format that never underflows, without division by ε.
+    /// The range of a format that never underflows. Steps are not divided by ε.
     pub(crate) const UNLIMITED: Self =
         Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
 
-    /// Creates a range from the exponents of η and of the allowance; these determine B.
+    /// Creates a range from the exponents of η, the largest error by underflow, and of the
+    /// allowance. Both determine the exponent B of the limit of products.
     pub(crate) const fn of(eta: i32, allowance: i32, bits_of_divisors: u32, bits_of_steps: u32) -> Self {
         let bits_of_products = (allowance - eta - POWER_OF_UNDERFLOWS) as u32;
         Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }
@@ -68,25 +70,26 @@ impl Range {
     }
 }
 
-/// Returns 2^power, for exponents of normal doubles.
+/// Returns 2^power. The result must be a normal double.
 pub(crate) const fn power_of_two(power: i32) -> f64 {
     f64::from_bits(((1023 + power) as u64) << 52)
 }
 
 /// A scalar whose operations round once, with a bounded relative error.
 pub(crate) trait Number: Scalar + Copy {
-    /// The type of magnitudes, with an equal range.
+    /// The type of magnitudes, with the range of this type.
     type Magnitude: Magnitude;
-    /// u: the largest relative error of an operation without underflow.
+    /// The rounding unit u, the largest relative error of an operation without underflow.
     const UNIT: f64;
-    /// The range in which underflow is accounted for.
+    /// The range in which error bounds include underflow.
     const RANGE: Range;
-    /// Whether operations with bounds are calls, which keeps steps over wide numbers small.
+    /// Whether operations with bounds are called instead of inlined. Steps over wide numbers then
+    /// stay small.
     const IS_CALLED: bool = false;
 
-    /// Returns |self|, rounded like magnitudes.
+    /// Returns |self|, rounded as magnitudes are.
     fn size(&self) -> Self::Magnitude;
-    /// Returns an error radius, for numbers that carry one.
+    /// Returns the error radius of numbers that carry one.
     #[inline(always)]
     fn radius(&self) -> Option<Self::Magnitude> {
         None

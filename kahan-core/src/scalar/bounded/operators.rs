@@ -1,4 +1,4 @@
-//! Bounded values as a scalar, on which generated steps run.
+//! Bounded values as a scalar, over which generated steps run.
 
 use core::ops::Neg;
 
@@ -19,7 +19,8 @@ impl<V: Number, P: BoundedPair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Number, P: BoundedPair<V>> Scalar for Bounded<V, P> {
-    /// Integers that the number and `f64` represent are exact; other literals are rounded once.
+    /// Integers that the number type and `f64` represent are exact. Other literals are rounded
+    /// once.
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);

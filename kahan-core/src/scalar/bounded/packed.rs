@@ -1,4 +1,4 @@
-//! A float and its magnitude in one vector register, so that bounds need no further instructions.
+//! A float and its magnitude in one vector register. Bounds then need no further instructions.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -12,8 +12,9 @@ use super::pair::BoundedPair;
 
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: SSE2 registers of two doubles or four floats exist on every x86-64 processor, and
-        // fused operations are compiled only if the whole program is. No memory is accessed.
+        // SAFETY: SSE2 registers of two doubles or four floats exist on every x86-64 processor.
+        // Fused operations are compiled only if the whole program is compiled for them. No memory
+        // is accessed.
         #[allow(unsafe_code, reason = "compilers do not pair values and magnitudes by themselves")]
         unsafe {
             $expression
@@ -21,7 +22,8 @@ macro_rules! machine {
     };
 }
 
-/// Defines a pair in a register: the value in the lowest lane, the magnitude in the next.
+/// Defines a pair in a register. The value is in the lowest lane, and the magnitude in the next
+/// lane.
 macro_rules! packed {
     (
         $(#[$docs:meta])*
@@ -98,7 +100,8 @@ packed! {
 }
 
 packed! {
-    /// Two floats. The upper lanes repeat the magnitude, because subnormal contents would be slow.
+    /// A pair of floats. The upper lanes repeat the magnitude, because subnormal contents would be
+    /// slow.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

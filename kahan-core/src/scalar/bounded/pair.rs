@@ -1,25 +1,26 @@
-//! A value and its magnitude as one operand.
+//! A value and its magnitude, which operations treat as one operand.
 
 use core::fmt::Debug;
 
 use super::number::Number;
 
-/// A value v̂ with its magnitude m, and the operations on both.
+/// A value v̂ with its magnitude m, and operations on both. The other operand has value ŵ and
+/// magnitude n.
 pub(crate) trait BoundedPair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
     fn magnitude(self) -> V::Magnitude;
 
-    /// v̂ + ŵ, m + n
+    /// Returns the value v̂ + ŵ with the magnitude m + n.
     fn plus(self, other: Self) -> Self;
-    /// v̂ − ŵ, m + n
+    /// Returns the value v̂ − ŵ with the magnitude m + n.
     fn minus(self, other: Self) -> Self;
-    /// v̂·ŵ, m·n
+    /// Returns the value v̂·ŵ with the magnitude m·n.
     fn times(self, other: Self) -> Self;
-    /// −v̂, m
+    /// Returns the value −v̂ with the magnitude m.
     fn negated(self) -> Self;
 
-    /// self·factor + addend, with the value rounded like `Scalar::multiply_add`.
+    /// Returns self·factor + addend. The value is rounded as in `Scalar::multiply_add`.
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
 }
 

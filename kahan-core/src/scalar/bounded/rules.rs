@@ -1,4 +1,5 @@
-//! The rules of bounded values: value, magnitude, count of roundings, and range of every result.
+//! The rules of bounded values: each result gets a value, a magnitude, a count of roundings, a
+//! range.
 
 use num_traits::Zero;
 
@@ -50,8 +51,9 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// Tightens the bound of a value with an error radius r: m = |v̂| + r/u satisfies |v| ≤ m and
-    /// |v̂ − v| ≤ γ₁·m after any cancellation. With r = 0 the value is exact.
+    /// Tightens the bound of a value v̂ with an error radius r. The magnitude m = |v̂| + r/u
+    /// satisfies |v| ≤ m and |v̂ − v| ≤ γ₁·m after any cancellation, where v is the exact value and
+    /// γ₁ is the rounding unit u. If r = 0, the value is exact.
     #[inline(always)]
     pub(super) fn settled(self) -> Self {
         let value = self.value();
@@ -71,7 +73,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         }
     }
 
-    /// Returns self/divisor; `None` unless the divisor is certainly nonzero.
+    /// Returns self/divisor, or `None` unless the divisor is certainly nonzero.
     #[inline(always)]
     pub(crate) fn quotient(self, divisor: Self) -> Option<Self> {
         let value = self.value().quotient(divisor.value())?;
@@ -82,7 +84,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         if !is_certain {
             return None;
         }
-        // If 1/a is known, 1/|b̂| = |v̂|·(1/a) needs no second division.
+        // If the reciprocal 1/a is known, 1/|b̂| = |v̂|·(1/a) needs no second division.
         let (magnitude, inverse, ratio) = match self.inverse() {
             Some(inverse) => {
                 let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));
@@ -107,7 +109,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         Some(quotient.settled())
     }
 
-    /// Returns c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε.
+    /// Returns c/ε for a literal c and an ε that is an [ordinary input](Self::is_ordinary_input).
     #[inline(always)]
     pub(crate) fn over_input(self, eps: Self) -> Self {
         let value = self.value() / eps.value();
@@ -120,7 +122,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         }
     }
 
-    /// Returns about 1/|v̂|; `None` if that would need a division at run time.
+    /// Returns an approximation of 1/|v̂|, or `None` if it would need a division at run time.
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;

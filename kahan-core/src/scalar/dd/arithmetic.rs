@@ -1,18 +1,19 @@
-//! Double-double operations, each with its error bound; u = 2⁻⁵³.
+//! Double-double operations, each with its error bound in terms of u = 2⁻⁵³.
 //!
-//! Operands and results are normalised. Everything is inlined, so that a kernel becomes one
-//! straight-line program. Operands that may overflow or lose bits go to `extremes`, on a branch
-//! that ordinary computations never take and that adds no latency.
+//! Operands and results are normalised. Everything is inlined; therefore a step becomes one
+//! straight-line program. Operands that may overflow or lose bits go to `extremes`. Ordinary
+//! computations never take that branch, which adds no latency.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::{Dd, extremes, moderate};
 
-/// The bound on leading sums and products below which all later additions stay finite.
+/// An upper bound on leading sums and products. Below this bound all later additions stay finite.
 const ROOM: f64 = power_of_two(1022);
 
-/// Quotients of operands between these bounds lose no bits: they are between 2⁻⁹⁰⁰ and 2⁹⁰⁰.
+/// The lower bound of operands whose quotients lose no bits. Such quotients lie between 2⁻⁹⁰⁰ and
+/// 2⁹⁰⁰.
 const SMALL: f64 = power_of_two(-450);
 const LARGE: f64 = power_of_two(450);
 
@@ -27,7 +28,7 @@ pub(super) fn is_moderate(x: f64) -> bool {
     size > SMALL && size < LARGE
 }
 
-/// Returns x + y with an error of at most (3u² + 13u³)·|x + y| (AccurateDWPlusDW).
+/// Returns x + y with an error of at most (3u² + 13u³)·|x + y|, by the algorithm AccurateDWPlusDW.
 #[inline(always)]
 pub(super) fn sum(x: Dd, y: Dd) -> Dd {
     let leading = two_sum(x.high, y.high);
@@ -39,7 +40,8 @@ pub(super) fn difference(x: Dd, y: Dd) -> Dd {
     sum(x, -y)
 }
 
-/// Returns xy with an error of at most 5u²·|xy| (DWTimesDW2, or DWTimesDW1 without fusing).
+/// Returns xy with an error of at most 5u²·|xy|, by the algorithm DWTimesDW2. Without fusing it is
+/// DWTimesDW1.
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {
     let leading = two_product(x.high, y.high);
@@ -49,12 +51,13 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
 /// Returns xy + z with an error of at most 16u²·|xy| + 5u²·|xy + z|.
 ///
 /// The product is not normalised, and the lower parts are added as floats. This takes 15 operations
-/// and half the latency of a product and a sum, which take 28. It is as accurate, because the error
-/// of the product is a multiple of |xy| even if the sum cancels. In units of u², with p = |xy|, r =
-/// |xy + z| and |z| ≤ p + r, the additions of the lower parts round by p + |z|, 2p + |z|, 3p + |z|
-/// and 3p + |z| + r, and the omitted x.low·y.low is p. Without fused multiply-adds two products
-/// round by p each. If the leading parts cancel below the lower sum, they leave a multiple of its
-/// last place, so the last sum is exact.
+/// and half the latency of a product and a sum, which take 28 operations. The result is as
+/// accurate, because the error of the product is a multiple of |xy| even if the sum cancels.
+///
+/// Let p = |xy| and r = |xy + z|, where |z| ≤ p + r. In units of u², the additions of the lower
+/// parts round by p + |z|, 2p + |z|, 3p + |z| and 3p + |z| + r. The omitted x.low·y.low is p.
+/// Without fused multiply-adds two products round by p each. If the leading parts cancel below the
+/// lower sum, they leave a multiple of its last place, and the last sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     let (leading, product_error) = two_product(x.high, y.high);
@@ -71,11 +74,13 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 /// Returns x/y with an error of at most 14u²·|x/y|.
 ///
 /// The remainder r = x − qy of the leading quotient q is known up to its last bits, because x.high
-/// − q·y.high is a float. The correction is r times the float nearest to 1/y.high, computed in
-/// parallel with q. With x.high, y.high and q scaled into [1,2), the errors in u² of x/y are: 3
-/// from the products and sums in r, which is at most 3u·x.high; 3 each from its last addition, from
-/// omitting y.low and from the last product; 1.5 from the reciprocal. Unless y = q = 1, they add up
-/// to less.
+/// − q·y.high is a float. The correction is r times the float nearest to 1/y.high, which is
+/// computed in parallel with q.
+///
+/// With x.high, y.high and q scaled into [1,2), the errors in units of u² of x/y are as follows.
+/// Products and sums in r contribute 3, because r is at most 3u·x.high. The last addition in r
+/// contributes 3, the omission of y.low contributes 3, and the last product contributes 3. The
+/// reciprocal contributes 1.5. Unless y = q = 1, the errors add up to less than the bound.
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     if is_moderate(x.high) && is_moderate(y.high) {
@@ -85,7 +90,7 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     }
 }
 
-/// Returns √x with an error of at most 25/8 u²·√x (SQRTDWtoDW).
+/// Returns √x with an error of at most 25/8 u²·√x, by the algorithm SQRTDWtoDW.
 #[inline]
 pub(super) fn square_root(x: Dd) -> Dd {
     if x.high > SMALL && x.high < LARGE { moderate::square_root(x) } else { extremes::square_root(x) }

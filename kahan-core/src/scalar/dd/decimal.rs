@@ -8,16 +8,16 @@ use super::fixed::{Fixed, HALF};
 
 const CHUNK: usize = 19;
 
-/// 10¹⁹; a chunk has 19 digits.
+/// The base 10¹⁹ of a chunk, which has 19 decimal digits.
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// An upper bound on the digits of sums and ties of two `f64`: 309 before the point, 1075 after.
+/// An upper bound on the digits of sums and ties of two `f64`: 309 before the point, 1075 after it.
 const CAPACITY: usize = 1444;
 
-/// An upper bound on the zeros after the point; powers of ten in `f64` go down to −324.
+/// An upper bound on the zeros after the point. The powers of ten in `f64` go down to −324.
 const LEADING_ZEROS: usize = 342;
 
-/// The number 0.d₁d₂…·10^exponent; d₁ and the last digit are not 0. Zero has no digits.
+/// The number 0.d₁d₂…·10^exponent, where d₁ and the last digit are not 0. Zero has no digits.
 pub(super) struct Decimal {
     digits: [u8; CAPACITY],
     length: usize,
@@ -51,7 +51,7 @@ impl Decimal {
         decimal
     }
 
-    /// Appends nineteen digits; leading zeros shift the point instead.
+    /// Appends nineteen digits. Leading zeros of the number shift the point instead.
     fn push_chunk(&mut self, mut chunk: u64) {
         let mut power = CHUNK_BASE / 10;
         while power != 0 {
@@ -81,7 +81,7 @@ impl Decimal {
         }
     }
 
-    /// Rounds to `count` digits, ties to even; to 0 for a negative count.
+    /// Rounds to `count` digits, ties to even. A negative count gives 0.
     pub(super) fn round(&mut self, count: i64) {
         let Ok(count) = usize::try_from(count) else {
             *self = Self::ZERO;
@@ -91,7 +91,7 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // The last digit is nonzero, so a further digit means more than a tie.
+        // The last digit is not zero, and therefore a further digit means more than a tie.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;
@@ -109,7 +109,7 @@ impl Decimal {
         self.trim();
     }
 
-    /// Parses the magnitude of a text that `f64` accepts.
+    /// Parses the magnitude of a text that `f64` also parses.
     fn read(text: &str) -> Self {
         let text = text.trim_start_matches(['+', '-']);
         let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -130,7 +130,7 @@ impl Decimal {
         decimal
     }
 
-    /// Truncates a nonzero number to fixed point; also returns whether digits were cut off.
+    /// Truncates a nonzero number to fixed point. Also returns whether digits were cut off.
     fn to_fixed(&self) -> (Fixed, bool) {
         let digit =
             |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
@@ -140,7 +140,7 @@ impl Decimal {
         };
         let mut fixed = Fixed::ZERO;
         let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
-        // Whole chunks before the point; the first one is padded with zeros on the left.
+        // Zeros pad the first of the whole chunks before the point on the left.
         let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
         while first < self.exponent {
             append_chunk(integer, chunk(first));
@@ -210,12 +210,13 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// Parses what `f64` parses: high is the nearest float, low the one nearest to the remainder.
+/// Parses the texts that `f64` parses. `high` is the nearest float, and `low` is the float nearest
+/// to the remainder.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 
     /// # Errors
-    /// For texts that `f64` rejects.
+    /// Returns an error for texts that `f64` rejects.
     fn from_str(text: &str) -> Result<Self, ParseFloatError> {
         let high: f64 = text.parse()?;
         if !high.is_finite() || high == 0.0 {
@@ -225,7 +226,7 @@ impl FromStr for Dd {
         let leading = Fixed::magnitude(high);
         let low = if number.is_less(&leading) {
             let rest = leading.minus(&number);
-            // leading − (number + more) lies between two fixed-point numbers.
+            // The difference leading − (number + more) lies between two fixed-point numbers.
             let rest = if has_more { rest.minus(&Fixed::last_place()) } else { rest };
             -rest.rounded(has_more)
         } else {

@@ -1,5 +1,5 @@
-//! Double-doubles as text: 32 significant digits, or as many as the format requests, correctly
-//! rounded. Trailing zeros are omitted unless a precision requests them.
+//! Double-doubles as text, correctly rounded to 32 significant digits or to the digits that the
+//! format requests. Trailing zeros are omitted unless the format requests a precision.
 
 use core::fmt::{self, Alignment, Formatter, Write};
 
@@ -10,10 +10,11 @@ use super::fixed::Fixed;
 /// The number of significant digits if no precision is given.
 const DIGITS: i64 = 32;
 
-/// The decimal exponents of numbers written without an exponent: 10⁻⁵ up to below 10³².
+/// The decimal exponents of numbers that are written without an exponent, from 10⁻⁵ to below 10³².
 const POSITIONAL: core::ops::Range<i64> = -5..32;
 
-/// Positional from 10⁻⁵ to below 10³² or with a precision (decimals), otherwise with an exponent.
+/// Writes numbers from 10⁻⁵ to below 10³² without an exponent, other numbers with one. With a
+/// precision, no number gets an exponent, and the precision counts decimals.
 impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
@@ -31,7 +32,7 @@ impl fmt::Display for Dd {
     }
 }
 
-/// One digit before the point; the precision counts the digits after it.
+/// Writes one digit before the point. The precision counts the digits after the point.
 impl fmt::LowerExp for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);
@@ -106,7 +107,7 @@ fn repeat(out: &mut dyn Write, character: char, count: usize) -> fmt::Result {
     (0..count).try_for_each(|_| out.write_char(character))
 }
 
-/// Writes the digits at these positions, with zeros beyond the last digit.
+/// Writes the digits at these positions, and zeros beyond the last digit.
 fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn Write) -> fmt::Result {
     for place in places {
         let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().get(place));

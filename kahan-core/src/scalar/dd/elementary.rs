@@ -1,8 +1,9 @@
-//! Exponential function, logarithm, sine and cosine, each with its error bound; u = 2⁻⁵³.
+//! Exponential function, logarithm, sine and cosine, each with its error bound in terms of u =
+//! 2⁻⁵³.
 //!
-//! The argument is reduced to a small r, at which a series is summed. Bounds add the rounding
-//! errors of the reduction, of the last sum, and of the other terms by their share in the value.
-//! Truncating a series costs less than u²/4.
+//! The argument is reduced to a small r, at which a series is summed. A bound adds the rounding
+//! errors of the reduction and of the last sum to those of the other terms. The latter count by the
+//! share of their terms in the value. Truncating a series costs less than u²/4.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, LOG2_E, SQRT_2};
 
@@ -12,16 +13,16 @@ use super::Dd;
 use super::error_free::two_product;
 use super::extremes::{exponent, scaled};
 
-/// The leading 40 bits of ln 2; products with exponents are exact floats.
+/// The leading 40 bits of ln 2, whose products with exponents are exact floats.
 const LN_2: f64 = 0.6931471805592082;
 const REST_OF_LN_2: Dd = Dd { high: 7.371002565167799e-13, low: 1.94704509238075e-31 };
 
-/// The two leading floats of π/2; `REST_OF_HALF_PI` is the remainder.
+/// The two leading floats of π/2. The remainder is `REST_OF_HALF_PI`.
 const HALF_PI: [f64; 2] = [FRAC_PI_2, 6.123233995736766e-17];
 const REST_OF_HALF_PI: Dd = Dd { high: -1.4973849048591698e-33, low: 5.562271104316826e-50 };
 
-/// Returns 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), n = `first`, up to the divisor `last`; with
-/// `step` 2 each divisor is the product of the next two numbers.
+/// Returns 1 + z/(n + 1)·(1 + z/(n + 2)·(1 + …)), where n is `first` and the divisors end at
+/// `last`. With `step` 2, each divisor is the product of the next two numbers.
 fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
     let one = Dd::from(1.0);
     (first..last).step_by(step).rev().fold(one, |sum, n| {
@@ -32,10 +33,10 @@ fn series(z: Dd, first: i32, step: usize, last: i32) -> Dd {
 
 /// Returns eˣ with a relative error of at most 12u².
 ///
-/// With x = k·ln 2 + r and |r| ≤ ½ ln 2, r has the error 6u²|r|, and the last sum rounds by 3u².
-/// Moreover eʳ − 1 has the relative error 14u² and is at most 0.42 of the value.
+/// Write x = k·ln 2 + r with |r| ≤ ½ ln 2. Then r has the error 6u²|r|, and the last sum rounds by
+/// 3u². Moreover eʳ − 1 has the relative error 14u², and is at most 0.42 of the value.
 pub(super) fn exp(x: Dd) -> Dd {
-    // Outside this range the value is 0, infinite or NaN.
+    // Outside this range the result is 0, infinite or NaN.
     if x.is_nan() || x.high.abs() > 800.0 {
         return Dd::from(libm::exp(x.high));
     }
@@ -44,10 +45,11 @@ pub(super) fn exp(x: Dd) -> Dd {
     scaled(series(r, 0, 1, 22), k as i32)
 }
 
-/// Returns ln x with a relative error of at most 32u²; −∞ at 0, NaN below.
+/// Returns ln x with a relative error of at most 32u². The result is −∞ at 0, and NaN below 0.
 ///
-/// With x = 2ᵏm and √½ ≤ m ≤ √2, ln m is 2 artanh s for s = (m − 1)/(m + 1), with errors of 20u²
-/// from s and 4u² from the series. |ln m| is at most |ln x|, and two more sums round by 3u² each.
+/// Write x = 2ᵏm with √½ ≤ m ≤ √2. Then ln m is 2 artanh s for s = (m − 1)/(m + 1), with an error
+/// of 20u² from s and one of 4u² from the series. |ln m| is at most |ln x|, and two more sums round
+/// by 3u² each.
 pub(super) fn ln(x: Dd) -> Dd {
     if x.high <= 0.0 || !x.is_finite() {
         return Dd::from(libm::log(x.high));
@@ -63,12 +65,13 @@ pub(super) fn ln(x: Dd) -> Dd {
     (twice * tail + twice + Dd::from(k) * REST_OF_LN_2) + Dd::from(k * LN_2)
 }
 
-/// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|; NaN for
-/// |x| > 2⁴⁰.
+/// Returns sin x and cos x, each with a relative error of at most 16u² plus 2⁻¹⁵⁵|x|. The results
+/// are NaN for |x| > 2⁴⁰.
 ///
-/// With x = k·π/2 + r and |r| ≤ π/4, r has the error 6u²|r|; if x cancels, also 6u² of the second
-/// float of k·π/2. The last sum rounds by 3u². The other terms have the error 38u² of at most 0.12
-/// of the value for the sine, and 18u² of at most 0.42 of the value for the cosine.
+/// Write x = k·π/2 + r with |r| ≤ π/4. Then r has the error 6u²|r|; if x cancels, 6u² of the second
+/// float of k·π/2 is added. The last sum rounds by 3u². The other terms have a relative error of
+/// 38u² for the sine, where they are at most 0.12 of the value. For the cosine their error is 18u²,
+/// and they are at most 0.42 of the value.
 pub(super) fn sin_cos(x: Dd) -> (Dd, Dd) {
     if x.is_nan() || x.high.abs() > power_of_two(40) {
         return (Dd::from(f64::NAN), Dd::from(f64::NAN));

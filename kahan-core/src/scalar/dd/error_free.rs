@@ -1,9 +1,10 @@
 //! Error-free sums and products of two floats.
 //!
-//! In: two floats. Out: the rounded result and its error, which are exact together unless the
-//! result overflows or is a product below 2⁻⁹⁶⁹. Multiply-adds are fused if the target can.
+//! In: two floats. Out: the rounded result and its error, whose sum is exact unless the result
+//! overflows or is a product below 2⁻⁹⁶⁹. Multiply-adds are fused if the target has fused
+//! operations.
 
-/// Returns a + b and its error (Knuth).
+/// Returns a + b, rounded, and its error (Knuth).
 #[inline(always)]
 pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -12,7 +13,8 @@ pub(super) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - from_a) + (b - from_b))
 }
 
-/// Returns a + b and its error, if |a| ≥ |b| or a is a multiple of the last place of b (Dekker).
+/// Returns a + b, rounded, and its error (Dekker). Requires that |a| ≥ |b|, or that a is a multiple
+/// of the last place of b.
 #[inline(always)]
 pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -37,7 +39,8 @@ mod product {
         (product, a.mul_add(b, -product))
     }
 
-    /// Returns whole − ab for the rounded quotient a = whole/b, or the rounded root a = b.
+    /// Returns whole − ab. Here a is the rounded quotient whole/b, or a = b is the rounded root of
+    /// whole.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         (-a).mul_add(b, whole)
@@ -51,10 +54,10 @@ mod product {
 
 #[cfg(not(all(feature = "std", target_feature = "fma")))]
 mod product {
-    /// 2⁹⁹⁵; above it, [`split`] could overflow.
+    /// The number 2⁹⁹⁵, above which [`split`] could overflow.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
 
-    /// Returns ab and its error, by splitting the factors (Dekker).
+    /// Returns ab, rounded, and its error, by splitting the factors (Dekker).
     #[inline(always)]
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         if a.abs() < LARGE && b.abs() < LARGE { halves(a, b) } else { large(a, b) }
@@ -68,7 +71,7 @@ mod product {
         (product, left + a_low * b_low)
     }
 
-    /// Splits a into two floats of at most 26 bits with sum a (Veltkamp).
+    /// Splits a into two floats of at most 26 bits whose sum is a (Veltkamp).
     #[inline(always)]
     fn split(a: f64) -> (f64, f64) {
         const FACTOR: f64 = ((1_u32 << 27) + 1) as f64;
@@ -77,8 +80,8 @@ mod product {
         (high, a - high)
     }
 
-    /// Returns ab and its error for a large factor, which is scaled down. The other factor is
-    /// scaled up, so that neither of its parts underflows.
+    /// Returns ab, rounded, and its error for a large factor, which is scaled down. The other
+    /// factor is scaled up; therefore neither of its parts underflows.
     #[cold]
     #[inline(never)]
     fn large(a: f64, b: f64) -> (f64, f64) {
@@ -89,7 +92,7 @@ mod product {
         if b.abs() < LARGE * DOWN {
             (product, halves(a * DOWN, b * UP).1)
         } else {
-            // The product is infinite or NaN.
+            // In this case the product is infinite or NaN.
             (product, f64::NAN)
         }
     }

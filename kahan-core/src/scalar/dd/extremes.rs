@@ -1,7 +1,7 @@
-//! The operations on operands whose intermediate results would leave the range of `f64`.
+//! The operations on operands for which intermediate results would leave the range of `f64`.
 //!
-//! Finite operands are scaled by powers of two, which is exact, and use the usual formulas and
-//! bounds. Results beyond the range are infinite.
+//! Finite operands are scaled by powers of two, which is exact. Then the usual formulas and bounds
+//! apply. Results beyond the range are infinite.
 
 use crate::scalar::bounded::power_of_two;
 
@@ -48,7 +48,7 @@ pub(super) fn square_root(x: Dd) -> Dd {
     }
 }
 
-/// Scales finite nonzero numbers into [1, 2); also returns their binary exponents.
+/// Scales finite nonzero numbers into [1, 2), and also returns their binary exponents.
 fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     let is_plain = |x: Dd| x.is_finite() && x.high != 0.0;
     if !(is_plain(x) && is_plain(y)) {
@@ -62,16 +62,16 @@ fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
 pub(super) fn exponent(x: f64) -> i32 {
     let bits = x.abs().to_bits();
     match (bits >> 52) as i32 {
-        // Subnormal: bits·2⁻¹⁰⁷⁴.
+        // A subnormal number is bits·2⁻¹⁰⁷⁴.
         0 => -1011 - bits.leading_zeros() as i32,
         biased => biased - 1023,
     }
 }
 
-/// Returns 2ᵏx. Below the normal range each part is rounded once, with an error of at most 2⁻¹⁰⁷⁴;
-/// the low part may underflow for every k.
+/// Returns 2ᵏx. Below the normal range each part is rounded once, with an error of at most 2⁻¹⁰⁷⁴.
+/// The low part may underflow for every k.
 pub(super) fn scaled(x: Dd, k: i32) -> Dd {
-    // Beyond ±2200 every result is infinite or 0.
+    // If k is beyond ±2200, every result is infinite or 0.
     let k = k.clamp(-2200, 2200);
     let third = k / 3;
     let [a, b, c] = [power_of_two(third), power_of_two(third), power_of_two(k - 2 * third)];

@@ -1,16 +1,17 @@
-//! Binary fixed-point numbers that hold any sum of two `f64`, for conversion from and to text.
+//! Binary fixed-point numbers that hold any sum of two `f64`. Conversions from and to text use
+//! these.
 
 use crate::scalar::bounded::power_of_two;
 
 use super::Dd;
 
-/// The number of 64-bit limbs before and after the point: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
+/// The number of 64-bit limbs before the point, and also after it. Bits range from 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
 pub(super) const HALF: usize = 17;
 
 /// The number of bits after the binary point.
 const POINT: i32 = 64 * HALF as i32;
 
-/// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸.
+/// The number Σ limbsᵢ·2⁶⁴ⁱ⁻¹⁰⁸⁸, where i is the index of a limb.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Fixed {
     pub(super) limbs: [u64; 2 * HALF],
@@ -68,7 +69,8 @@ impl Fixed {
         fixed
     }
 
-    /// Rounds a number below 2¹⁰²⁴ to nearest, ties to even; with `has_more` slightly above it.
+    /// Rounds a number below 2¹⁰²⁴ to the nearest float, ties to even. With `has_more`, the exact
+    /// number is slightly larger.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;
@@ -83,14 +85,14 @@ impl Fixed {
             || self.limbs[..half_limb].iter().any(|&limb| limb != 0)
             || has_more;
         let up = half && (rest || kept & 1 == 1);
-        // At most 2⁵³, so both products are exact.
+        // The significand is at most 2⁵³, and therefore both products are exact.
         let significand = (kept + u64::from(up)) as f64;
         let first = last / 2;
         significand * power_of_two(first) * power_of_two(last - first)
     }
 }
 
-/// Returns the limb and bit of 2^exponent.
+/// Returns the index of the limb, and of the bit in it, that stands for 2^exponent.
 fn place(exponent: i32) -> (usize, u32) {
     let bit = (exponent + POINT) as u32;
     ((bit / 64) as usize, bit % 64)

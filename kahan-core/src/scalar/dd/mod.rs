@@ -1,9 +1,9 @@
-//! Double-double numbers: unevaluated sums of two `f64`, about 32 decimal digits.
+//! Double-double numbers: unevaluated sums of two `f64`, with about 32 decimal digits.
 //!
 //! In: floats, constants, text. Out: the four operations, square root and elementary functions,
-//! with errors of a few u², u = 2⁻⁵³, stated at each operation. The exponent range is that of
+//! with errors of a few u² for u = 2⁻⁵³, stated at each operation. The exponent range is that of
 //! `f64`. `arithmetic` builds on `error_free` and leaves out-of-range operands to `extremes`.
-//! `decimal` and `display` are exact, through `fixed`.
+//! `decimal` and `display` are exact, and compute with the numbers of `fixed`.
 
 mod arithmetic;
 mod decimal;
@@ -16,13 +16,13 @@ mod moderate;
 mod operators;
 mod traits;
 
-/// A double-double number: high + low, with high the `f64` nearest to the sum.
+/// A double-double number high + low, where `high` is the `f64` nearest to the sum.
 ///
 /// Because |low| ≤ ½ ulp(high), numbers have at least 106 bits, and are equal only if both parts
-/// are. Infinities and NaN have low = 0 and behave like the `f64` in high.
+/// are equal. Infinities and NaN have low = 0 and behave as the `f64` in `high` does.
 ///
 /// # Bounds
-/// The relative errors of the operations are at most, with u = 2⁻⁵³,
+/// The following bounds hold for the relative errors of the operations, with u = 2⁻⁵³:
 ///
 /// | operation | bound | source |
 /// |---|---|---|
@@ -34,18 +34,20 @@ mod traits;
 /// | [`sin`](Dd::sin), [`cos`](Dd::cos) | 16u², and 2⁻¹⁵⁵ of the argument | series of a reduced argument |
 /// | [`multiply_add`](crate::Scalar::multiply_add) and variants | 16u² of the product and 5u² of the result | the product is not normalised |
 ///
-/// Products and quotients below 2⁻⁹⁶⁹ lose low bits, an additional error of at most 2⁻¹⁰⁷². Sums
-/// never underflow. Results (and products in multiply-adds) from 2¹⁰²⁴ on become infinite.
+/// Products and quotients below 2⁻⁹⁶⁹ lose low bits, which adds an error of at most 2⁻¹⁰⁷². Sums
+/// never underflow. Results from 2¹⁰²⁴ on become infinite, and so do products in multiply-adds.
 ///
-/// Bits depend on whether the target fuses multiply-adds; if so, xy and yx may differ.
+/// The bits depend on whether the target fuses multiply-adds. If it does, xy and yx may differ.
 ///
 /// # Cost
-/// With fused multiply-adds (on a target that has them, with `std`) a sum takes 20 operations, a
-/// product 8 (without: 24), a multiply-add 15, a quotient 7 and two parallel divisions.
+/// The following numbers hold with fused multiply-adds, on a target that has them and with `std`. A
+/// sum takes 20 operations, a product 8, a multiply-add 15. Without fusing a product takes 24
+/// operations. A quotient takes 7 operations and two parallel divisions.
 ///
 /// # Text
 /// Decimals of any length are read exactly, and each part is correctly rounded. Numbers are written
-/// with 32 significant digits, or as the format requests (`{:.40}`, `{:.40e}`), correctly rounded.
+/// with 32 significant digits, or as the format requests (`{:.40}`, `{:.40e}`). The written digits
+/// are correctly rounded.
 ///
 /// ```
 /// use kahan_core::Dd;
@@ -63,7 +65,8 @@ pub struct Dd {
 }
 
 impl Dd {
-    /// Returns high + low exactly, for floats of any size and order; low = 0 if it is not finite.
+    /// Returns high + low exactly, for floats of any size and order. If `high` is not finite, `low`
+    /// is 0.
     #[inline]
     pub const fn new(high: f64, low: f64) -> Self {
         // In this order only the sum itself can overflow.
@@ -77,13 +80,13 @@ impl Dd {
         Self { high, low: 0.0 }
     }
 
-    /// Returns the `f64` nearest to the number, ties to even.
+    /// Returns the `f64` nearest to the number, which is even in a tie.
     #[inline(always)]
     pub const fn high(self) -> f64 {
         self.high
     }
 
-    /// Returns the number minus [`high`](Self::high); 0 if it is not finite.
+    /// Returns the number minus [`high`](Self::high), or 0 if the number is not finite.
     #[inline(always)]
     pub const fn low(self) -> f64 {
         self.low
@@ -101,19 +104,20 @@ impl Dd {
         self.high.is_nan()
     }
 
-    /// Returns |self|, exactly.
+    /// Returns |self|, which is exact.
     #[inline]
     pub const fn abs(self) -> Self {
         if self.high.is_sign_negative() { Self { high: -self.high, low: -self.low } } else { self }
     }
 
-    /// Returns 1/self with a relative error of at most 14u²; infinite at zero.
+    /// Returns 1/self with a relative error of at most 14u². The result is infinite at zero.
     #[inline]
     pub fn recip(self) -> Self {
         arithmetic::quotient(Self::leading(1.0), self)
     }
 
-    /// Returns √self with a relative error of at most 4u²; NaN below zero, −0 at −0.
+    /// Returns √self with a relative error of at most 4u². The result is NaN below zero, and −0 at
+    /// −0.
     #[inline]
     pub fn sqrt(self) -> Self {
         arithmetic::square_root(self)
@@ -125,25 +129,27 @@ impl Dd {
         elementary::exp(self)
     }
 
-    /// Returns the natural logarithm with a relative error of at most 32u²; −∞ at zero, NaN below.
+    /// Returns the natural logarithm with a relative error of at most 32u². The result is −∞ at
+    /// zero, and NaN below zero.
     #[must_use]
     pub fn ln(self) -> Self {
         elementary::ln(self)
     }
 
-    /// Returns sin and cos with relative errors of at most 16u² + 2⁻¹⁵⁵·|self|; NaN beyond 2⁴⁰.
+    /// Returns sine and cosine with relative errors of at most 16u² + 2⁻¹⁵⁵·|self|. Both are NaN if
+    /// |self| exceeds 2⁴⁰.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         elementary::sin_cos(self)
     }
 
-    /// Returns sin self, like [`sin_cos`](Self::sin_cos).
+    /// Returns the sine; see [`sin_cos`](Self::sin_cos).
     #[must_use]
     pub fn sin(self) -> Self {
         self.sin_cos().0
     }
 
-    /// Returns cos self, like [`sin_cos`](Self::sin_cos).
+    /// Returns the cosine; see [`sin_cos`](Self::sin_cos).
     #[must_use]
     pub fn cos(self) -> Self {
         self.sin_cos().1

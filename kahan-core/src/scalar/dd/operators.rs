@@ -1,4 +1,4 @@
-//! Operators, assignments, sign and order of double-double numbers.
+//! Operators, assignment operators, sign and order of double-double numbers.
 
 use core::cmp::Ordering;
 use core::ops::Neg;
@@ -20,7 +20,8 @@ operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, 
 impl PartialOrd for Dd {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        // Rounding to nearest is monotonic, so low parts matter only between equal high parts.
+        // Rounding to nearest is monotonic. Therefore low parts matter only between equal high
+        // parts.
         match self.high.partial_cmp(&other.high)? {
             Ordering::Equal => self.low.partial_cmp(&other.low),
             order => Some(order),

@@ -1,6 +1,7 @@
 //! The four operations on [`Digits`], comparison and equality.
 //!
-//! The radius of a result covers the operands' radii and the digits cut off; all else is exact.
+//! The radius of a result covers the radii of the operands and the digits that were cut off. All
+//! else is exact.
 
 use core::cmp::Ordering;
 use core::ops::Neg;
@@ -19,7 +20,8 @@ fn common(mut a: u64, mut b: u64) -> u64 {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Returns two numbers as rows over a common denominator; `None` if that exceeds 64 bits.
+    /// Returns two numbers as rows over a common denominator, or `None` if the denominator exceeds
+    /// 64 bits.
     fn over_one_denominator(&self, other: &Self) -> Option<(DigitRow<M>, DigitRow<M>, u64)> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
@@ -50,7 +52,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + self.radius, ..quotient }
     }
 
-    /// Returns sign, m and e if the numerator is ±m·2^e with an odd 64-bit m.
+    /// Returns a sign, m and e if the numerator is ±m·2^e with an odd m of 64 bits.
     fn short(&self) -> Option<(bool, u64, i64)> {
         let row = self.row();
         let (first, last) = (row.digits().first()?, row.digits().last()?);
@@ -64,7 +66,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 }
 
-/// Returns a/b for a nonzero divisor; the radius bounds the effect of the remainder.
+/// Returns a/b for a nonzero divisor. The radius bounds the effect of the remainder.
 fn ratio<const D: usize, const M: usize>(a: &DigitRow<M>, b: &DigitRow<M>) -> Digits<D, M> {
     let (quotient, rest) = a.divided(b);
     Digits::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
@@ -91,7 +93,8 @@ operators! {
 }
 
 impl<const D: usize, const M: usize> Digits<D, M> {
-    /// Multiplies: |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
+    /// Multiplies numbers with radii r_a and r_b: |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero
+    /// times an undefined number is undefined.
     #[inline(never)]
     fn times(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
@@ -104,8 +107,9 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::of(&self.row().times(&other.row()), denominator, radius)
     }
 
-    /// Divides: |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b) for r_b ≤ |b̂|/64; the radius is
-    /// infinite for larger r_b. Undefined for a zero divisor.
+    /// Divides numbers with radii r_a and r_b. If r_b ≤ |b̂|/64, |a/b − â/b̂| ≤ (r_a +
+    /// |â/b̂|·r_b)/(|b̂| − r_b). For a larger r_b the radius is infinite. For a zero divisor the
+    /// quotient is undefined.
     #[inline(never)]
     fn over(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) || other.is_zero() {
@@ -124,7 +128,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self { radius: quotient.radius + radius, ..quotient }
     }
 
-    /// Returns â/b̂ for a divisor of few bits, which multiplies the denominator.
+    /// Returns the quotient by a divisor of few bits, which multiplies the denominator.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
         let denominator = self.denominator.checked_mul(odd)?;
@@ -142,12 +146,12 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let sign = if a.sign() * b.sign() < 0 { 1 } else { -1 };
         let difference = a.plus(&b, sign).sign();
-        // If self is 0, only the sign of the other matters.
+        // If self is 0, only the sign of the other number matters.
         Some(if a.sign() == 0 { 0.cmp(&b.sign().abs()) } else { (a.sign() * difference).cmp(&0) })
     }
 }
 
-/// Undefined numbers equal nothing, not even themselves.
+/// An undefined number equals no number, not even itself.
 impl<const D: usize, const M: usize> PartialEq for Digits<D, M> {
     fn eq(&self, other: &Self) -> bool {
         let difference = *self - *other;

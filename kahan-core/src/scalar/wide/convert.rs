@@ -1,7 +1,8 @@
 //! Conversions between [`Digits`] and floats, double-doubles, integers and ratios.
 //!
 //! Conversions from floats and integers are exact. Conversions to floats round correctly, ties to
-//! even, also to subnormals; values beyond the range give ±∞, undefined numbers NaN.
+//! even, also to subnormal floats. Values beyond the range become ±∞, and undefined numbers become
+//! NaN.
 
 use num_traits::Zero;
 
@@ -10,9 +11,9 @@ use super::{Digits, Size};
 
 /// An IEEE 754 format of at most 64 bits.
 struct Format {
-    /// The number of significant bits, including the hidden one.
+    /// The number of significant bits, including the hidden bit.
     precision: u32,
-    /// The exponent of the smallest normal number; the largest exponent is 1 − lowest.
+    /// The exponent of the smallest normal number. The largest exponent is 1 − `lowest`.
     lowest: i64,
 }
 
@@ -54,24 +55,28 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::from_limbs(negative, numerator) / Self::from_limbs(false, denominator)
     }
 
-    /// Returns the nearest `f64`, ties to even; ±∞ beyond the largest, NaN if undefined.
+    /// Returns the nearest `f64`, ties to even. Beyond the largest float the result is ±∞; for
+    /// undefined numbers it is NaN.
     pub(crate) fn to_f64(self) -> f64 {
         let magnitude = f64::from_bits(self.encode(&DOUBLE));
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
     pub(crate) fn to_f32(self) -> f32 {
-        // The low half contains the bits of the format.
+        // The lower half of the result contains the bits of the format.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// Returns the nearest `f64` and the `f64` nearest to the remainder; (x, 0) if x is not finite.
+    /// Returns the nearest `f64`, and the `f64` nearest to the remainder. If the first is not
+    /// finite, the second is 0.
     ///
-    /// If the second rounds to half an ulp of the first, their sum may round away from the first.
+    /// If the second rounds to half an ulp of the first, the sum of both may round away from the
+    /// first.
     pub(crate) fn to_double_double(self) -> (f64, f64) {
         let high = self.to_f64();
-        // The difference is exact: its digits lie between the last bit of `high` and the end.
+        // The difference is exact, because its digits lie between the last bit of `high` and the
+        // end.
         let low = if high.is_finite() { (self - Self::from(high)).to_f64() } else { 0.0 };
         (high, low)
     }
@@ -88,11 +93,11 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         if exponent > 1 - format.lowest {
             return infinity;
         }
-        // Subnormals have fewer bits, because they share their last place.
+        // Subnormal numbers have fewer bits, because all of them have one last place.
         let missing = (format.lowest - exponent).max(0);
         let kept = i64::from(format.precision) - missing;
         if kept < 0 {
-            // Below half of the smallest number.
+            // The number is below half of the smallest float.
             return 0;
         }
         let dropped = (length - kept) as u32;
@@ -102,13 +107,14 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         };
         let half = 1_u128 << (dropped - 1);
         let is_up = rest > half || (rest == half && integer & 1 == 1);
-        // The hidden bit, and a carry from the fraction, increment the exponent, up to infinity.
+        // The hidden bit, and a carry from the fraction, increment the exponent, up to that of
+        // infinity.
         let binade = exponent.max(format.lowest) - format.lowest;
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
     /// Returns n and e with |numerator| ≈ n·2^e and at least 64 bits in n. If digits are omitted, n
-    /// is odd, so that it rounds to fewer bits like the whole numerator.
+    /// is odd. Then n rounds to fewer bits as the whole numerator does.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

@@ -1,11 +1,11 @@
-//! Software floats with sparse digits and an error radius, which certify a step.
+//! Software floats with sparse digits and an error radius, which prove the error bound of a step.
 //!
 //! In: floats, constants, and a step over any [`Scalar`](crate::Scalar). Out: the step with error
 //! bounds. A number is a [row](rows) of at most D nonzero base-2⁶⁴ digits over a 64-bit
-//! denominator, so (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ and short fractions are exact. The *radius* bounds the
-//! effect of digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions by zero are
-//! *undefined*, which operations propagate. Dense digits would need 3 kB per number: D(x,ε) of six
-//! variables has terms from 2⁻¹²⁸⁸⁸ to 2¹²²⁸⁸.
+//! denominator; therefore (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ and short fractions are exact. The *radius* bounds
+//! the digits cut off. Numbers beyond 2^(64·2⁴⁰), non-finite floats and divisions by zero are
+//! *undefined*, and so are all results from them. D(x,ε) of six variables has terms from 2⁻¹²⁸⁸⁸ to
+//! 2¹²²⁸⁸; with dense digits, a number of this range would take 3 kB.
 
 mod arithmetic;
 mod convert;
@@ -26,13 +26,14 @@ pub(crate) use size::Size;
 
 use rows::{DigitRow, leading, size_of};
 
-/// Numbers of 17 digits of 64 bits, for the error bounds of a step.
+/// Numbers of 17 digits of 64 bits, with which the error bounds of a step are computed.
 pub(crate) type Wide = Digits<17, 40>;
 
-/// The largest magnitude of the leading digit's place.
+/// The largest magnitude of a place, the power of 2⁶⁴ that the leading digit has.
 const FARTHEST: u64 = 1 << 40;
 
-/// A number of at most D digits of 64 bits; intermediate rows have M = 2D + 6 digits. Its value is
+/// A number of at most D digits of 64 bits. Rows of intermediate results have M = 2D + 6 digits.
+/// The number is
 ///
 /// Σ digit·2^(64·(place − below)) / denominator.
 ///
@@ -40,15 +41,15 @@ const FARTHEST: u64 = 1 << 40;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Digits<const D: usize, const M: usize> {
     digits: [i64; D],
-    /// The power of 2⁶⁴ of the leading digit.
+    /// The place of the leading digit, which is its power of 2⁶⁴.
     place: i64,
-    /// The denominator; 1 if the number is zero.
+    /// The denominator, which is 1 if the number is zero.
     denominator: u64,
-    /// The error radius; NaN if the number is undefined.
+    /// The error radius, which is NaN if the number is undefined.
     radius: Size,
     /// For each digit, its distance from the leading digit's place.
     below: [u16; D],
-    /// The number of digits, all nonzero.
+    /// The number of digits. All digits are nonzero.
     count: u16,
 }
 
@@ -58,7 +59,8 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         D
     };
 
-    /// The exponent of the largest relative error: D digits are at least 2⁶⁴⁽ᴰ⁻¹⁾⁻¹ units.
+    /// The exponent of the largest relative error. A number of D digits is at least 2⁶⁴⁽ᴰ⁻¹⁾⁻¹
+    /// times the unit of its last digit.
     pub(crate) const UNIT_EXPONENT: i64 = -(64 * (Self::MOST_DIGITS as i64 - 1) - 2);
 
     const ZERO: Self = Self {
@@ -72,7 +74,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
 
     const UNDEFINED: Self = Self { radius: Size { exponent: 0, mantissa: f64::NAN }, ..Self::ZERO };
 
-    /// Returns the leading digits of row/denominator; digits cut off enlarge the radius.
+    /// Returns the leading digits of row/denominator. Digits cut off enlarge the radius.
     fn of(row: &DigitRow<M>, denominator: u64, radius: Size) -> Self {
         let Some(&(place, _)) = row.digits().first() else {
             return Self { radius: radius + row.without(0) / Size::from(denominator as f64), ..Self::ZERO };
@@ -97,7 +99,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         DigitRow::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
     }
 
-    /// Converts to another number of digits; digits cut off enlarge the radius.
+    /// Converts to another number of digits. Digits cut off enlarge the radius.
     #[cfg(feature = "std")]
     fn with_digits<const E: usize, const K: usize>(&self) -> Digits<E, K> {
         let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
@@ -110,7 +112,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         Self::of(&DigitRow::of_significand(1, power), 1, Size { exponent: 0, mantissa: 0.0 })
     }
 
-    /// Returns a bound on the distance from the exact value, which is 0 if nothing was cut off.
+    /// Returns a bound on the distance from the exact value, which is 0 if no digit was cut off.
     pub(crate) fn radius(&self) -> Size {
         self.radius
     }
@@ -119,7 +121,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
         !self.radius.is_unknown()
     }
 
-    /// Returns |self| to a relative 2⁻⁵⁰; NaN if undefined.
+    /// Returns |self|, exact up to a relative 2⁻⁵⁰, or NaN if the number is undefined.
     pub(crate) fn size(&self) -> Size {
         if !self.is_defined() {
             return self.radius;

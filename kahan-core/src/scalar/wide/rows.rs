@@ -1,30 +1,30 @@
 //! Exact sums and products of sparse rows of base-2⁶⁴ digits.
 //!
-//! Digits are signed, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them, and subtraction needs no
-//! long borrows. The value of a row is Σ digit·2^(64·place), with the sign of its leading digit. A
-//! full row cuts off low digits, and stores a bound on them.
+//! Digits are signed, from −2⁶³ to 2⁶³ − 1. Therefore 2¹⁰⁰⁰ − 1 has two digits, and subtraction
+//! needs no long borrows. The value of a row is Σ digit·2^(64·place), which has the sign of the
+//! leading digit. A full row cuts off low digits, and stores a bound on these.
 
 use num_traits::Zero;
 
 use super::Size;
 
-/// At most M nonzero digits with their places, the leading one first.
+/// A row of at most M nonzero digits with their places. The leading digit comes first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DigitRow<const M: usize> {
     digits: [(i64, i64); M],
-    /// The index of the leading digit; rows are filled from the low end.
+    /// The index of the leading digit. Rows are filled from the end of the array.
     start: usize,
-    /// An upper bound on the digits cut off.
+    /// An upper bound on the value of the digits cut off.
     cut: Size,
 }
 
-/// The capacity of short rows, and the number of leading digits copied to one.
+/// The capacity of short rows. `LEADING` is the number of leading digits that a short row takes.
 const SHORT: usize = 40;
 const LEADING: usize = 18;
 
-/// Returns an upper bound on a digit and all digits below it.
+/// Returns an upper bound on the value of a digit and all digits below it.
 fn from_here_on((place, digit): (i64, i64)) -> Size {
-    // The second factor covers the rounding of the digit's conversion.
+    // The second factor covers the rounding in the digit's conversion.
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
 }
 
@@ -32,18 +32,18 @@ impl<const M: usize> DigitRow<M> {
     /// Whether quotient digits are estimated by dividing short rows instead of floats.
     const IS_LONG: bool = M > SHORT;
 
-    /// The minimum number of correct bits of an estimate. A short row omits less than a unit of its
-    /// last digit, and is at least half a unit of its first one.
+    /// The minimum number of correct bits of an estimated quotient digit. A short row omits less
+    /// than a unit of its last digit, and is at least half a unit of its first digit.
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
-    /// The number of division rounds. Each leaves less than 2^−GUESSED of the remainder; together
-    /// they leave less than the unit of a number, which has half of the digits of a row.
+    /// The number of division rounds. Each round leaves less than 2^−GUESSED of the remainder. All
+    /// rounds together leave less than the unit of a number, which has half of the digits of a row.
     const ROUNDS: usize = 64 * (M / 2 - 2) / Self::GUESSED + 1;
 
     pub(super) const EMPTY: Self =
         Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
 
-    /// Adds a sum of digits at a place above all others; returns the carry to the next place.
+    /// Adds a sum of digits at a place above all other digits. Returns the carry to the next place.
     fn settle(&mut self, place: i64, total: i128) -> i128 {
         let digit = total as i64;
         if digit != 0 {
@@ -52,7 +52,7 @@ impl<const M: usize> DigitRow<M> {
         (total - i128::from(digit)) >> 64
     }
 
-    /// Adds a digit before the others; if the row is full, the last digit is cut off.
+    /// Adds a digit before the other digits. If the row is full, the last digit is cut off.
     fn lead(&mut self, digit: (i64, i64)) {
         if self.start == 0 {
             self.cut = self.cut + from_here_on(self.digits[M - 1]);
@@ -92,17 +92,18 @@ impl<const M: usize> DigitRow<M> {
         &self.digits[self.start..]
     }
 
-    /// Returns an upper bound on all digits except the first `kept`, including digits cut off.
+    /// Returns an upper bound on all digits except the first `kept`. The bound includes digits cut
+    /// off.
     pub(super) fn without(&self, kept: usize) -> Size {
         self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
     }
 
-    /// Returns 1, −1, or 0 for an empty row.
+    /// Returns the sign of the row: 1, −1, or 0 for an empty row.
     pub(super) fn sign(&self) -> i64 {
         self.digits().first().map_or(0, |(_, digit)| digit.signum())
     }
 
-    /// Returns m and e with m·2^e near the row, up to a relative 2⁻⁵¹.
+    /// Returns m and e such that m·2^e is the value of the row up to a relative 2⁻⁵¹.
     pub(super) fn leading(&self) -> (f64, i64) {
         match *self.digits() {
             [] => (0.0, 0),
@@ -115,8 +116,8 @@ impl<const M: usize> DigitRow<M> {
         size_of(self.leading())
     }
 
-    /// Returns |d·2⁶⁴ + d′|, with the leading digit d and the digit d′ one place below (possibly
-    /// 0), and the place of d′; `None` for zero.
+    /// Returns |d·2⁶⁴ + d′| and the place of d′. Here d is the leading digit, and d′ is the digit
+    /// one place below, which may be 0. Returns `None` for zero.
     pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
         let (&(place, first), rest) = self.digits().split_first()?;
         let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);
@@ -134,7 +135,7 @@ impl<const M: usize> DigitRow<M> {
                 (Some(this), Some(that)) => Some(this.min(that)),
                 (this, that) => this.or(that),
             };
-            // A carry is at or below the place of the next digit.
+            // The carry is at or below the place of the next digit.
             let here = if carry == 0 { next } else { Some(place) };
             let Some(here) = here else { break };
             let mut take = |digits: &mut &[(i64, i64)], sign: i64| {
@@ -153,14 +154,14 @@ impl<const M: usize> DigitRow<M> {
         sum
     }
 
-    /// Returns self·digit·2^(64·up).
+    /// Returns self·factor·2^(64·up).
     fn times_digit(&self, (up, factor): (i64, i64)) -> Self {
         let cut = self.cut * Size::from(factor.unsigned_abs() as f64).scaled(64 * up);
         let mut product = Self { cut, ..Self::EMPTY };
         let (mut place, mut carry) = (0, 0);
         for &(at, digit) in self.digits().iter().rev() {
             if carry != 0 && place != at + up {
-                // The carry is below 2⁶³, so it is itself a digit.
+                // The carry is below 2⁶³, and is therefore itself a digit.
                 carry = product.settle(place, carry);
             }
             carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
@@ -170,18 +171,19 @@ impl<const M: usize> DigitRow<M> {
         product
     }
 
-    /// Returns self·factor, for a factor without cut digits.
+    /// Returns self·factor. No digits of the factor may have been cut off.
     pub(super) fn times(&self, factor: &Self) -> Self {
         self.times_in_place(factor).unwrap_or_else(|| self.times_far_apart(factor))
     }
 
-    /// Returns self·factor, summed in place, if all places of the product fit a row.
+    /// Returns self·factor, summed in place, or `None` if the places of the product do not fit a
+    /// row.
     pub(super) fn times_in_place(&self, factor: &Self) -> Option<Self> {
         let (these, those) = (self.digits(), factor.digits());
         let (&(top, _), &(low, _)) = (these.first()?, these.last()?);
         let (&(factor_top, _), &(factor_low, _)) = (those.first()?, those.last()?);
         let lowest = low + factor_low;
-        // Carries reach at most two further places.
+        // A carry reaches at most two places beyond the product's places.
         let places = usize::try_from(top + factor_top - lowest).ok().filter(|span| span + 3 <= M)? + 3;
         if !self.cut.is_zero() {
             return None;
@@ -215,14 +217,15 @@ impl<const M: usize> DigitRow<M> {
         Some(product)
     }
 
-    /// Returns self·factor for digits at any places.
+    /// Returns self·factor for digits that may be far apart.
     pub(super) fn times_far_apart(&self, factor: &Self) -> Self {
         let parts = factor.digits().iter().map(|&digit| self.times_digit(digit));
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// Returns q and r with self = q·divisor + r, for a nonzero divisor. r is zero, or less than a
-    /// unit of a number relative to self. It is exact, so later rounds correct earlier estimates.
+    /// Returns q and r with self = q·divisor + r, for a nonzero divisor. The remainder r is zero,
+    /// or relative to self less than a unit of a number. It is exact; therefore later rounds
+    /// correct earlier estimates.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {
@@ -252,7 +255,7 @@ impl<const M: usize> DigitRow<M> {
     }
 }
 
-/// Returns m and e with m·2^e ≈ digit·2^(64·place) plus the digit one place below.
+/// Returns m and e with m·2^e ≈ digit·2^(64·place) + below·2^(64·(place − 1)).
 pub(super) fn leading(place: i64, digit: i64, below: i64) -> (f64, i64) {
     (digit as f64 + below as f64 * f64::from_bits((1023 - 64) << 52), 64 * place)
 }
@@ -261,11 +264,11 @@ pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
     Size::from(leading.abs()).scaled(exponent)
 }
 
-/// Returns a finite float as an integer and a binary exponent.
+/// Returns an integer and a binary exponent whose product is a finite float.
 pub(super) fn significand(x: f64) -> (i64, i64) {
     let bits = x.to_bits();
     let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);
-    // Subnormals have no hidden bit, and the exponent of the smallest normal number.
+    // A subnormal number has no hidden bit, and has the exponent of the smallest normal number.
     let (size, exponent) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
     (if x.is_sign_negative() { -size } else { size }, exponent)
 }

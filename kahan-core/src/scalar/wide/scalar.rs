@@ -1,4 +1,4 @@
-//! [`Digits`] as a scalar. Zero has no reciprocal, so steps end at exact poles.
+//! [`Digits`] as a scalar. Zero has no reciprocal; therefore steps end at exact poles.
 
 use core::cmp::Ordering;
 

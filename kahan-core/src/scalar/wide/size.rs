@@ -1,19 +1,19 @@
-//! Magnitudes of [`Wide`](super::Wide) numbers, for error bounds: an exponent and 53 bits.
+//! Magnitudes of [`Wide`](super::Wide) numbers for error bounds, with an exponent and 53 bits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
 
-/// A magnitude mantissa·2^exponent with a mantissa in [1, 2). A mantissa of 0, infinity or NaN has
-/// exponent 0. Operations round by at most 2⁻⁵²; an exponent out of range gives NaN.
+/// A magnitude mantissa·2^exponent with a mantissa in [1, 2). If the mantissa is 0, infinity or
+/// NaN, the exponent is 0. Operations round by at most 2⁻⁵². An exponent out of range gives NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(super) exponent: i64,
     pub(super) mantissa: f64,
 }
 
-/// The bits of 1.0, and the mask of a mantissa's fraction.
+/// The bits of the float 1.0, and the mask of a mantissa's fraction.
 const ONE: u64 = 1023 << 52;
 const FRACTION: u64 = (1 << 52) - 1;
 
@@ -60,7 +60,7 @@ impl From<f64> for Size {
     }
 }
 
-/// Values beyond the range of `f64` become infinite or zero.
+/// Converts to `f64`. Magnitudes beyond the range of `f64` become infinite or zero.
 impl From<Size> for f64 {
     fn from(size: Size) -> Self {
         let exponent = size.exponent.clamp(-1200, 1200);

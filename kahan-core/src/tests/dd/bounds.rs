@@ -1,7 +1,8 @@
-//! The stated error bounds of `Dd`, on seeded operands with exponents over the whole range.
+//! Tests the stated error bounds of `Dd` on seeded operands, whose exponents cover the whole range.
 //!
-//! Results are compared exactly, as integers times powers of two, and must be normalised. More
-//! samples: `cargo test --release -p kahan-core --features exact -- --ignored millions`.
+//! Results are compared exactly, as integers times powers of two, and must be normalised. The
+//! ignored tests take more samples: `cargo test --release -p kahan-core --features exact --
+//! --ignored millions`.
 
 use super::dyadic::Dyadic;
 use super::operands::Operands;
@@ -10,17 +11,17 @@ use crate::{Dd, Scalar};
 const SAMPLE: usize = 20_000;
 const MILLIONS: usize = 4_000_000;
 
-/// The bounds of sums, products and quotients, in u².
+/// The bounds of sums, products and quotients as multiples of u², where u = 2⁻⁵³.
 const SUM: i64 = 3;
 const PRODUCT: i64 = 5;
 const QUOTIENT: i64 = 14;
 
-/// Returns count·u², u = 2⁻⁵³, plus a hundredth for terms in u³.
+/// Returns count·u² with u = 2⁻⁵³, slightly enlarged for terms in u³.
 fn square_units(count: i64) -> Dyadic {
     Dyadic::new(count, -106) + Dyadic::new(count, -150)
 }
 
-/// Returns the additional error below the normal range, 2⁻¹⁰⁷².
+/// Returns 2⁻¹⁰⁷², the error that is added below the normal range.
 fn least() -> Dyadic {
     Dyadic::new(1, -1072)
 }
@@ -37,7 +38,7 @@ fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[
     assert!(error <= *bound, "{parts:?}");
 }
 
-/// Checks sums; their relative bound always holds, because sums of floats do not underflow.
+/// Checks sums. Their relative bound always holds, because sums of floats do not underflow.
 fn check_sums(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {
@@ -55,8 +56,9 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// Operands at which an operation nearly reaches its bound. Those of the sum are from the paper of
-/// Joldeş, Muller and Popescu, the others from a one-minute search without fused multiply-adds.
+/// At these operands an operation nearly reaches its bound. The operands of the sum are from the
+/// paper of Joldeş, Muller and Popescu. A search without fused multiply-adds found the others in a
+/// minute.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));
@@ -98,7 +100,7 @@ fn check_products(seed: u64, count: usize) {
         let bound = square_units(PRODUCT) * exact.clone().abs();
         let product = x * y;
         if !product.is_finite() {
-            // The largest products are below 2¹⁰²⁴ but may round to it.
+            // The largest products are below 2¹⁰²⁴, but may round to 2¹⁰²⁴.
             assert!(exact.abs() > Dyadic::new(1, 1023) && product.low() == 0.0 && !product.is_nan());
             continue;
         }
@@ -110,7 +112,7 @@ fn check_products(seed: u64, count: usize) {
     }
 }
 
-/// Checks |z − x/y| ≤ 14u²·|x/y| as |zy − x| ≤ 14u²·|x|.
+/// Checks |z − x/y| ≤ 14u²·|x/y| for z = x/y, in the form |zy − x| ≤ 14u²·|x|.
 fn check_quotients(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for i in 0..count {
@@ -137,7 +139,7 @@ fn check_quotients(seed: u64, count: usize) {
     }
 }
 
-/// Checks |z − √x| ≤ b√x as (1 − b)²x ≤ z² ≤ (1 + b)²x.
+/// Checks |z − √x| ≤ b√x for z = √x and its bound b, in the form (1 − b)²x ≤ z² ≤ (1 + b)²x.
 #[cfg(feature = "std")]
 fn check_square_roots(seed: u64, count: usize) {
     let one = || Dyadic::new(1, 0);
@@ -180,7 +182,8 @@ fn check_multiply_adds(seed: u64, count: usize) {
     }
 }
 
-/// Checks subnormal numbers: sums are exact, other operations err by 2⁻¹⁰⁷² more.
+/// Checks subnormal numbers. Sums are exact, and other operations have an additional error of
+/// 2⁻¹⁰⁷².
 fn check_subnormals(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {

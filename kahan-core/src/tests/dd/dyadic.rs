@@ -1,4 +1,5 @@
-//! Exact numbers m·2ᵉ for sums, differences and products of floats, faster than fractions.
+//! Exact numbers m·2ᵉ for sums, differences and products of floats, which are faster than
+//! fractions.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};
@@ -45,7 +46,7 @@ impl Dyadic {
         }
     }
 
-    /// Returns both significands over one power of two.
+    /// Returns the significands of both numbers for one power of two, and its exponent.
     fn aligned(self, other: Self) -> (BigInt, BigInt, i32) {
         if self.significand.is_zero() || other.significand.is_zero() {
             let exponent = if self.significand.is_zero() { other.exponent } else { self.exponent };

@@ -1,7 +1,9 @@
-//! The bounds of the elementary functions, against fixed-point numbers of 700 bits.
+//! Compares the elementary functions with fixed-point numbers of 700 bits, within their error
+//! bounds.
 //!
 //! Taylor series are summed until a term is 0. Each of at most 2000 divisions errs by less than a
-//! unit, and the remainder is below the last term once terms halve: in all below 2⁻⁶⁰⁰.
+//! unit of the last bit. The remainder is below the last term as soon as terms halve. All errors
+//! together are below 2⁻⁶⁰⁰.
 
 use std::vec::Vec;
 
@@ -16,7 +18,7 @@ fn one() -> BigInt {
     BigInt::from(1) << BITS
 }
 
-/// Converts a number exactly; its magnitude must be 0 or at least 2⁻⁵⁹⁰.
+/// Converts a number exactly. Its magnitude must be 0 or at least 2⁻⁵⁹⁰.
 fn fixed(x: Dd) -> BigInt {
     let part = |x: f64| {
         let (bits, sign) = (x.to_bits(), if x < 0.0 { -1 } else { 1 });
@@ -27,7 +29,8 @@ fn fixed(x: Dd) -> BigInt {
     part(x.high()) + part(x.low())
 }
 
-/// Returns Σ of terms from `first` on; each is the one before times y over the next `step` numbers.
+/// Returns the sum of terms from `first` on. Each term is the term before it, times y, divided by
+/// the next `step` numbers.
 fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
     let (mut term, mut sum) = (first, BigInt::zero());
     while !term.is_zero() {
@@ -42,7 +45,7 @@ fn series(first: BigInt, mut n: u32, step: u32, y: &BigInt) -> BigInt {
 }
 
 fn exp(x: &BigInt) -> BigInt {
-    // e^x = (e^(x/2¹⁰))^(2¹⁰): the relative error of the 2¹⁰ roundings stays below 2⁻⁶⁰⁰.
+    // With e^x = (e^(x/2¹⁰))^(2¹⁰), the relative error of all roundings stays below 2⁻⁶⁰⁰.
     let mut power = series(one(), 0, 1, &(x >> 10));
     for _ in 0..10 {
         power = (&power * &power) >> BITS;
@@ -65,7 +68,7 @@ fn pi() -> BigInt {
     (arctangent(5) * 4 - arctangent(239)) * 4
 }
 
-/// Asserts |computed − exact| ≤ count·u²·|exact| + 2⁻ᵏ, k = `least`.
+/// Asserts |computed − exact| ≤ count·u²·|exact| + 2⁻ᵏ, where k is `least` and u = 2⁻⁵³.
 #[track_caller]
 fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) {
     let error = (fixed(computed) - exact).abs();
@@ -73,7 +76,8 @@ fn assert_within(computed: Dd, exact: &BigInt, count: u32, least: usize, x: Dd) 
     assert!(error <= bound, "{x:?}: {computed:?}");
 }
 
-/// Returns numbers of magnitude 2⁻²⁰ to 2ᵐ, of both signs, and near multiples of `period`.
+/// Returns numbers of magnitude 2⁻²⁰ to 2ᵐ with m = `most`, of both signs, some near multiples of
+/// `period`.
 fn arguments(most: i32, period: f64) -> Vec<Dd> {
     let mut state = 20_261_128_u64;
     let mut unit = || {
@@ -97,7 +101,7 @@ fn arguments(most: i32, period: f64) -> Vec<Dd> {
 fn exponentials_are_within_their_bound() {
     for x in arguments(6, core::f64::consts::LN_2 / 2.0) {
         let exact = exp(&fixed(x));
-        // Small values have fewer significant digits in 700 bits after the point.
+        // Small values have fewer significant digits among the 700 bits after the point.
         assert_within(x.exp(), &exact, 12, 500, x);
     }
     assert_eq!(Dd::from(0.0).exp(), Dd::from(1.0));
@@ -109,7 +113,7 @@ fn exponentials_are_within_their_bound() {
 #[test]
 fn logarithms_are_within_their_bound() {
     for x in arguments(8, 0.5).into_iter().map(Dd::abs).filter(|x| x.high() > 0.0) {
-        // If e to the power of y is x(1 + δ), y has the error δ(1 − δ/2 + …).
+        // If e to the power of y is x(1 + δ), the error of y is δ(1 − δ/2 + …).
         let y = x.ln();
         let (power, x_fixed) = (exp(&fixed(y)), fixed(x));
         let error = (((power - &x_fixed) << BITS) / x_fixed).abs();
@@ -130,7 +134,7 @@ fn sines_and_cosines_are_within_their_bound() {
     for x in arguments(40, core::f64::consts::FRAC_PI_2) {
         let exact = fixed(x);
         let turn: BigInt = &pi * 2;
-        // Division rounds toward 0, which is down after adding many revolutions.
+        // Division rounds toward 0, which means down after many revolutions are added.
         let turns: BigInt = (&exact + &pi + &turn * MANY) / &turn - MANY;
         let rest: BigInt = exact - turns * turn;
         let square: BigInt = (&rest * &rest) >> BITS;

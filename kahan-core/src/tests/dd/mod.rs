@@ -1,4 +1,4 @@
-//! Double-double numbers against exact ones: bounds, special values, text.
+//! Compares double-double numbers with exact numbers: bounds, special values, text.
 
 #[cfg(feature = "exact")]
 mod bounds;

@@ -1,8 +1,8 @@
-//! Seeded difficult operands: ties, gaps between the parts, few bits, all bits, cancellation.
+//! Difficult operands from a seed: ties, gaps between the parts, few bits, all bits, cancellation.
 
 use crate::Dd;
 
-/// The generator SplitMix64 (Steele, Lea, Flood 2014).
+/// The random generator SplitMix64 (Steele, Lea, Flood 2014).
 pub(super) struct Operands(u64);
 
 impl Operands {
@@ -25,7 +25,8 @@ impl Operands {
         least + self.below((most - least + 1) as u64) as i32
     }
 
-    /// Returns 52 bits after the leading one: random, near a power of two, or few.
+    /// Returns 52 bits after the leading bit: random bits, few bits, or bits of a number near a
+    /// power of two.
     fn fraction(&mut self) -> u64 {
         const ALL: u64 = (1 << 52) - 1;
         match self.below(8) {
@@ -42,21 +43,23 @@ impl Operands {
         f64::from_bits(sign | ((exponent + 1023) as u64) << 52 | self.fraction())
     }
 
-    /// Returns a number whose high part has this exponent, or the next exponent after rounding.
+    /// Returns a number whose high part has this exponent, or after rounding the next exponent.
     pub(super) fn number(&mut self, exponent: i32) -> Dd {
         let high = self.float(exponent);
         let gap = match self.below(8) {
             0 => return Dd::from(high),
-            // |low| is between a quarter and a half of a unit in the last place.
+            // The magnitude |low| is between a quarter and a half of a unit in the last place of
+            // `high`.
             1..=5 => 54,
             6 => 53 + self.between(1, 8),
             _ => 53 + self.between(1, 60),
         };
-        // Low parts below the normal range are omitted.
+        // Low parts below the normal range are left out.
         if exponent - gap < -1022 { Dd::from(high) } else { Dd::new(high, self.float(exponent - gap)) }
     }
 
-    /// Returns a number within `reach` of the exponent of x, which often partly cancels x.
+    /// Returns a number whose exponent is within `reach` of `exponent`, that of x. It often partly
+    /// cancels x.
     pub(super) fn partner(&mut self, x: Dd, exponent: i32, reach: i32) -> Dd {
         let nudge = self.between(-3, 3) as f64;
         let unit = f64::EPSILON * x.high();

@@ -1,4 +1,4 @@
-//! Infinities, zeros, NaN, the largest numbers, order and conversions.
+//! Tests infinities, zeros, NaN, the largest numbers, the order, and conversions.
 
 use core::cmp::Ordering;
 
@@ -34,8 +34,8 @@ fn what_is_not_finite_is_what_floats_say() {
             let pairs =
                 [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (x.recip(), 1.0 / a)];
             for (result, float) in pairs {
-                // The result is the float nearest to the exact one; subnormals may be rounded
-                // twice.
+                // The result is the float nearest to the exact result. Subnormal results may be
+                // rounded twice.
                 let is_near = is_same(result.high(), float)
                     || float.is_subnormal() && (result.high() - float).abs() <= f64::from_bits(1);
                 assert!(is_near, "{a:e} {b:e}: {:e}, not {float:e}", result.high());
@@ -45,7 +45,8 @@ fn what_is_not_finite_is_what_floats_say() {
             assert!(is_same(x.multiply_add(y, Dd::one()).high(), (x * y + Dd::one()).high()), "{a:e} {b:e}");
             assert_eq!(x.partial_cmp(&y), a.partial_cmp(&b));
         }
-        // The exact root of the largest float is near a tie, so high may differ by one unit.
+        // The exact root of the largest float is near a tie; therefore `high` may differ by one
+        // unit.
         #[cfg(feature = "std")]
         assert!({
             let (root, float) = (Dd::from(a).sqrt().high(), a.sqrt());
@@ -89,7 +90,7 @@ fn new_normalises_in_any_order() {
     for x in [Dd::new(1.0, tiny), Dd::new(tiny, 1.0)] {
         assert_eq!((x.high(), x.low()), (1.0, tiny));
     }
-    // Ties go to even, so every number has one representation.
+    // Ties go to even, and therefore every number has one representation.
     assert_eq!(Dd::new(1.0, f64::EPSILON / 2.0), Dd::new(1.0 + f64::EPSILON, -f64::EPSILON / 2.0));
     let infinite = Dd::new(f64::MAX, f64::MAX);
     assert_eq!((infinite.high(), infinite.low()), (f64::INFINITY, 0.0));

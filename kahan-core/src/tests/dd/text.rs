@@ -1,4 +1,4 @@
-//! Numbers as text, and text as numbers.
+//! Tests the conversion of numbers to text and of text to numbers.
 
 use std::format;
 use std::string::{String, ToString};
@@ -49,7 +49,7 @@ fn short_numbers_are_short() {
     }
     assert_eq!(Dd::from(5e-324).to_string(), "4.9406564584124654417656879286822e-324");
     assert_eq!(Dd::from(f64::MAX).to_string(), "1.797693134862315708145274237317e308");
-    // The float 10³² exceeds 10³² by 5366162204393472, which the low part can correct.
+    // The float 1e32 exceeds 10³² by 5366162204393472, which the low part can correct.
     assert_eq!(Dd::from(1e32).to_string(), "1.0000000000000000536616220439347e32");
     assert_eq!(Dd::new(1e32, -5_366_162_204_393_472.0).to_string(), "1e32");
     assert_eq!(Dd::new(1e31, -5e15).to_string(), "9999999999999994635896294965248");
@@ -94,7 +94,7 @@ fn text_is_read_to_the_last_bit_of_both_parts() {
     assert!(read("nan").is_nan());
 }
 
-/// 1 + 2⁻⁵³ is a tie for the high part, but 1 + 2⁻⁵³ ± 10⁻¹⁵⁰⁰ is not.
+/// For the high part, 1 + 2⁻⁵³ is a tie, but 1 + 2⁻⁵³ ± 10⁻¹⁵⁰⁰ is not.
 #[test]
 fn digits_far_behind_decide_ties() {
     let half = f64::EPSILON / 2.0;
@@ -106,7 +106,7 @@ fn digits_far_behind_decide_ties() {
     let above = read(&[middle, &"0".repeat(1500), "1"].concat());
     assert_eq!((above.high(), above.low()), (1.0 + f64::EPSILON, -half));
 
-    // A tie for the low part: 1 + 2⁻⁶⁰ + 2⁻¹¹³.
+    // The number 1 + 2⁻⁶⁰ + 2⁻¹¹³ is a tie for the low part.
     let parts = [Dd::new(1.0, f64::EPSILON / 256.0), Dd::from(f64::EPSILON / 2_f64.powi(61))];
     let digits = |x: Dd| format!("{x:.150}");
     let (whole, tail) = (digits(parts[0]), digits(parts[1]));
@@ -116,7 +116,7 @@ fn digits_far_behind_decide_ties() {
     assert_eq!(above.low(), parts[0].low() * (1.0 + f64::EPSILON));
 }
 
-/// Adds two positive decimals with equal numbers of decimals.
+/// Adds two positive decimals that have equally many digits after the point.
 fn add_digits(a: &str, b: &str) -> String {
     let mut carry = 0;
     let mut sum: std::vec::Vec<u8> = a

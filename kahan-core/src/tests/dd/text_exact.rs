@@ -1,4 +1,4 @@
-//! Text against exact rationals.
+//! Compares numbers as text with exact rationals.
 
 use std::format;
 use std::string::ToString;
@@ -29,7 +29,7 @@ fn every_digit_is_correct() {
         for text in [x.to_string(), format!("{x:e}")] {
             let written = rational(&text);
             let digits = format!("{x:.31e}");
-            // Half a unit of the 32nd digit.
+            // The tolerance is half a unit of the 32nd digit.
             let unit = BigRational::from_integer(10.into())
                 .pow(digits.split_once('e').unwrap().1.parse::<i32>().unwrap() - 31);
             assert!((&written - &exact).abs() * BigRational::from_integer(2.into()) <= unit, "{text}");

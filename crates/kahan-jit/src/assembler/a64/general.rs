@@ -2,14 +2,15 @@
 
 use super::Assembler;
 
-/// A general-purpose register, by number; 31 is the stack pointer as a base, otherwise zero.
+/// A general-purpose register, by number. Number 31 is the stack pointer in addresses, otherwise
+/// zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct GeneralRegister(u8);
 
 impl GeneralRegister {
-    /// The argument registers of a function, in order.
+    /// The argument registers of a function, in the order of the arguments.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self(0), Self(1), Self(2), Self(3), Self(4)];
-    /// Caller-saved registers free for other uses.
+    /// Caller-saved registers that are free for other uses.
     pub(crate) const SPARE: [Self; 3] = [Self(9), Self(10), Self(11)];
     /// The registers that hold the addresses of columns.
     pub(crate) const POINTERS: [Self; 13] = [
@@ -27,10 +28,11 @@ impl GeneralRegister {
         Self(23),
         Self(24),
     ];
-    /// The callee-saved registers among [`POINTERS`](Self::POINTERS), in adjacent pairs.
+    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller, in
+    /// adjacent pairs.
     pub(super) const SAVED: [Self; 6] = [Self(19), Self(20), Self(21), Self(22), Self(23), Self(24)];
     pub(crate) const STACK: Self = Self(31);
-    /// Scratch register for offsets and addresses that do not fit an instruction.
+    /// Scratch register for offsets and addresses that do not fit into an instruction.
     pub(super) const BEYOND: Self = Self(16);
 
     pub(super) fn number(self) -> u32 {
@@ -38,10 +40,10 @@ impl GeneralRegister {
     }
 }
 
-/// The kind of an adjacent pair of registers, saved by one instruction.
+/// The kind of two adjacent registers that one instruction saves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pair {
-    /// The lower 64 bits of vector registers.
+    /// Two vector registers, of which the lower 64 bits are saved.
     Vectors,
     General,
 }
@@ -55,12 +57,12 @@ pub(crate) struct Label(usize);
 #[must_use]
 pub(crate) struct ForwardJump(usize);
 
-/// cbz, cbnz, and b.cond with a condition and its opposite.
+/// The opcodes of cbz, of cbnz, and of b.cond for the condition "below" and its opposite.
 const IF_ZERO: u32 = 0xb400_0000;
 const IF_NOT_ZERO: u32 = 0xb500_0000;
 const IF_BELOW: u32 = 0x5400_0003;
 const UNLESS_BELOW: u32 = 0x5400_0002;
-/// b
+/// The opcode of b, an unconditional branch.
 const ALWAYS: u32 = 0x1400_0000;
 
 impl Assembler {
@@ -76,7 +78,7 @@ impl Assembler {
         self.word(0x8b00_0000 | from.number() << 16 | to.number() << 5 | to.number());
     }
 
-    /// Adds an unsigned 12-bit immediate.
+    /// Adds a 12-bit number without sign, which the instruction contains.
     pub(crate) fn add_immediate(&mut self, to: GeneralRegister, number: i32) {
         let number = u32::try_from(number).ok().filter(|number| *number < 1 << 12);
         let number = number.expect("the bytes of a register") << 10;
@@ -87,8 +89,8 @@ impl Assembler {
         self.access([0xf940_0000, 0xf860_6800], to.number(), base, offset, 8);
     }
 
-    /// Loads or stores `size` bytes at base + offset. The first word has a 12-bit immediate offset,
-    /// in units of `size` bytes; the second takes the offset from a register.
+    /// Loads or stores `size` bytes at base + offset. The first of `words` encodes a 12-bit offset,
+    /// in units of `size` bytes. The second encodes a register that holds the offset.
     pub(super) fn access(
         &mut self,
         words: [u32; 2],
@@ -103,7 +105,7 @@ impl Assembler {
         if offset.is_multiple_of(size) && offset / size < 1 << 12 {
             return self.word(near | (offset / size) << 10 | base.number() << 5 | register);
         }
-        // movz and movk
+        // Writes movz and movk, which load the offset into a register.
         self.word(0xd280_0000 | (offset & 0xffff) << 5 | GeneralRegister::BEYOND.number());
         if offset >> 16 != 0 {
             self.word(0xf2a0_0000 | (offset >> 16) << 5 | GeneralRegister::BEYOND.number());
@@ -121,19 +123,20 @@ impl Assembler {
         self.word(word | index.number() << 16 | base.number() << 5 | register);
     }
 
-    /// adrp: the page address of a pool entry, to be patched.
+    /// Writes adrp, which loads the page address of a pool entry; the address is patched later.
     pub(super) fn page_of_pool(&mut self) {
         self.word(0x9000_0000 | GeneralRegister::BEYOND.number());
     }
 
-    /// stp x29, x30 and mov x29, sp: saves the frame record in `bytes` bytes of the stack.
+    /// Writes stp x29, x30 and mov x29, sp, which save the frame record on `bytes` bytes of the
+    /// stack.
     pub(super) fn begin_frame(&mut self, bytes: u32) {
         let offset = (bytes / 8).wrapping_neg() & 0x7f;
         self.word(0xa980_7bfd | offset << 15);
         self.word(0x9100_03fd);
     }
 
-    /// ldp x29, x30: restores the frame record.
+    /// Writes ldp x29, x30, which restores the frame record.
     pub(super) fn end_frame(&mut self, bytes: u32) {
         self.word(0xa8c0_7bfd | (bytes / 8) << 15);
     }
@@ -151,7 +154,7 @@ impl Assembler {
         self.word(word | load | (offset / 8) << 15 | (first + 1) << 10 | first);
     }
 
-    /// sub sp, sp: lowers the stack pointer by at most one page.
+    /// Writes sub sp, sp, which lowers the stack pointer by at most one page.
     pub(super) fn lower_stack(&mut self, bytes: usize) {
         const PAGES: u32 = 1 << 22;
 
@@ -160,12 +163,12 @@ impl Assembler {
         self.word(0xd100_03ff | number);
     }
 
-    /// mov sp, x29: resets the stack pointer to the frame record.
+    /// Writes mov sp, x29, which resets the stack pointer to the frame record.
     pub(super) fn restore_stack(&mut self) {
         self.word(0x9100_03bf);
     }
 
-    /// str xzr, [sp]: touches the stack at its new end.
+    /// Writes str xzr, [sp], which touches the stack at its new end.
     pub(super) fn touch_stack(&mut self) {
         self.word(0xf900_03ff);
     }
@@ -174,32 +177,32 @@ impl Assembler {
         self.word(0xd65f_03c0);
     }
 
-    /// Returns the current position as the target of later jumps.
+    /// Returns the current position in the code, to which later instructions can jump back.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
     }
 
-    /// Jumps forward if `count` is zero, to a target given later by [`bind`](Self::bind).
+    /// Jumps forward if `count` is zero. [`bind`](Self::bind) sets the target later.
     pub(crate) fn skip_if_zero(&mut self, count: GeneralRegister) -> ForwardJump {
         ForwardJump(self.jump(IF_ZERO | count.number(), IF_NOT_ZERO | count.number()))
     }
 
-    /// Decrements `count` and jumps if it is not zero then.
+    /// Decrements `count`, and jumps to the label if the decremented count is not zero.
     pub(crate) fn count_down(&mut self, count: GeneralRegister, Label(to): Label) {
         self.word(0xd100_0400 | count.number() << 5 | count.number());
         let place = self.jump(IF_NOT_ZERO | count.number(), IF_ZERO | count.number());
         set_target(&mut self.bytes, place, to);
     }
 
-    /// Jumps if a < b, unsigned.
+    /// Jumps to the label if a < b as unsigned numbers.
     pub(crate) fn repeat_below(&mut self, a: GeneralRegister, b: GeneralRegister, Label(to): Label) {
         self.word(0xeb00_001f | b.number() << 16 | a.number() << 5);
         let place = self.jump(IF_BELOW, UNLESS_BELOW);
         set_target(&mut self.bytes, place, to);
     }
 
-    /// Writes a conditional jump and returns the position of the instruction that holds its target.
-    /// Long code jumps over an unconditional branch, on the opposite condition.
+    /// Writes a conditional jump, and returns the position of the instruction that holds its
+    /// target. In long code the opposite condition jumps over an unconditional branch.
     fn jump(&mut self, condition: u32, opposite: u32) -> usize {
         const OVER_THE_NEXT: u32 = 2 << 5;
 
@@ -224,10 +227,10 @@ fn change(code: &mut [u8], place: usize, change: impl FnOnce(u32) -> u32) {
     *word = change(u32::from_le_bytes(*word)).to_le_bytes();
 }
 
-/// Writes the distance to the target into the branch instruction at `place`.
+/// Writes the distance from `place` to the target into the branch instruction at `place`.
 ///
 /// # Panics
-/// If the distance does not fit, which the bounds on code length exclude.
+/// If the distance does not fit, which the limits on code length prevent.
 pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     change(code, place, |word| {
         let (bits, shift) = if word & 0xfc00_0000 == ALWAYS { (26, 0) } else { (19, 5) };
@@ -237,7 +240,8 @@ pub(super) fn set_target(code: &mut [u8], place: usize, target: usize) {
     });
 }
 
-/// Patches adrp and load: distance in pages, offset in the page. Code begins at a page boundary.
+/// Patches adrp with the distance in pages, and the load with the offset within the page. Code
+/// begins at a page boundary.
 pub(super) fn refer_by_page(code: &mut [u8], place: usize, target: usize, size: usize) {
     let pages = ((target >> 12) as i64 - (place >> 12) as i64) as u32;
     change(code, place, |word| word | (pages & 3) << 29 | (pages >> 2 & 0x7_ffff) << 5);

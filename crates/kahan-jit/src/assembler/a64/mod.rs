@@ -1,10 +1,10 @@
 //! An assembler for 64-bit Arm.
 //!
-//! It writes A64 instructions with scalar floats and 128-bit Advanced SIMD registers, 32 bits each
-//! (Arm Architecture Reference Manual for A-profile, C6 and C7). Arithmetic works on registers
-//! only; a memory operand is loaded first. Functions follow the C calling convention (Procedure
-//! Call Standard for the Arm 64-bit Architecture): they preserve the lower halves of v8 to v15.
-//! They never use x18, which some systems reserve.
+//! The assembler writes A64 instructions of 32 bits, on scalar floats and 128-bit Advanced SIMD
+//! registers (Arm Architecture Reference Manual for A-profile, C6 and C7). Arithmetic works on
+//! registers only; a memory operand is loaded first. Functions follow the C calling convention
+//! (Procedure Call Standard for the Arm 64-bit Architecture) and preserve the lower halves of v8 to
+//! v15. Functions never use x18, which some systems reserve.
 
 mod general;
 #[cfg(test)]
@@ -19,14 +19,14 @@ pub(crate) use general::GeneralRegister;
 pub(crate) type Memory = operands::Memory<GeneralRegister>;
 type Source = operands::Source<Memory>;
 
-/// Holds intermediate results.
+/// The register that holds intermediate results.
 const TEMPORARY: Vector = Vector(30);
-/// Holds an operand loaded from memory.
+/// The register that holds an operand loaded from memory.
 const OPERAND: Vector = Vector(31);
 /// The first of the eight callee-saved vector registers, in the numbering of [`Vector`].
 const FIRST_SAVED: u8 = 22;
 
-/// The range of a 19-bit branch or load offset, in bytes.
+/// The number of bytes that a 19-bit offset of a branch or load can reach.
 const REACH: usize = 1 << 20;
 
 #[derive(Debug)]
@@ -34,11 +34,11 @@ pub(crate) struct Assembler {
     bytes: Vec<u8>,
     form: OperandForm,
     pool: Pool,
-    /// Whether jumps and the pool may be out of the range of a single instruction.
+    /// Whether a single instruction may be too short to reach a jump target or the pool.
     is_long: bool,
 }
 
-/// Returns a register's machine number; caller-saved registers come first in `Vector`.
+/// Returns a register's machine number. In [`Vector`], caller-saved registers come first.
 fn number(Vector(index): Vector) -> u32 {
     match index {
         0..8 => index.into(),
@@ -57,9 +57,9 @@ impl Assembler {
         self.form
     }
 
-    /// Begins a function: saves registers and reserves stack slots.
+    /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
-        /// The most bytes that one machine instruction takes, with its pool entry.
+        /// The most bytes that one machine instruction takes, including its pool entry.
         const LONGEST: usize = 12 * 4 + 16;
 
         self.is_long = needs.instructions >= REACH / LONGEST - PAGE / 4;
@@ -74,7 +74,7 @@ impl Assembler {
         }
     }
 
-    /// Ends a function; `needs` must equal those of `open`.
+    /// Ends a function. `needs` must equal the needs that were passed to `open`.
     pub(crate) fn close(&mut self, needs: &FrameNeeds) {
         let saved = SavedRegisters::of(needs);
         if saved.bytes() > 0 {
@@ -99,7 +99,8 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// Writes an instruction on three registers, from its scalar and its vector encoding.
+    /// Writes an instruction on three registers. Its encodings are given for scalars and for
+    /// vectors.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));
@@ -119,7 +120,7 @@ impl Assembler {
         }
     }
 
-    /// to = a ∘ b
+    /// Computes to = a ∘ b.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let words = match operator {
             Binary::Add => [0x1e20_2800, 0x4e20_d400],
@@ -130,37 +131,38 @@ impl Assembler {
                 let b = self.in_register(b);
                 return self.choose(operator == Binary::Maximum, to, a, b);
             }
-            // fneg flips the sign and needs no constant.
+            // The instruction fneg flips the sign without a constant.
             Binary::ExclusiveOr => return self.negate(to, a),
         };
         let b = self.in_register(b);
         self.three(words, to, a, b);
     }
 
-    /// to = a if a > b (or a < b), else b; fmax and fmin treat NaN and ±0 differently.
+    /// Computes to = a if a > b (or a < b), else b. fmax and fmin would treat NaN and ±0
+    /// differently.
     fn choose(&mut self, greater: bool, to: Vector, a: Vector, b: Vector) {
         const GREATER: u32 = 12;
         const LESS: u32 = 4;
 
         if self.is_scalar() {
-            // fcmp a, b; fcsel to, a, b, condition
+            // Writes fcmp a, b and fcsel to, a, b, condition.
             let condition = if greater { GREATER } else { LESS };
             self.word(0x1e20_2000 | self.precision() | number(b) << 16 | number(a) << 5);
             let select = 0x1e20_0c00 | self.precision() | condition << 12;
             return self.word(select | number(b) << 16 | number(a) << 5 | number(to));
         }
-        // fcmgt mask, larger, smaller
+        // Writes fcmgt mask, larger, smaller.
         let mask = if to == a || to == b { TEMPORARY } else { to };
         let (larger, smaller) = if greater { (a, b) } else { (b, a) };
         self.three([0, 0x6ea0_e400], mask, larger, smaller);
         if mask == to {
-            // bsl: a where the mask is set, else b
+            // Writes bsl, which takes a where the mask is set, else b.
             self.bits(0x6e60_1c00, to, a, b);
         } else if to == b {
-            // bit: a where the mask is set
+            // Writes bit, which takes a where the mask is set.
             self.bits(0x6ea0_1c00, to, a, mask);
         } else {
-            // bif: b where it is not
+            // Writes bif, which takes b where the mask is not set.
             self.bits(0x6ee0_1c00, to, b, mask);
         }
     }
@@ -179,7 +181,7 @@ impl Assembler {
             FusedOrder::D231 => (b, c, to),
         };
         if self.is_scalar() {
-            // fmadd, fnmsub, fmsub
+            // The words encode fmadd, fnmsub and fmsub.
             let word = match operator {
                 Fused::MultiplyAdd => 0x1f00_0000,
                 Fused::MultiplySubtract => 0x1f20_8000,
@@ -188,14 +190,14 @@ impl Assembler {
             let operands = number(y) << 16 | number(addend) << 10 | number(x) << 5 | number(to);
             return self.word(word | self.precision() | operands);
         }
-        // Vector fmla and fmls accumulate into their destination.
+        // The vector instructions fmla and fmls add to the contents of their destination.
         let sum = if addend == to && x != to && y != to { to } else { TEMPORARY };
         if operator == Fused::MultiplySubtract {
             self.negate(sum, addend);
         } else if sum != addend {
             self.copy(sum, addend);
         }
-        // fmls or fmla
+        // The words encode fmls and fmla.
         let word = if operator == Fused::SubtractProduct { 0x4ea0_cc00 } else { 0x4e20_cc00 };
         self.three([0, word], sum, x, y);
         if sum != to {
@@ -203,7 +205,8 @@ impl Assembler {
         }
     }
 
-    /// Copies a whole vector register, or the number in it for scalar forms.
+    /// Copies a whole vector register. In scalar forms, only the number in its lowest lane is
+    /// copied.
     pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
         if self.is_scalar() {
             self.word(0x1e20_4000 | self.precision() | number(from) << 5 | number(to));
@@ -221,7 +224,8 @@ impl Assembler {
     }
 
     fn transfer(&mut self, is_load: bool, register: Vector, place: Memory) {
-        // Encodings with an immediate offset, a register offset, and relative to the counter.
+        // Each row encodes three offsets: an immediate, a register, and a distance from the program
+        // counter.
         let words = match (self.form.width, self.form.element) {
             (Width::Scalar, Element::Single) => [0xbd00_0000, 0xbc20_6800, 0x1c00_0000],
             (Width::Scalar, Element::Double) => [0xfd00_0000, 0xfc20_6800, 0x5c00_0000],
@@ -247,26 +251,27 @@ impl Assembler {
         }
     }
 
-    /// Rounds to the nearest single-precision number, in the element type of the form.
+    /// Rounds to the nearest single-precision number, which keeps the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // fcvt and fcvt, or fcvtn and fcvtl
+        // The words encode fcvt twice for scalars, and fcvtn and fcvtl for vectors.
         let [narrow, wide] =
             if self.is_scalar() { [0x1e62_4000, 0x1e22_c000] } else { [0x0e61_6800, 0x0e61_7800] };
         self.word(narrow | number(from) << 5 | number(to));
         self.word(wide | number(to) << 5 | number(to));
     }
 
-    /// Returns the pool entry that holds a number in every lane; `bits` encodes one lane.
+    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number in one
+    /// lane.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// Returns the code followed by its pool.
+    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
-        /// A zero word is permanently undefined (udf).
+        /// A word of zeros is a permanently undefined instruction (udf).
         const UNDEFINED: u8 = 0;
 
         let (is_long, size) = (self.is_long, self.form.bytes());
@@ -280,7 +285,7 @@ impl Assembler {
     }
 }
 
-/// The registers that a function saves, in pairs above the frame record.
+/// The registers that a function saves in pairs, at addresses above the frame record.
 #[derive(Clone, Copy)]
 struct SavedRegisters {
     vectors: u32,
@@ -295,13 +300,13 @@ impl SavedRegisters {
         SavedRegisters { vectors, uses_pointers, has_frame: needs.stack > 0 || vectors > 0 || uses_pointers }
     }
 
-    /// The bytes of the saved registers and the frame record; 0 if nothing is saved.
+    /// Returns the bytes that the saved registers and the frame record take, 0 if nothing is saved.
     fn bytes(self) -> u32 {
         let pointers = if self.uses_pointers { GeneralRegister::SAVED.len() as u32 } else { 0 };
         if self.has_frame { 16 * (1 + self.vectors) + 8 * pointers } else { 0 }
     }
 
-    /// Calls `pair` with the kind, first register and stack offset of each saved pair.
+    /// Calls `pair` for each saved pair, with its kind, its first register and its stack offset.
     fn each(self, mut pair: impl FnMut(general::Pair, u32, u32)) {
         let vectors = (0..self.vectors).map(|k| (general::Pair::Vectors, 8 + 2 * k));
         let pointers = GeneralRegister::SAVED.into_iter().step_by(2).filter(|_| self.uses_pointers);

@@ -1,28 +1,29 @@
-//! The encoding of vector instructions: prefix, opcode, operands.
+//! The encoding of vector instructions: each has a prefix, an opcode and operands.
 //!
-//! VEX prefixes of two or three bytes address 16 registers; EVEX prefixes address 32, of up to 512
-//! bits. Operand bytes hold three bits of a register number, the prefix the others, inverted.
+//! VEX prefixes of two or three bytes reach 16 registers of up to 256 bits. EVEX prefixes reach 32
+//! registers of up to 512 bits. The operand bytes hold three bits of a register number; the prefix
+//! holds the other bits, inverted.
 
 use super::{Assembler, Element, GeneralRegister, Memory, OperandForm, Source, Vector, Width};
 
 /// The prefix fields and opcode of an instruction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Opcode {
-    /// Opcode map: 1 for 0F, 2 for 0F 38.
+    /// Opcode map: 1 for opcodes after the byte 0F, 2 for opcodes after the bytes 0F 38.
     map: u8,
-    /// Mandatory prefix: 0 for none, 1 for 66, 2 for F3, 3 for F2.
+    /// Mandatory prefix: 0 for none, 1 for the byte 66, 2 for F3, 3 for F2.
     prefix: u8,
-    /// The W bit: double precision.
+    /// The W bit, which is set for double precision.
     is_wide: bool,
-    /// Vector length: 0, 1, 2 for 128, 256, 512 bits.
+    /// Vector length: 0 for 128 bits, 1 for 256 bits, 2 for 512 bits.
     length: u8,
     opcode: u8,
-    /// Mandatory prefix and opcode in EVEX, if they differ from VEX.
+    /// The mandatory prefix and the opcode in EVEX, if these differ from VEX.
     other: Option<(u8, u8)>,
 }
 
 impl Opcode {
-    /// An instruction with scalar and vector forms.
+    /// Describes an instruction that has scalar and vector forms.
     pub(super) fn of(form: OperandForm, opcode: u8) -> Self {
         let prefix = match (form.width, form.element) {
             (Width::Scalar, Element::Single) => 2,
@@ -32,7 +33,7 @@ impl Opcode {
         Opcode { prefix, ..Self::packed(form, opcode) }
     }
 
-    /// An instruction with vector forms only; scalars use the 128-bit form.
+    /// Describes an instruction that has only vector forms; scalars use the 128-bit form.
     pub(super) fn packed(form: OperandForm, opcode: u8) -> Self {
         let is_wide = form.element == Element::Double;
         let length = match form.width {
@@ -43,18 +44,19 @@ impl Opcode {
         Opcode { map: 1, prefix: u8::from(is_wide), is_wide, length, opcode, other: None }
     }
 
-    /// A fused multiply-add; the scalar opcode is the next one.
+    /// Describes a fused multiply-add. The opcode for scalars is one larger than the opcode for
+    /// vectors.
     pub(super) fn fused(form: OperandForm, opcode: u8) -> Self {
         let opcode = opcode + u8::from(form.width == Width::Scalar);
         Opcode { map: 2, prefix: 1, ..Self::packed(form, opcode) }
     }
 
-    /// xor. AVX-512F has only the integer form.
+    /// Describes xor, of which AVX-512F has only the integer form.
     pub(super) fn exclusive_or(form: OperandForm) -> Self {
         Opcode { other: Some((1, 0xef)), ..Self::packed(form, 0x57) }
     }
 
-    /// Converts from `from` to the other element type.
+    /// Describes a conversion from the element type of `from` to the other element type.
     pub(super) fn convert(from: OperandForm) -> Self {
         Self::of(from, 0x5a)
     }
@@ -66,7 +68,8 @@ fn inverted(number: u8, k: u8) -> u8 {
 
 impl Assembler {
     pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
-        // The last operand's high bits: 4 of a register or 3 of an index; 3 of a register or base.
+        // The high bits of the last operand: bit 4 of a register or bit 3 of an index, then bit 3
+        // of a register or of a base.
         let (x, base) = match b {
             Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
             Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
@@ -83,7 +86,7 @@ impl Assembler {
             Some(other) if is_evex => other,
             _ => (opcode.prefix, opcode.opcode),
         };
-        // In VEX, only fused operations need the W bit to tell the element type.
+        // In VEX, only fused operations tell the element type by the W bit.
         let wide = u8::from(is_wide && (is_evex || map == 2)) << 7;
         let second = (!a.0 & 15) << 3;
         if is_evex {
@@ -100,9 +103,11 @@ impl Assembler {
         self.operands(to.0, b, !is_evex);
     }
 
-    /// Writes ModRM, SIB and offset, of four bytes in EVEX, which would scale 8-bit offsets.
+    /// Writes ModRM, SIB and offset. In EVEX offsets take four bytes, because EVEX scales 8-bit
+    /// offsets.
     pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
-        /// ModRM base codes: a SIB byte follows; relative to the program counter.
+        /// Codes of ModRM for the base: one announces a SIB byte, one is relative to the program
+        /// counter.
         const MORE: u8 = 4;
         const BEHIND_THE_CODE: u8 = 5;
 
@@ -124,7 +129,7 @@ impl Assembler {
             }
             Source::Memory(Memory::Indexed { base, index }) => {
                 assert!(index != GeneralRegister::Rsp, "this register is no index");
-                // An explicit offset of 0, because some bases require an offset.
+                // Writes an explicit offset of 0, because some bases require an offset.
                 let index = (index as u8 & 7) << 3;
                 if may_be_short {
                     self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);

@@ -24,21 +24,21 @@ pub(crate) enum GeneralRegister {
 }
 
 impl GeneralRegister {
-    /// The argument registers of a function, in order.
+    /// The argument registers of a function, in the order of the arguments.
     pub(crate) const ARGUMENTS: [Self; 5] = [Self::Rdi, Self::Rsi, Self::Rdx, Self::Rcx, Self::R8];
-    /// Caller-saved registers free for other uses.
+    /// Caller-saved registers that are free for other uses.
     pub(crate) const SPARE: [Self; 3] = [Self::Rax, Self::R9, Self::R10];
     /// The registers that hold the addresses of columns.
     pub(crate) const POINTERS: [Self; 6] = [Self::R11, Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
-    /// The callee-saved registers among [`POINTERS`](Self::POINTERS).
+    /// The registers among [`POINTERS`](Self::POINTERS) that must be saved for the caller.
     pub(super) const SAVED: [Self; 5] = [Self::Rbx, Self::R12, Self::R13, Self::R14, Self::R15];
     pub(crate) const STACK: Self = Self::Rsp;
 }
 
-/// The condition of a jump, tested on the flags; values are x86 condition codes.
+/// The condition that a jump tests on the flags. The values are x86 condition codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Condition {
-    /// a < b, unsigned.
+    /// Tests a < b for unsigned numbers.
     Below = 2,
     Zero = 4,
     NotZero = 5,
@@ -54,7 +54,7 @@ pub(crate) struct Label(usize);
 pub(crate) struct ForwardJump(usize);
 
 impl Assembler {
-    /// Writes an instruction on two 64-bit registers, or on one and an opcode extension.
+    /// Writes an instruction on two 64-bit registers. `register` may instead extend the opcode.
     fn on_registers(&mut self, opcode: u8, register: u8, other: GeneralRegister) {
         let other = other as u8;
         let prefix = 0x48 | register >> 3 << 2 | other >> 3;
@@ -117,9 +117,9 @@ impl Assembler {
         self.bytes.push(opcode | number & 7);
     }
 
-    /// Touches the end of the stack without changing its value.
+    /// Touches the end of the stack without changing the number that lies there.
     pub(super) fn touch_stack(&mut self) {
-        // or qword ptr [rsp], 0
+        // The bytes encode or qword ptr [rsp], 0.
         self.bytes.extend([0x48, 0x83, 0x0c, 0x24, 0]);
     }
 
@@ -127,24 +127,24 @@ impl Assembler {
         self.bytes.push(0xc3);
     }
 
-    /// Returns the current position as the target of later jumps.
+    /// Returns the current position in the code, to which later instructions can jump back.
     pub(crate) fn label(&self) -> Label {
         Label(self.bytes.len())
     }
 
-    /// Jumps forward if `count` is zero, to a target given later by [`bind`](Self::bind).
+    /// Jumps forward if `count` is zero. [`bind`](Self::bind) sets the target later.
     pub(crate) fn skip_if_zero(&mut self, count: GeneralRegister) -> ForwardJump {
         self.test(count);
         self.jump_if_forward(Condition::Zero)
     }
 
-    /// Decrements `count` and jumps if it is not zero then.
+    /// Decrements `count`, and jumps to the label if the decremented count is not zero.
     pub(crate) fn count_down(&mut self, count: GeneralRegister, to: Label) {
         self.decrement(count);
         self.jump_if(Condition::NotZero, to);
     }
 
-    /// Jumps if a < b, unsigned.
+    /// Jumps to the label if a < b as unsigned numbers.
     pub(crate) fn repeat_below(&mut self, a: GeneralRegister, b: GeneralRegister, to: Label) {
         self.compare(a, b);
         self.jump_if(Condition::Below, to);
@@ -155,7 +155,7 @@ impl Assembler {
         self.set_target(after, to.0);
     }
 
-    /// Jumps forward on a condition, to a target given later by [`bind`](Self::bind).
+    /// Jumps forward if the condition holds. [`bind`](Self::bind) sets the target later.
     pub(super) fn jump_if_forward(&mut self, condition: Condition) -> ForwardJump {
         self.bytes.extend([0x0f, 0x80 | condition as u8, 0, 0, 0, 0]);
         ForwardJump(self.bytes.len())
@@ -165,7 +165,8 @@ impl Assembler {
         self.set_target(after, self.bytes.len());
     }
 
-    /// Distances count from the end of the jump instruction.
+    /// Sets the target of the jump instruction that ends at `after`, from where distances are
+    /// counted.
     fn set_target(&mut self, after: usize, target: usize) {
         let distance = target as i32 - after as i32;
         self.bytes[after - 4..after].copy_from_slice(&distance.to_le_bytes());

@@ -1,7 +1,8 @@
 //! An assembler for x86-64.
 //!
-//! It writes AVX and FMA, and for registers beyond the first sixteen or of 512 bits AVX-512F and
-//! AVX-512VL (Intel, Software Developer's Manual, volume 2). Functions follow System V.
+//! The assembler writes AVX and FMA. Registers beyond the first sixteen, or of 512 bits, need
+//! AVX-512F and AVX-512VL (Intel, Software Developer's Manual, volume 2). Functions follow the
+//! calling convention of System V.
 
 mod encoding;
 mod general;
@@ -19,7 +20,7 @@ pub(crate) type Memory = operands::Memory<GeneralRegister>;
 type Source = operands::Source<Memory>;
 
 impl Vector {
-    /// Encodes an unused operand.
+    /// Encodes an operand that the instruction does not use.
     const NONE: Self = Vector(0);
 }
 
@@ -39,9 +40,9 @@ impl Assembler {
         self.form
     }
 
-    /// Begins a function: saves registers and reserves stack slots.
+    /// Begins a function, which saves registers and reserves stack slots.
     pub(crate) fn open(&mut self, needs: &FrameNeeds) {
-        /// Slots of every width start on a cache line.
+        /// Slots of every width start on a cache line of this many bytes.
         const LINE: i32 = 64;
         const LENGTH: usize = 8;
 
@@ -62,7 +63,7 @@ impl Assembler {
         }
     }
 
-    /// Ends a function; `needs` must equal those of `open`.
+    /// Ends a function. `needs` must equal the needs that were passed to `open`.
     pub(crate) fn close(&mut self, needs: &FrameNeeds) {
         if needs.uses_pointers {
             for (index, register) in (1..).zip(GeneralRegister::SAVED) {
@@ -75,7 +76,8 @@ impl Assembler {
         self.ret();
     }
 
-    /// to = a ∘ b. A scalar sign flip changes other bits too: xor reads at least 16 bytes.
+    /// Computes to = a ∘ b. A scalar sign flip changes other bits too, because xor reads 16 bytes
+    /// or more.
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
             Binary::Add => 0x58,
@@ -116,12 +118,13 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// Rounds to the nearest single-precision number, in the element type of the form.
+    /// Rounds to the nearest single-precision number, which keeps the element type of the form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
         if self.form.element == Element::Single {
             return self.copy(to, from);
         }
-        // Scalar conversions copy the upper bits from an extra operand, which vector ones lack.
+        // A scalar conversion copies the upper bits from an extra operand, which a vector
+        // conversion lacks.
         let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
         let (rest, rest_of_single) = (rest(from), rest(to));
         let single = OperandForm { element: Element::Single, ..self.form };
@@ -129,22 +132,24 @@ impl Assembler {
         self.vector(Opcode::convert(single), to, rest_of_single, Source::Register(to));
     }
 
-    /// vzeroupper: avoids a penalty in callers that use SSE instructions.
+    /// Writes vzeroupper, which avoids a penalty in callers that use SSE instructions.
     fn zero_upper(&mut self) {
         self.bytes.extend([0xc5, 0xf8, 0x77]);
     }
 
-    /// Returns the pool entry that holds a number in every lane; `bits` encodes one lane.
+    /// Returns the pool entry that holds a number in every lane. `bits` encodes the number in one
+    /// lane.
     pub(crate) fn constant(&mut self, bits: u64) -> Entry {
         self.pool.entry(bits)
     }
 
-    /// Returns the code followed by its pool.
+    /// Returns the code, followed by its constant pool.
     pub(crate) fn finish(self) -> Vec<u8> {
         const BREAKPOINT: u8 = 0xcc;
 
         self.pool.append_to(self.bytes, BREAKPOINT, |code, place, target| {
-            // The distance counts from the end of the offset; code and pool fit 32 bits.
+            // The distance counts from the end of the 4-byte offset. Code and pool are shorter than
+            // 2³¹ bytes.
             let distance = target as i32 - (place as i32 + 4);
             code[place..place + 4].copy_from_slice(&distance.to_le_bytes());
         })

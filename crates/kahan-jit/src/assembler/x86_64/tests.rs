@@ -1,4 +1,5 @@
-//! Decodes all forms of all instructions, with all registers, by an independent disassembler.
+//! Checks that an independent disassembler decodes all forms of all instructions, with all
+//! registers.
 
 use iced_x86::{
     Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
@@ -45,10 +46,10 @@ const GENERAL: [(GeneralRegister, Register); 16] = [
     (GeneralRegister::R15, Register::R15),
 ];
 
-/// Offsets that take zero, one and four bytes.
+/// Offsets whose encodings take zero, one or four bytes.
 const OFFSETS: [i32; 9] = [0, 1, -1, 127, -128, 128, -129, 0x1234_5678, i32::MIN];
 
-/// Decodes code of exactly one instruction.
+/// Decodes code that consists of exactly one instruction.
 fn decoded(write: impl FnOnce(&mut Assembler), form: OperandForm) -> Instruction {
     let mut assembler = Assembler::new(form);
     write(&mut assembler);
@@ -62,7 +63,7 @@ fn decoded(write: impl FnOnce(&mut Assembler), form: OperandForm) -> Instruction
     instruction
 }
 
-/// Asserts that the instruction has no mask, broadcast or embedded rounding.
+/// Asserts that the instruction has no mask, no broadcast and no rounding mode.
 fn assert_is_plain(instruction: &Instruction) {
     assert_eq!(instruction.op_mask(), Register::None, "{instruction:?}");
     assert!(!instruction.zeroing_masking() && !instruction.is_broadcast(), "{instruction:?}");
@@ -70,7 +71,7 @@ fn assert_is_plain(instruction: &Instruction) {
     assert!(!instruction.suppress_all_exceptions(), "{instruction:?}");
 }
 
-/// Returns the decoder's name of a vector register.
+/// Returns the name that the decoder gives a vector register.
 fn vector(form: OperandForm, Vector(number): Vector) -> Register {
     let first = match form.width {
         Width::Scalar | Width::Bits128 => Register::XMM0,
@@ -115,7 +116,7 @@ fn assert_memory(instruction: &Instruction, place: u32, bytes: usize, memory: Me
     assert_eq!(instruction.memory_displacement64() as i64, offset, "{instruction:?}");
 }
 
-/// Yields every memory operand with a base.
+/// Yields memory operands with every base.
 fn places() -> impl Iterator<Item = Memory> {
     let at = |(base, _)| OFFSETS.map(|offset| Memory::At { base, offset });
     let indices = GENERAL.into_iter().filter(|(index, _)| *index != GeneralRegister::Rsp);
@@ -123,7 +124,7 @@ fn places() -> impl Iterator<Item = Memory> {
     GENERAL.into_iter().flat_map(at).chain(indexed)
 }
 
-/// Yields register triples in which each of the 32 registers takes each position.
+/// Yields triples of registers. Each of the 32 registers takes each position.
 fn triples() -> impl Iterator<Item = [Vector; 3]> {
     (0..32_u32).flat_map(|k| {
         let [a, b] = [(k * 7 + 3) % 32, (k * 13 + 5) % 32];
@@ -132,7 +133,7 @@ fn triples() -> impl Iterator<Item = [Vector; 3]> {
     })
 }
 
-/// Checks an instruction with three operands, the last in a register or in memory.
+/// Checks an instruction with three operands. The last operand is a register or lies in memory.
 fn check(
     name: &str,
     form: OperandForm,
@@ -141,7 +142,7 @@ fn check(
 ) {
     for [to, a, b] in triples() {
         let instruction = decoded(|assembler| write(assembler, to, a, Source::Register(b)), form);
-        // AVX-512F mnemonics of bitwise and copy instructions end with the element.
+        // In AVX-512F the mnemonics of bitwise and copy instructions end with the element type.
         let is_evex = form.width == Width::Bits512 || [to, a, b].iter().any(|register| register.0 >= 16);
         assert_mnemonic(&instruction, &named(name, form, is_evex));
         assert_registers(&instruction, form, &[to, a, b]);
@@ -157,7 +158,7 @@ fn check(
     }
 }
 
-/// Returns the expected mnemonic; AVX-512F has only integer forms of xor.
+/// Returns the expected mnemonic. AVX-512F has only the integer form of xor.
 fn named(name: &str, form: OperandForm, is_evex: bool) -> String {
     match (name, form.element) {
         ("vxor", Element::Single) if is_evex => "vpxord".to_owned(),
@@ -241,7 +242,7 @@ fn all(bytes: &[u8]) -> Vec<Instruction> {
 #[test]
 fn numbers_are_rounded_to_single_precision_and_taken_back() {
     for form in FORMS.into_iter().filter(|form| form.element == Element::Double) {
-        // Singles fill half the width of doubles; the shortest register has 128 bits.
+        // Single-precision numbers fill half the width. The shortest register has 128 bits.
         let half = match form.width {
             Width::Bits512 => Width::Bits256,
             _ => Width::Bits128,
@@ -271,7 +272,7 @@ fn numbers_are_rounded_to_single_precision_and_taken_back() {
     }
 }
 
-/// Decodes each operation of a form, with registers from both ends of the range.
+/// Decodes each operation of a form, with the first and last registers of the range.
 #[cfg(target_arch = "x86_64")]
 fn all_operations(form: OperandForm, registers: u8, has_fused: bool) -> Vec<Instruction> {
     let mut assembler = Assembler::new(form);
@@ -340,7 +341,8 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        // The third constant shares its lower half with the first, its upper with the second.
+        // The third constant shares its lower half with the first constant, and its upper half with
+        // the second constant.
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);
@@ -359,7 +361,7 @@ fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     }
 }
 
-/// Aligned whole-register operands need this for code of every length.
+/// Aligned operands of a whole register require this, for code of every length.
 #[test]
 fn the_pool_begins_with_a_cache_line() {
     for length in 0..=130 {
@@ -375,7 +377,8 @@ fn the_pool_begins_with_a_cache_line() {
     }
 }
 
-/// Offsets take one byte if they fit, except in EVEX, which would scale them.
+/// Offsets take one byte if they fit into it. In EVEX they take four, because EVEX scales short
+/// ones.
 #[test]
 fn offsets_are_as_short_as_they_can_be() {
     let length = |offset: i32, register: u8| {
@@ -384,13 +387,13 @@ fn offsets_are_as_short_as_they_can_be() {
     };
     for offset in OFFSETS {
         let short = i8::try_from(offset).is_ok();
-        // A prefix of two or four bytes, the opcode, the operands.
+        // The prefix takes two or four bytes; the opcode and the operands follow.
         assert_eq!(length(offset, 3), 4 + if short { 1 } else { 4 }, "{offset}");
         assert_eq!(length(offset, 19), 6 + 4, "{offset}");
     }
 }
 
-/// Decodes one integer instruction.
+/// Decodes code that consists of one integer instruction.
 fn general(write: impl FnOnce(&mut Assembler)) -> Instruction {
     decoded(write, FORMS[0])
 }

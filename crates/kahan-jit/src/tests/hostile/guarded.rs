@@ -1,4 +1,4 @@
-//! Slices between inaccessible pages: an access out of bounds kills the process.
+//! Slices between inaccessible pages: an access outside a slice kills the process.
 #![expect(unsafe_code, reason = "only the system can forbid memory, and knows nothing of slices")]
 
 use std::ffi::c_void;
@@ -11,15 +11,15 @@ use rustix::mm::{MapFlags, MprotectFlags, ProtFlags, mmap_anonymous, mprotect, m
 
 const PAGE: usize = 4096;
 
-/// The end of a slice that touches an inaccessible page.
+/// The end of a slice at which the inaccessible page begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Edge {
     Begin,
     End,
 }
 
-/// Numbers between two inaccessible pages, initially 0. Untouched pages take no memory, so the
-/// slice may exceed physical memory.
+/// Numbers between two inaccessible pages, initially 0. The slice may be longer than the physical
+/// memory, because pages that are never touched take no memory.
 pub(crate) struct Guarded<T> {
     pages: NonNull<c_void>,
     bytes: usize,
@@ -33,8 +33,8 @@ impl<T: num_traits::Float> Guarded<T> {
         let used = len * size_of::<T>();
         let inner = used.next_multiple_of(PAGE);
         let bytes = inner + 2 * PAGE;
-        // SAFETY: the system chooses unused addresses. The inner pages hold the numbers, are
-        // initially zero, and are aligned at both ends.
+        // SAFETY: the system chooses unused addresses. The inner pages hold the numbers, which are
+        // initially zero and aligned at both ends.
         unsafe {
             let flags = MapFlags::PRIVATE | MapFlags::NORESERVE;
             let pages = mmap_anonymous(ptr::null_mut(), bytes, ProtFlags::empty(), flags);
@@ -55,14 +55,15 @@ impl<T> Deref for Guarded<T> {
     type Target = [T];
 
     fn deref(&self) -> &[T] {
-        // SAFETY: `len` numbers begin at `start` and live as long as `self`.
+        // SAFETY: `len` numbers begin at `start`, and they live as long as `self`.
         unsafe { slice::from_raw_parts(self.start.as_ptr(), self.len) }
     }
 }
 
 impl<T> DerefMut for Guarded<T> {
     fn deref_mut(&mut self) -> &mut [T] {
-        // SAFETY: `len` numbers at `start` live as long as `self`, borrowed exclusively.
+        // SAFETY: `len` numbers begin at `start`, live as long as `self`, and are borrowed
+        // exclusively.
         unsafe { slice::from_raw_parts_mut(self.start.as_ptr(), self.len) }
     }
 }
@@ -75,7 +76,7 @@ impl<T> AsMut<[T]> for Guarded<T> {
 
 impl<T> Drop for Guarded<T> {
     fn drop(&mut self) {
-        // SAFETY: the pages belong to `self`, and nothing borrows them any more.
+        // SAFETY: the pages belong to `self`, and no slice borrows them any more.
         unsafe { munmap(self.pages.as_ptr(), self.bytes) }.expect("own pages");
     }
 }

@@ -1,7 +1,7 @@
 //! Hostile programs on slices between inaccessible pages. Every program that safe code can build is
-//! either refused or computes its results without touching other memory.
+//! refused, or computes its results without an access to other memory.
 //!
-//! The fuzz target `program` compiles these files too, so they use only public items.
+//! The fuzz target `program` compiles these files, too; therefore they use only public items.
 
 mod guarded;
 #[cfg(test)]
@@ -46,11 +46,11 @@ pub(crate) struct Case {
     is_double: bool,
     edge: Edge,
     seed: u64,
-    /// Whether the program gives no reason for a refusal.
+    /// Whether the compiler has no reason to refuse the program.
     is_ordinary: bool,
 }
 
-/// Random bytes that decide choices, followed by zeros.
+/// Random bytes, from which choices are drawn. After the last byte follow zeros.
 #[derive(Clone, Copy)]
 struct Source<'a>(&'a [u8]);
 
@@ -65,7 +65,7 @@ impl Source<'_> {
         of[self.byte() % of.len()]
     }
 
-    /// Returns an array index, usually small, otherwise near a limit of offsets or addresses.
+    /// Returns an array index, usually small, otherwise near a limit of offsets or of addresses.
     fn entry(&mut self) -> usize {
         let near = self.byte();
         if near < 240 {
@@ -110,7 +110,7 @@ impl Source<'_> {
         }
     }
 
-    /// Returns an arbitrary program, and whether it gives no reason for a refusal.
+    /// Returns an arbitrary program, and whether the compiler has no reason to refuse it.
     fn program(&mut self) -> (Program, bool) {
         const MANY: usize = 25_000;
 
@@ -119,13 +119,13 @@ impl Source<'_> {
             255 => MANY,
             results => results % 40,
         };
-        // Sometimes repeat the bytes to make a long program.
+        // Sometimes the bytes are repeated for a long program.
         let instructions = match self.byte() {
             255 => MANY,
             254 => 3000,
             _ => 0,
         };
-        // Sometimes an operation reads a later or missing one.
+        // Sometimes an operation reads a later or missing operation.
         let is_broken = self.byte() > 248;
         let (beginning, mut known) = (*self, 0);
         let mut is_ordinary = results < MANY && instructions < MANY && !is_broken;
@@ -199,7 +199,8 @@ impl Case {
         }
     }
 
-    /// Returns `count` numbers; in very long arrays, only the first and last ones are nonzero.
+    /// Returns `count` numbers. In very long arrays only the first and the last numbers are
+    /// nonzero.
     fn numbers<T: num_traits::Float>(&self, draw: &mut Draw, count: usize) -> Guarded<T> {
         const FEW: usize = 1000;
 

@@ -1,4 +1,4 @@
-//! Seeded random cases, and slices that are one number too short.
+//! Tests hostile programs from seeds, and slices that are one number too short.
 
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -31,7 +31,7 @@ fn hostile_programs_are_refused_or_run_within_their_slices() {
 const SHAPE: Shape =
     Shape { instructions: InstructionSet::least(false), lanes: LaneCount::All, fuses: false };
 
-/// Returns a program that reads states 0 and 1 and constants 0 to 2.
+/// Returns a program that reads the states 0 and 1 and the constants 0 to 2.
 fn small() -> Program {
     let mut program = Program::default();
     let x = push(&mut program, state(1));
@@ -45,7 +45,7 @@ fn is_refused(call: impl FnOnce()) -> bool {
     catch_unwind(AssertUnwindSafe(call)).is_err()
 }
 
-/// Shortens each array in turn to one number less than the code's extent.
+/// Shortens each array in turn, to one number less than the code requires.
 #[test]
 fn slices_that_are_too_short_stop_before_the_code() {
     if !SHAPE.instructions.is_available() {

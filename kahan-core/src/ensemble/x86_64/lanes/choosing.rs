@@ -1,4 +1,4 @@
-//! Lane-wise comparison and selection, with the transposition of 4 × 4 matrices.
+//! Comparison and selection in each lane, and the transposition of 4 × 4 matrices.
 
 use core::arch::x86_64::*;
 

@@ -35,7 +35,7 @@ pub(super) fn doubles_by_four(rows: Square<f64>) -> Square<f64> {
 pub(super) fn doubles_by_two(rows: Square<f64>) -> Square<f64> {
     let mut square = [[0.0; 4]; 4];
     for (r, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
-        // Each pointer is valid for two numbers: r and k are at most 2.
+        // Each pointer is valid for two numbers, because r and k are at most 2.
         let (a, b) = machine!((_mm_loadu_pd(rows[r][k..].as_ptr()), _mm_loadu_pd(rows[r + 1][k..].as_ptr())));
         machine!(_mm_storeu_pd(square[k][r..].as_mut_ptr(), _mm_unpacklo_pd(a, b)));
         machine!(_mm_storeu_pd(square[k + 1][r..].as_mut_ptr(), _mm_unpackhi_pd(a, b)));

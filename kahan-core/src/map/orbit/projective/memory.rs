@@ -1,13 +1,14 @@
-//! Tests whether an ordinary step preserves enough digits; otherwise an orbit follows lines.
+//! Tests whether an ordinary step preserves enough digits. Otherwise an orbit follows lines.
 //!
 //! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. If A(x,ε) is nearly singular, x̃ is large or
-//! inaccurate; if A(x̃,−ε) is, the step merges points whose differences the digits of x̃ lose.
+//! inaccurate. If A(x̃,−ε) is nearly singular, the step merges points whose differences are lost in
+//! the digits of x̃.
 
 use nalgebra::SMatrix;
 
 use crate::Scalar;
 
-/// The smallest ratio of a pivot to its row or column, so that a step loses at most ten bits.
+/// The smallest ratio of a pivot to its row or column for which a step loses at most ten bits.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
 #[inline(always)]
@@ -16,15 +17,16 @@ fn slope<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>, i: usize, j: usiz
     (if i == j { slope - T::one() } else { slope }).approximate().abs()
 }
 
-/// Returns whether every row of |εf′| sums to at most ½. Then I − εf′ and I + εf′ are far from
-/// singular; this is the common case of small ε.
+/// Returns whether the absolute values in every row of εf′ sum to at most ½. If so, I − εf′ and I +
+/// εf′ are far from singular. With small ε this is the common case.
 #[inline(always)]
 pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Returns whether A = I − εf′ is far from singular: every pivot is at least `LEAST_PIVOT` times
-/// (1 + Σ|εf′ᵢⱼ|), with all sums over its column or all over its row.
+/// Returns whether A = I − εf′ is far from singular. Every pivot must be at least `LEAST_PIVOT`
+/// times (1 + Σ|εf′ᵢⱼ|). The sum runs over the pivot's column for all pivots, or over the pivot's
+/// row for all pivots.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;
@@ -45,7 +47,7 @@ pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T
                 let factor = row[k] / pivot[k];
                 row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * above);
             }
-            // The comparison is false for NaN.
+            // The comparison is false if the pivot is NaN.
             pivot[k].abs() >= LEAST_PIVOT * scales[k]
         })
     };

@@ -1,8 +1,9 @@
 //! Orbits that continue through poles, in projective space.
 //!
-//! In: an orbit. Out: its points, including those at infinity and after poles. Steps are ordinary
-//! while they preserve enough digits ([`memory`]). Otherwise the orbit follows lines ([`passage`])
-//! over numbers that depend on a small δ ([`delta_series`]), until points merged by the pole separate.
+//! In: an orbit. Out: its points, including points at infinity and points after poles. While
+//! ordinary steps preserve enough digits ([`memory`]), the orbit takes these. Otherwise it follows
+//! lines ([`passage`]) over numbers that depend on a small δ ([`delta_series`]), until points that
+//! the pole merged are separate again.
 
 mod delta_series;
 mod memory;
@@ -24,13 +25,14 @@ use passage::{NoLimit, Passage, PassagePoint};
 pub use point::ProjectivePoint;
 pub use through::ThroughPoles;
 
-/// The number of steps after which merged points are assumed never to separate.
+/// The number of steps after which merged points are assumed to stay merged.
 const MOST_STEPS: usize = 12;
 
-/// The maximum number of variables for lines through points, whose matrices lie on the stack.
+/// The maximum number of variables for which the orbit follows lines, because their matrices lie on
+/// the stack.
 const MOST_VARIABLES: usize = 32;
 
-/// The orbit of a Kahan map through its poles; see [`Orbit::projective`].
+/// The orbit of a Kahan map, continued through poles; see [`Orbit::projective`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Projective<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
@@ -46,7 +48,7 @@ enum OrbitPosition<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> {
     First(SVector<T, N>),
     Point {
         x: SVector<T, N>,
-        /// Whether |εf′| is known to be small at x.
+        /// Whether |εf′| is known to be small at the point x.
         is_flat: bool,
     },
     Passage(Box<Passage<M, T, N>>),
@@ -62,25 +64,27 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> OrbitPosition<M, T
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// Continues this orbit through its poles, as points of projective space.
     ///
-    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, for the map φ and any direction v: the
-    /// value of the n-th iterate as a rational map of projective space. A map may contract a curve
-    /// or surface to one point, finite or infinite, and separate its points some steps later;
-    /// `kahan poles` finds such curves. Until then the orbit follows lines through the point before
-    /// the contraction; if twelve steps separate nothing, it continues from the merged point.
+    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, for the map φ and any direction v. This
+    /// limit is the value of the n-th iterate as a rational map of projective space. A map may
+    /// contract a curve or surface to one point, finite or infinite, and separate the merged points
+    /// some steps later; `kahan poles` finds such curves. Until the separation, the orbit follows
+    /// lines through the point before the contraction. If twelve steps separate no points, the
+    /// orbit continues from the merged point.
     ///
-    /// Exact orbits are exact: lines are series in δ. Over floats, points have the bits of
-    /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular:
-    /// no pivot is below 1/1024 of its row or column, as far as the digits of x̃ show. Other points
-    /// are computed in numbers of 17 × 64 bits and rounded once each, until rounding is amplified
-    /// by at most ten bits on the way back to the point before the pole. Hence a passage through a
-    /// pole loses at most ten bits. From a float near a pole but not at it, the next point is large
-    /// but finite, unless it exceeds the range of the scalar. In more than 32 variables the orbit
-    /// takes only ordinary steps.
+    /// Exact orbits are exact, because lines are series in δ. Over floats, points have the bits of
+    /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular.
+    /// This means that no pivot is below 1/1024 of its row or column, as far as the digits of x̃
+    /// show. Other points are computed in numbers of 17 × 64 bits and rounded once each. This
+    /// continues until the way back to the point before the pole amplifies rounding by at most ten
+    /// bits. Hence a passage through a pole loses at most ten bits. From a float near a pole but
+    /// not at it, the next point is large but finite, unless it exceeds the range of the scalar. In
+    /// more than 32 variables the orbit takes only ordinary steps.
     ///
-    /// Cost over floats: a step and the matrix A, or two matrices and their eliminations if |εf′|
-    /// is not small. Cost over exact scalars: a step and a determinant. A step near a pole
-    /// allocates and is several orders of magnitude slower over floats; over exact scalars it costs
-    /// several exact steps per term of the series.
+    /// Over floats a point costs a step and the matrix A. If |εf′| is not small, it costs two
+    /// matrices and their eliminations instead of one matrix. Over exact scalars a point costs a
+    /// step and a determinant. A step near a pole allocates. Over floats such a step is several
+    /// orders of magnitude slower; over exact scalars it costs several exact steps per term of the
+    /// series.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -106,8 +110,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N> {
-    /// Returns the reason why the orbit has ended: a state that is not finite, a point of
-    /// indeterminacy (limits along two lines differ), or no recognisable limit.
+    /// Returns the reason why the orbit has ended. The state may not be finite, limits along two
+    /// lines may differ (a point of indeterminacy), or no limit may be recognisable.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
@@ -118,7 +122,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         None
     }
 
-    /// Returns the next point if it does not follow by an ordinary step.
+    /// Returns the next point if an ordinary step does not yield it.
     #[cold]
     fn next_beyond_steps(&mut self) -> Option<ProjectivePoint<T, N>> {
         match mem::replace(&mut self.at, OrbitPosition::Nowhere) {
@@ -142,7 +146,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         match self.begin(x) {
             Ok(point) => Some(point),
             Err(NoLimit::Ambiguous) => self.stop(Reason::Indeterminate),
-            // Continues with the ordinary step, if it is finite.
+            // If the ordinary step is finite, the orbit continues with it.
             Err(NoLimit::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
                 Some(next) => Some(self.at_point(next)),
                 None => self.stop(Reason::Unfollowed),
@@ -183,7 +187,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         point
     }
 
-    /// Returns the next point from the last point only, dropping the lines.
+    /// Ends the passage, drops its lines, and returns the next point from the last point alone.
     fn leave_passage(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
         match passage.into_last_point().and_then(ProjectivePoint::affine) {
             Some(x) => self.after(x),
@@ -197,7 +201,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Proje
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        // Updates the state in place; moving it would lengthen the critical path of the orbit.
+        // Updates the state in place, because a moved state would lengthen the critical path of the
+        // orbit.
         if let OrbitPosition::Point { x, is_flat } = &mut self.at
             && let Some(next) = self.prepared.next(x)
             && T::retains_digits(&self.map, x, &next, &self.eps, is_flat)

@@ -1,8 +1,9 @@
-//! The passage through a pole: lines through the point before the pole, advanced step by step.
+//! The passage through a pole: steps advance lines that pass through the point before the pole.
 //!
-//! The points x + δv of two directions v are advanced by A(x,ε)·x̃ = b(x,ε) over numbers that
-//! depend on δ. If both have one limit as δ → 0, it is the next point of the orbit. The product of
-//! the steps' derivatives shows when merged points are separate again, which ends the passage.
+//! The two points x + δv of two directions v are advanced by solving A(x,ε)·x̃ = b(x,ε) over
+//! numbers that depend on δ. If both points have one limit as δ → 0, this limit is the next point
+//! of the orbit. The product of the steps' derivatives shows when merged points are separate again.
+//! Then the passage ends.
 
 use std::vec::Vec;
 
@@ -16,7 +17,7 @@ use super::ThroughPoles;
 use super::delta_series::DeltaSeries;
 use super::point::ProjectivePoint;
 
-/// Arbitrary slopes of the lines; small integers would often sum to 0 or lie in a special plane.
+/// Arbitrary slopes of the lines. Small integers would often sum to 0 or lie in a special plane.
 const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
@@ -24,16 +25,17 @@ fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
     S::constant(&crate::Constant::integer(SLOPES[place % SLOPES.len()]))
 }
 
-/// A line through a point, advanced by the steps so far.
+/// A line through the point before the pole, advanced by the steps so far.
 #[derive(Clone)]
 struct ProjectiveLine<S, const N: usize> {
     point: SVector<S, N>,
-    /// The derivative of the first point by this one; `None` if not computed or unknown.
+    /// The derivative of the first point by the current point, `None` if it was not computed or is
+    /// unknown.
     derivative: Option<SMatrix<S, N, N>>,
 }
 
 impl<S: Scalar, const N: usize> ProjectiveLine<S, N> {
-    /// Advances by one step; `None` if A is not known to be invertible.
+    /// Advances the line by one step. Returns `None` if A is not known to be invertible.
     fn advance<M: KahanMap<S, N>>(&mut self, map: &M, eps: &S) -> Option<()> {
         let matrix = map.matrix(&self.point, eps.clone());
         let next = solve(matrix.clone(), map.rhs(&self.point, eps.clone()))?;
@@ -52,7 +54,7 @@ fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>
 
 pub(super) struct PassagePoint<T, const N: usize> {
     pub(super) point: ProjectivePoint<T, N>,
-    /// Whether merged points are separate again; `None` if unknown.
+    /// Whether merged points are separate again, `None` if this is unknown.
     pub(super) is_through: Option<bool>,
 }
 
@@ -60,7 +62,7 @@ pub(super) struct PassagePoint<T, const N: usize> {
 pub(super) enum NoLimit {
     /// The limits along two lines differ, even in the last attempt.
     Ambiguous,
-    /// The last attempt shows no limit.
+    /// Even the last attempt finds no limit.
     Unknown,
 }
 
@@ -96,7 +98,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         self.last
     }
 
-    /// Returns the next point; repeats all steps in further attempts if necessary.
+    /// Returns the next point. If an attempt fails, the next attempt repeats all steps.
     pub(super) fn advance(&mut self) -> Result<PassagePoint<T, N>, NoLimit> {
         let mut steps = 1;
         loop {
@@ -134,7 +136,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Passage<M, T, N> {
         ProjectiveLine { point: SVector::from_fn(|i, _| moved(i)), derivative }
     }
 
-    /// Advances all lines by `steps` steps; `None` if this attempt does not determine the point.
+    /// Advances all lines by `steps` steps. Returns `None` if this attempt does not determine the
+    /// point.
     fn attempt(&mut self, steps: usize) -> Option<Result<PassagePoint<T, N>, NoLimit>> {
         let Self { unit, map, eps, effort, lines, .. } = self;
         let mut common: Option<ProjectivePoint<T, N>> = None;

@@ -4,10 +4,11 @@ use nalgebra::SVector;
 
 use crate::{Pivot, Scalar};
 
-/// A point \[X : W\] of projective space: x = X/W, or for W = 0 at infinity in the directions ±X.
+/// A point \[X : W\] of projective space. If W ≠ 0, the point is x = X/W. If W = 0, the point lies
+/// at infinity in the directions ±X.
 ///
-/// Normal form: W is 1 or 0. At infinity, the first coordinate within a relative 2⁻²⁰ of the
-/// largest is 1. Equal points therefore have equal coordinates, up to rounding.
+/// In normal form W is 1 or 0. At infinity, the first coordinate that is within a relative 2⁻²⁰ of
+/// the largest coordinate is 1. Equal points therefore have equal coordinates, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -23,7 +24,7 @@ pub struct ProjectivePoint<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> ProjectivePoint<T, N> {
-    /// Returns x; `None` at infinity.
+    /// Returns the finite point x, or `None` if the point is at infinity.
     pub fn affine(self) -> Option<SVector<T, N>> {
         if self.is_infinite { None } else { Some(self.coordinates) }
     }
@@ -33,12 +34,12 @@ impl<T: Scalar, const N: usize> ProjectivePoint<T, N> {
         self.is_infinite
     }
 
-    /// Returns X: x itself, or the direction.
+    /// Returns the coordinates X: the point x itself, or at infinity the direction.
     pub fn coordinates(&self) -> &SVector<T, N> {
         &self.coordinates
     }
 
-    /// Returns W: 1, or 0 at infinity.
+    /// Returns the weight W, which is 1, or 0 at infinity.
     pub fn weight(&self) -> T {
         if self.is_infinite { T::zero() } else { T::one() }
     }
@@ -54,7 +55,7 @@ impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
     }
 }
 
-/// The relative difference up to which a coordinate counts as equal to the largest.
+/// The relative difference up to which a coordinate counts as equal to the largest coordinate.
 const TIE: f64 = 1.0 / (1_u32 << 20) as f64;
 
 pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {

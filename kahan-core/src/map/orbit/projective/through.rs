@@ -1,6 +1,7 @@
 //! Scalars that support orbits through poles.
 //!
-//! In: a step. Out: whether it preserves enough digits, and the number type for the passage.
+//! In: a step. Out: whether the step preserves enough digits, and the number type for a passage
+//! through a pole.
 
 use core::mem;
 
@@ -12,16 +13,17 @@ use crate::{Dd, KahanMap, Pivot, Scalar};
 use super::delta_series::DeltaSeries;
 use super::memory::{has_small_slopes, is_far_from_singular};
 
-/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`], or `BigRational` (`exact`).
+/// A scalar that supports orbits through poles: `f32`, `f64`, [`Dd`], or with the feature `exact`
+/// `BigRational`.
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
 pub trait ThroughPoles: Pivot + PassageScalar {}
 
-/// A scalar whose orbits can be continued through poles.
+/// A scalar over which orbits can be continued through poles.
 pub(super) trait PassageScalar: Scalar {
     type DeltaSeries: DeltaSeries<Self>;
 
-    /// Returns whether x̃ preserves enough digits of x. `is_flat` says whether |εf′| is known to be
-    /// small: at x on entry, at x̃ on return.
+    /// Returns whether the next state x̃ preserves enough digits of the state x. `is_flat` says
+    /// whether |εf′| is known to be small. On entry `is_flat` refers to x, on return to x̃.
     fn retains_digits<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         x: &SVector<Self, N>,
@@ -30,7 +32,7 @@ pub(super) trait PassageScalar: Scalar {
         is_flat: &mut bool,
     ) -> bool;
 
-    /// Returns whether two limits agree up to traces of δ.
+    /// Returns whether two limits agree, up to traces of the perturbation δ.
     fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
 }
 
@@ -56,11 +58,11 @@ macro_rules! implement_for_float {
                 eps: &Self,
                 is_flat: &mut bool,
             ) -> bool {
-                // If x cancels against x̃ − x, too few digits of x̃ remain for a decision.
+                // If x cancels against x̃ − x, x̃ has too few digits for a decision.
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
                 let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
                 let is_finite = next.iter().all(Pivot::is_finite_number);
-                // Copies let a loop keep its state in registers.
+                // Copies of the arguments let a loop keep its state in registers.
                 is_known && is_finite && (was_flat && *is_flat || loses_little(map, *x, *next, *eps))
             }
 
@@ -72,7 +74,7 @@ macro_rules! implement_for_float {
     };
 }
 
-/// Returns whether both matrices of a step are far from singular.
+/// Returns whether both matrices A(x,ε) and A(x̃,−ε) of a step are far from singular.
 #[cold]
 #[inline(never)]
 fn loses_little<M: KahanMap<T, N>, T: Scalar, const N: usize>(

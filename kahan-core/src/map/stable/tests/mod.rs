@@ -1,4 +1,4 @@
-//! Tests of the running error bound against exact rationals.
+//! Compares the running error bound with exact rationals.
 
 mod rules;
 mod steps;

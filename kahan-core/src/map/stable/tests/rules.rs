@@ -1,5 +1,5 @@
-//! Tests that each rule of the running error bound is nearly sharp: with one rounding, one term or
-//! half of the slack less, it would fail.
+//! Tests that each rule of the running error bound is nearly sharp. With one rounding or one term
+//! less, or with half of the slack, the rule would fail.
 
 use num_traits::One;
 
@@ -7,16 +7,16 @@ use super::worst::{Beside, Q, Worst, off_by, two_to, with_low_magnitudes};
 use crate::scalar::bounded::Number;
 use crate::scalar::bounded::{Bounded, SLACK};
 
-/// A precision coarse enough for (1+u)ᵏ − 1 to differ from ku.
+/// A precision so coarse that (1+u)ᵏ − 1 differs from k·u, where u is the rounding unit.
 const COARSE: i32 = 10;
-/// A precision fine enough for (1+u)ᵏ − 1 to be nearly ku.
+/// A precision so fine that (1+u)ᵏ − 1 is nearly k·u, where u is the rounding unit.
 const FINE: i32 = 24;
 
 const UP: (i64, i64) = (1, 0);
 const DOWN: (i64, i64) = (-1, 0);
 const EXACTLY: (i64, i64) = (0, 0);
 
-/// Returns (1+u)ᵏ for 1: a value with k roundings upwards.
+/// Returns (1+u)ᵏ in place of 1, a value that was rounded upwards k times.
 fn rounded_up<const BITS: i32>(k: usize) -> Beside<BITS> {
     let one = Beside::from_input(1.0);
     off_by(UP, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
@@ -34,7 +34,7 @@ fn assert_near<const BITS: i32>(value: &Beside<BITS>, least: f64) {
     assert!(part >= least, "a bound that nothing comes near says little: {part}");
 }
 
-/// The fraction of a bound that remains within the slack.
+/// The part of a bound that remains if the slack is divided out.
 const ALL: f64 = 1.0 / SLACK - 1e-4;
 
 #[test]
@@ -52,7 +52,7 @@ fn a_sum_rounds_once() {
     for direction in [UP, DOWN] {
         assert_near(&off_by(direction, || one.plus(&two)), ALL);
         assert_near(&off_by(direction, || one.minus(&two.negated())), ALL);
-        // A sum at the end of a multiply-add, after a product of 0.
+        // Checks a sum at the end of a multiply-add, whose product is 0.
         let nothing = Beside::from_input(0.0);
         assert_near(&off_by(direction, || nothing.times_plus(&one, &two)), 0.4);
     }
@@ -80,13 +80,13 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     }
 }
 
-/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are rounded down: half of the slack would not suffice.
+/// (1+u)⁴⁰ − 1 exceeds 40 u, and magnitudes are rounded down. Half of the slack would not suffice.
 #[test]
 fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
 }
 
-/// Operands and magnitudes have the largest possible errors, in both kinds of quotients.
+/// In both kinds of quotients, operands and magnitudes have the largest possible errors.
 #[test]
 fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
     const MIDDLE: i32 = 13;
@@ -107,7 +107,7 @@ fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
 #[test]
 fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
-        // Without a known reciprocal; whole literals with one follow below.
+        // The numerator is not a whole literal; whole literals follow below.
         let quotient = off_by(UP, || rounded_up::<FINE>(a).over(&rounded_down(b))).expect("a quotient");
         let k = a.max(b) as f64 + 1.0;
         let part = (a + b + 1) as f64 / (2.0 * k);
@@ -120,7 +120,8 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// The divisor's error is nearly 1/64, so v̂, which replaces v in m, is too small.
+/// The divisor's error is nearly 1/64. The computed value v̂ replaces v in the bound m, and is too
+/// small.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -128,11 +129,11 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
-/// A divisor whose error may reach 1/64 of it has no quotient.
+/// If the error of a divisor may reach 1/64 of the divisor, there is no quotient.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::from_input(1.0);
-    // b̂ = (1+u)ᵏ − d, with a magnitude of 1 + d.
+    // The divisor is (1+u)ᵏ − d, whose magnitude is 1 + d.
     let divisor = |d: f64| off_by(EXACTLY, || rounded_up::<COARSE>(3).minus(&Beside::from_input(d)));
     let mut seen = [0, 0];
     for step in 0..1000 {
@@ -151,7 +152,7 @@ fn a_divisor_that_may_be_zero_has_no_quotient() {
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// The chain 1/d/d′ keeps m/|v̂| as a sum.
+/// In the chain 1/d/d′, the ratio of magnitude to value is kept as a sum.
 #[test]
 fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
     for k in [0, 1, 4] {
@@ -160,7 +161,8 @@ fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
             first.over(&rounded_down(k))?.over(&rounded_down(k))
         });
         let chain = chain.expect("a quotient");
-        // Three divisors with k errors each and three roundings; the bound counts (k + 3)·4.
+        // The three divisors have k errors each, and there are three roundings. The bound counts
+        // 4·(k + 3).
         let part = (3 * k + 3) as f64 / (4 * (k + 3)) as f64;
         assert_near(&chain, part / SLACK.powi(2) - 1e-4);
     }
@@ -180,7 +182,8 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
 
-/// Compares n̂·r̂ with w·m: errors of numerator, reciprocal and product.
+/// Compares the error of numerator · reciprocal with weight · magnitude. The weight includes the
+/// errors of the numerator, of the reciprocal and of the product.
 #[test]
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
@@ -195,14 +198,15 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
             assert!(weight >= reciprocal.bounded.value().size());
             let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
-            // n + 1 for numerator and product, 2(d + 1) for a reciprocal with error d + 1.
+            // The bound counts n + 1 for numerator and product, and 2(d + 1) for a reciprocal with
+            // error d + 1.
             let reached = (n + d + 2) as f64 / (n + 1 + 2 * (d + 1)) as f64;
             assert!(part <= 1.0 && part >= reached / SLACK.powi(2) - 1e-4, "{part} of the bound at {n}, {d}");
         }
     }
 }
 
-/// A product with an exact number has the numerator's roundings and one more.
+/// A product with an exact number has the numerator's roundings and one more rounding.
 #[test]
 fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
@@ -215,7 +219,8 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// For a value with a known radius, m and k follow from the radius, not from cancelled terms.
+/// If a value has a known radius, magnitude and roundings follow from the radius, not from the
+/// terms that cancelled.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};
@@ -257,12 +262,13 @@ fn packed_pairs_are_pairs() {
     }
 }
 
-/// The unit of each number type covers the stated error bounds of its operations.
+/// The rounding unit of each number type covers the stated error bounds of its operations.
 #[test]
 fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A quotient errs by 14u²; a multiply-add, counted twice, by 16u² (product) and 5u² (result).
+    // A quotient errs by at most 14u². A multiply-add counts as two roundings, and errs by 16u² in
+    // the product and by 5u² in the result.
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

@@ -1,4 +1,5 @@
-//! Whole steps with worst-case rounding: the bounds of attempts, and the results of level 1.
+//! Tests whole steps with worst-case rounding: the bounds of attempts, and results of precision
+//! level 1.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -80,7 +81,7 @@ fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) 
     (error, largest(&mut y.iter().cloned()))
 }
 
-/// Calls `see` with pseudorandom states and ε, ordinary ones and ones near poles.
+/// Calls `see` with pseudorandom states and ε. Some cases are ordinary, and some are near poles.
 fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) {
     let mut state = 20_261_122_u64;
     let mut unit = || {
@@ -90,7 +91,7 @@ fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) 
     for _ in 0..count {
         let x = SVector::from_fn(|_, _| 3.0 * unit() - 1.0);
         see(x, unit());
-        // Makes 1 − 2εx small for the first variable.
+        // The last factor makes 1 − 2εx small for the first variable.
         see(x, (1.0 + (unit() - 0.5) * power_of_two(-(16.0 * unit()) as i32)) / (2.0 * x[0]));
     }
 }
@@ -106,7 +107,7 @@ where
     Some(BoundedStep::by_increments(x, map.prepare(&eps).quotients(x)?))
 }
 
-/// Returns the largest ratio of an attempt's error to its bound.
+/// Returns the largest ratio of an attempt's actual error to its bound.
 fn largest_part<M, const N: usize>(
     map: &M,
     attempt: impl Fn(&SVector<f64, N>, f64) -> Option<BoundedStep<Number24, N>>,
@@ -124,7 +125,7 @@ where
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
             let computed = attempt.next.iter().map(|next| f64::from(next.size())).fold(0.0, f64::max);
-            // The last roundings, of product and sum, are excluded from the bound.
+            // The bound excludes the last roundings of product and sum.
             let own = 2.0 * Number24::UNIT * (computed + size);
             let bound = attempt.bound() * computed;
             assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");
@@ -159,7 +160,7 @@ fn an_attempt_is_within_what_it_says() {
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
-/// If the reciprocal has few roundings, the numerator's make up nearly all of the error.
+/// If the reciprocal has few roundings, the numerator's roundings make nearly all of the error.
 #[test]
 fn an_attempt_has_the_roundings_of_its_numerators() {
     let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
@@ -169,7 +170,8 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::from_input(Worst::of_float(number)));
         by_step(&LongNumber { a }, &from_input(&x), eps).expect("no pole is near")
     });
-    // The second component is larger; the first starts at 0, so its last roundings are of its size.
+    // The second component is larger. The first component starts at 0, and its last roundings are
+    // of its own size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = f64::from(attempt.next[1].size());
     let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());
@@ -202,7 +204,8 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// An input exceeds the limit for underflow: y² is off by η, and a·η exceeds the allowance.
+/// An input exceeds the limit for underflow. The underflow error η of y² times a exceeds the
+/// allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -214,11 +217,11 @@ fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     assert!(off_by((0, 1), step).is_some());
 }
 
-/// Rounding to a narrower scalar counts as error, and near underflow it exceeds 64 u.
+/// Rounding to a narrower scalar counts as an error, which exceeds the bound near underflow.
 #[test]
 fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
-    // 2·7/9 of the least number is not a float.
+    // The exact result, 2·7/9 of the least number, is not a float.
     assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
     assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
     let least = f64::from_bits(1);
@@ -235,7 +238,7 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// Leading terms cancel at a parameter; the remaining digits are 2·10³ bits below.
+/// At one parameter the leading terms cancel, and the remaining digits are 2·10³ bits lower.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {
@@ -266,7 +269,7 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
-/// Terms are too far apart for 17 digits in expanded forms; elimination succeeds.
+/// The terms are too far apart for 17 digits in expanded forms, but elimination succeeds.
 #[cfg(feature = "std")]
 #[test]
 fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
@@ -290,7 +293,7 @@ crate::kahan! {
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
 }
 
-/// Steps of many variables at every magnitude, even if doubles overflow.
+/// Steps of many variables succeed at every magnitude, even if doubles overflow.
 #[test]
 fn many_variables_are_promised_at_every_size() {
     let rational = |x: f64| Q::from_float(x).unwrap();
@@ -333,7 +336,7 @@ crate::kahan! {
     xdot = x^2/(a - b) - x;
 }
 
-/// Produces every reason by a step, except for exhausted digits, which are too rare.
+/// A step reports every reason except exhausted digits, which are too rare.
 #[test]
 fn reports_say_what_is_the_case() {
     use crate::SingularStep;

@@ -1,4 +1,5 @@
-//! Values near underflow: errors of η, amplified as far as the range permits.
+//! Tests values near underflow. Errors of η, the largest error of an operation that underflows, are
+//! amplified as far as the range permits.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -7,18 +8,18 @@ use crate::scalar::bounded::underflow;
 use crate::scalar::bounded::{Number, power_of_two};
 
 const FINE: i32 = 40;
-/// Exact operations, except for an error of η each.
+/// Operations that are exact except for an error of η each, the error of an underflow.
 const TINY: (i64, i64) = (0, 1);
 
 type Value = Beside<FINE>;
 
-/// Checks the bound. The range allows an error of η to double 30 times, 20 of them by inputs.
+/// Checks the bound. The range allows 30 doublings of an error η, 20 of which inputs may cause.
 fn assert_allowed(value: &Value) {
     let error = value.error();
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
 }
 
-/// Returns the largest input that a formula permits, found with inputs of 1.
+/// Returns the largest input that a formula permits, evaluated with inputs of 1.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
     formula(&Value::from_input(1.0)).bounded.largest_input().size()
 }
@@ -31,7 +32,7 @@ fn an_operation_that_underflows_is_allowed_for() {
     }
 }
 
-/// Products with an underflowed factor, as large as the limits on products permit.
+/// Products with a factor that underflowed are as large as the limits on products permit.
 #[test]
 fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
     for count in 2..8 {
@@ -47,7 +48,7 @@ fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
 
 #[test]
 fn sums_and_constants_take_their_bits() {
-    // The error doubles 18 times, which leaves 2 bits for the input.
+    // The error doubles 18 times. These doublings leave 2 bits for the input.
     let formula = |x: &Value| {
         let tiny = Value::from_input(0.0).times(&Value::from_input(0.0));
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
@@ -66,7 +67,8 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// Quotients by the least divisor amplify η by its bits, or twice if the divisor has an error.
+/// A quotient by the least divisor amplifies the error η by the divisor's bits. If the divisor has
+/// an error, the amplification occurs twice.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
@@ -75,11 +77,11 @@ fn quotients_take_the_bits_of_divisors_twice() {
         let first = Value::from_input(0.0).times(&Value::from_input(0.0)).times(x);
         first.over(&divisor(least)).and_then(|v| v.over(&divisor(least))).expect("a quotient")
     };
-    // One input of the numerator and two of the divisors.
+    // The numerator counts one input, and the divisors count two.
     let largest = largest_input(formula);
     assert!(largest <= power_of_two((20 - 16) / 2), "{largest}");
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
-    // v̂·(b̂ − b)/b̂ with v̂ = 1/b̂.
+    // The error of the quotient v̂ = 1/b̂ with a divisor b̂ in place of b is v̂·(b̂ − b)/b̂.
     let formula = |x: &Value| {
         let divisor = Value::from_input(least).plus(&Value::from_input(0.0));
         Value::from_input(1.0).times(x).over(&divisor).expect("a quotient")
@@ -104,8 +106,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// Premises that constants and operations can violate without inputs. Each is necessary: just
-/// beyond it, the true error exceeds the bound.
+/// Premises that constants and operations can violate without inputs. Each premise is necessary:
+/// just beyond it, the true error exceeds the bound.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
@@ -156,17 +158,17 @@ mod premises {
 
     #[test]
     fn no_more_operations_underflow_than_the_allowance_is_made_for() {
-        // ½ is below 2⁰, so factors ½ add no bits.
+        // The number ½ is below 2⁰, and therefore factors ½ add no bits.
         let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
         };
         assert_eq!(product(MOST_UNDERFLOWS, 0), InputLimit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS + 1, 0), InputLimit::NONE);
-        // A rounded literal may underflow as well.
+        // A literal that is rounded may underflow as well.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), InputLimit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), InputLimit::NONE);
-        // A sum takes the underflows of the worse term and one bit for the other.
+        // A sum counts the underflows of the worse term, and one bit for the other term.
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
         let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
         assert_eq!(sum.largest_input(), InputLimit::below(20 - 5));
@@ -178,13 +180,14 @@ mod premises {
         assert_eq!(quotient(MOST_UNDERFLOWS / 2), InputLimit::NONE);
     }
 
-    /// Compares (1+u)ᵏ − 1 with 1.0625·k·u·(1−u)ᵏ, for coarse u and rounded magnitudes.
+    /// Compares (1+u)ᵏ − 1 with 1.0625·k·u·(1−u)ᵏ, for a coarse rounding unit u and rounded
+    /// magnitudes.
     #[test]
     fn no_more_roundings_are_counted_than_the_slack_pays_for() {
         const COARSE: i32 = 10;
         let one = Beside::<COARSE>::from_input(1.0);
         let rounded = |k: u32| off_by((1, 0), || (0..k).fold(one.clone(), |product, _| product.times(&one)));
-        // 40 times 2⁻¹⁰ is about a 25th.
+        // 40 times 2⁻¹⁰ is about 1/25.
         with_low_magnitudes(|| {
             let (within, beyond) = (rounded(40), rounded(41));
             assert!(within.part() <= 1.0 && within.bounded.roundings() == 40, "{}", within.part());
@@ -198,10 +201,11 @@ mod premises {
     fn a_quotient_has_the_inputs_of_its_divisor() {
         let input = || Bounded::<Worst<FINEST>>::from_input(Worst::of_float(1.0));
         let quotient = |divisor: Bounded<Worst<FINEST>>| input().quotient(divisor).expect("a divisor of 1");
-        // A quotient uses twice the 4 bits of the least divisor, out of 20 bits.
+        // The quotient uses 8 of the 20 bits, twice the 4 bits of the least divisor.
         assert_eq!(quotient(input()).largest_input(), InputLimit::below((20 - 8) / 2));
         assert_eq!(quotient(input() * input() * input()).largest_input(), InputLimit::below((20 - 8) / 4));
-        // b = x·(0·0)·x + ⅛: if its inputs did not count, 2¹⁰ would pass with an error 2²⁰·η of b.
+        // The divisor is b = x·(0·0)·x + ⅛. If its inputs did not count, x = 2¹⁰ would be allowed,
+        // although b then has the error 2²⁰·η.
         let size = power_of_two(10);
         let formula = |x: f64| {
             let lost = off_by(TINY, || Beside::<FINEST>::from_input(0.0).times(&Beside::from_input(0.0)));
@@ -213,7 +217,7 @@ mod premises {
         assert!(formula(size).part() > 1.0);
     }
 
-    /// Unknown values stay unknown: ∞·0 is NaN, and comparisons with NaN are false.
+    /// Unknown values stay unknown, because ∞·0 is NaN and comparisons with NaN are false.
     #[test]
     fn nothing_is_allowed_of_an_unknown_value() {
         let unknown = || Bounded::<f64>::from_input(1.0) / Bounded::from_input(0.0);
@@ -225,7 +229,8 @@ mod premises {
         }
     }
 
-    /// An infinite literal exceeds all limits; one that underflows errs within the bound.
+    /// An infinite literal exceeds all limits. A literal that underflows has an error within the
+    /// bound.
     #[test]
     fn literals_at_the_ends_of_a_range_are_bounded() {
         let of = |single: f32, double: f64, limbs: (&[u64], &[u64])| {
@@ -250,26 +255,27 @@ mod premises {
             for power in [bits, -bits] {
                 assert_eq!(over(sign * power_of_two(power)).largest_input(), InputLimit::below(20 - 1 - 6));
             }
-            // A larger ε counts as an ordinary input; a smaller one may be an invalid divisor.
+            // A larger ε counts as an ordinary input. A smaller ε may be an invalid divisor.
             assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), InputLimit::below(20 - 1 - 8));
             assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), InputLimit::NONE);
         }
     }
 
-    /// The allowance is 2¹⁰·2ᴮ·η, and η is at least the error of one operation.
+    /// For B bits of products, the allowance is 2¹⁰·2ᴮ·η. The error of one operation is at most η.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
             V::RANGE.allowance / (f64::from(MOST_UNDERFLOWS) * power_of_two(V::RANGE.bits_of_products as i32))
         }
-        // A float loses at most half of its least number. Tests of double-doubles cover their η.
+        // A float loses at most half of its least number. The tests of double-doubles check their
+        // η.
         assert_eq!(eta::<f32>(), f64::from(f32::from_bits(1)));
         assert_eq!(eta::<f64>(), f64::from_bits(1));
         assert_eq!(eta::<crate::Dd>(), f64::from_bits(16));
     }
 }
 
-/// The numerator is 0 after underflow, so only the allowance covers the error of the product.
+/// The numerator is 0 after an underflow, and only the allowance covers the error of the product.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");
@@ -283,7 +289,7 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let weight = f64::from(reciprocal.bounded.weight(roundings));
     let bound = (magnitude + underflow::<Worst<FINE>>(roundings)) * weight * Worst::<FINE>::UNIT;
     assert!(as_float(product.error()) <= bound);
-    // Underflow in the reciprocal itself: r̂ = 0 with an increment of η.
+    // Here the reciprocal itself underflows: its value is 0 with an error of η.
     let (reciprocal, product) = off_by(TINY, || {
         let reciprocal = Value::from_input(0.0).over(&Value::from_input(1.0)).expect("a quotient");
         (reciprocal.clone(), Value::from_input(1.0).times(&reciprocal))
@@ -291,7 +297,8 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= f64::from(reciprocal.bounded.weight(0)) * Worst::<FINE>::UNIT);
 }
 
-/// Takes the reciprocal of a constant whose error is below the divisor's underflow error.
+/// Takes the reciprocal of 0.25 plus a number that underflowed. The underflow makes most of the
+/// divisor's error.
 #[test]
 fn a_weight_of_a_chain_allows_for_underflow() {
     const FINEST: i32 = 60;
@@ -308,7 +315,7 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
-/// The limits on inputs, tested with hardware floats.
+/// Tests the limits on inputs with the floats of the processor.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
         #[test]

@@ -1,5 +1,6 @@
-//! A scalar with worst-case rounding. Each operation errs by u in a direction that the test
-//! chooses, and optionally by η, as in underflow. Values are rationals, so the true error is known.
+//! A scalar with worst-case rounding. Each operation has an error of one rounding unit u, in a
+//! direction that the test chooses. Optionally it also has an error η, as in underflow. Values are
+//! rationals, and therefore the true error is known.
 
 use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -18,7 +19,8 @@ pub(super) type Q = BigRational;
 pub(super) struct Worst<const BITS: i32>(&'static Q);
 
 thread_local! {
-    /// The errors of the next results, in units u and η.
+    /// The errors of the next results, as multiples of the rounding unit u and of the underflow
+    /// error η.
     static OFF: Cell<(i64, i64)> = const { Cell::new((0, 0)) };
     static ARE_MAGNITUDES_LOW: Cell<bool> = const { Cell::new(false) };
 }
@@ -30,7 +32,7 @@ pub(super) fn with_low_magnitudes<V>(run: impl FnOnce() -> V) -> V {
     result
 }
 
-/// Calls `run` with every operation off by `relative` u and `absolute` η.
+/// Calls `run` with an error of `relative`·u + `absolute`·η in every operation.
 pub(super) fn off_by<V>((relative, absolute): (i64, i64), run: impl FnOnce() -> V) -> V {
     let before = OFF.replace((relative, absolute));
     let result = run();
@@ -86,7 +88,7 @@ impl<const BITS: i32> Pivot for Worst<BITS> {
     }
 }
 
-/// A magnitude of precision u = 2^−BITS; the rounding of `f64` is negligible beside u.
+/// A magnitude with the rounding unit u = 2^−BITS. The rounding of `f64` is negligible beside u.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Rough<const BITS: i32>(f64);
 
@@ -202,7 +204,7 @@ impl<const BITS: i32> One for Worst<BITS> {
     }
 }
 
-/// A bounded value together with the exact value of its formula.
+/// A bounded value, together with the exact value of its formula.
 #[derive(Clone, Debug)]
 pub(super) struct Beside<const BITS: i32> {
     pub(super) bounded: Bounded<Worst<BITS>, UnpackedPair<Worst<BITS>>>,
@@ -225,7 +227,8 @@ impl<const BITS: i32> Beside<BITS> {
         (self.bounded.value().exact() - &self.exact).abs()
     }
 
-    /// Returns error/bound, at most 1 if the bound is valid. Checks |v| ≤ m up to the slack.
+    /// Returns error/bound, which is at most 1 if the bound is valid. Also checks that the
+    /// magnitude bounds the value, up to the slack.
     pub(super) fn part(&self) -> f64 {
         let magnitude: f64 = self.bounded.magnitude().into();
         assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");

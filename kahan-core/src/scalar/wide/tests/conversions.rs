@@ -1,4 +1,5 @@
-//! Conversions from floats, and to the nearest float by comparison with neighbours and decimals.
+//! Tests conversions from floats, and to the nearest float. The latter are compared with
+//! neighbouring floats and with decimals.
 
 use std::string::ToString;
 
@@ -7,7 +8,7 @@ use num_traits::One;
 
 use super::{Dyadic, Random, Wide};
 
-/// Returns a random finite float of any exponent, with few or many bits.
+/// Returns a random finite float of any exponent. Its mantissa has few or many bits.
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };
@@ -49,7 +50,7 @@ fn a_float_is_taken_exactly() {
     let mut random = Random(12);
     for _ in 0..10_000 {
         let x = any_f64(&mut random);
-        // x·2¹⁰⁷⁴ is an integer.
+        // The number x·2¹⁰⁷⁴ is an integer.
         let exact = Dyadic::of(Wide::from(x)).scaled(1074);
         let scaled = &exact.integer * BigInt::from(2).pow(3000);
         let spelled = scaled_integer(x) * BigInt::from(2).pow(3000);
@@ -59,7 +60,7 @@ fn a_float_is_taken_exactly() {
     }
 }
 
-/// Returns x·2¹⁰⁷⁴ by halving and doubling.
+/// Returns x·2¹⁰⁷⁴ as an integer, computed by halving and doubling.
 fn scaled_integer(x: f64) -> BigInt {
     let (mut size, mut shift) = (x.abs(), 1074_u64);
     while size >= 9_007_199_254_740_992.0 {
@@ -74,7 +75,7 @@ fn scaled_integer(x: f64) -> BigInt {
     if x < 0.0 { -integer } else { integer }
 }
 
-/// Asserts that `nearest` is the float nearest to `number`, and the even one at a tie.
+/// Asserts that `nearest` is the float nearest to `number`. In a tie it must be even.
 macro_rules! assert_nearest {
     ($number:expr, $nearest:expr, $largest_exponent:expr) => {{
         let (number, nearest) = ($number, $nearest);
@@ -117,7 +118,7 @@ fn rounding_is_to_the_nearest_float() {
     }
 }
 
-/// Tests ties over the whole range of floats, and numbers that differ from them in the last bit.
+/// Tests ties over the whole range of floats, and numbers that differ from a tie in the last bit.
 #[test]
 fn ties_go_to_even() {
     let mut random = Random(14);
@@ -152,7 +153,8 @@ fn ties_go_to_even() {
 
 #[test]
 fn beyond_the_largest_float_there_is_infinity() {
-    // The tie between the largest float and the next power of two rounds to even: to infinity.
+    // The tie between the largest float and the next power of two rounds to infinity, which is
+    // even.
     let tie = Wide::from(f64::MAX) + Wide::one().scaled(970);
     assert_eq!(tie.to_f64(), f64::INFINITY);
     assert_eq!((-tie).to_f64(), f64::NEG_INFINITY);
@@ -164,7 +166,7 @@ fn beyond_the_largest_float_there_is_infinity() {
     assert_eq!(Wide::one().scaled(100_000).to_double_double(), (f64::INFINITY, 0.0));
 }
 
-/// Tests integers of up to 100 digits, and their ratios, against the standard library.
+/// Compares integers of up to 100 digits, and their ratios, with results of the standard library.
 #[test]
 fn decimals_round_as_they_parse() {
     let mut random = Random(15);

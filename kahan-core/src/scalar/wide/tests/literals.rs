@@ -1,4 +1,4 @@
-//! Literals against their exact ratios.
+//! Compares literals with their exact ratios.
 
 use std::boxed::Box;
 use std::vec::Vec;
@@ -9,7 +9,8 @@ use num_traits::Zero;
 use super::{Dyadic, Random, Wide};
 use crate::{Constant, Scalar};
 
-/// Returns whether |w − p/q| ≤ r ≤ 2^unit·|p/q|, all multiplied by q and the denominator of w.
+/// Returns whether |w − p/q| ≤ r ≤ 2^unit·|p/q|, where r is the radius of w. Both sides are
+/// multiplied by q and by the denominator of w.
 fn is_close(wide: Wide, constant: &Constant<'_>, unit: i64) -> bool {
     let ratio = constant.to_ratio();
     let integer = |n: &BigInt| Dyadic { integer: n.clone(), exponent: 0 };

@@ -1,7 +1,7 @@
-//! Compares [`Wide`] with exact numbers n·2^k, n a big integer.
+//! Compares [`Wide`] with exact numbers n·2^k, where n is a big integer.
 //!
-//! Operands are seeded. Mantissas are random, all ones, single bits or long runs. Exponents range
-//! from −5000 to 5000, or are close together, so that sums cancel.
+//! Operands come from a seed. Mantissas are random, all ones, single bits or long runs. Exponents
+//! range from −5000 to 5000, or are close together, and then sums cancel.
 
 mod conversions;
 mod literals;
@@ -44,7 +44,7 @@ impl Dyadic {
         Self::of(Wide::from(size.mantissa).scaled(size.exponent))
     }
 
-    /// Returns the integers of both over the smaller exponent, and this exponent.
+    /// Returns the integers of both numbers over the smaller exponent, and this exponent.
     fn aligned(&self, other: &Self) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);
         let shifted = |dyadic: &Self| &dyadic.integer << (dyadic.exponent - exponent) as u64;
@@ -52,7 +52,7 @@ impl Dyadic {
     }
 
     fn plus(&self, other: &Self) -> Self {
-        // Zero has no scale to align to.
+        // Zero has no exponent to which the other number could be aligned.
         if self.integer.is_zero() {
             return other.clone();
         }
@@ -115,7 +115,7 @@ impl Random {
         (self.bits() % (2 * limit as u64 + 1)) as i64 - limit
     }
 
-    /// Returns limbs with long carries and borrows.
+    /// Returns limbs that produce long carries and borrows.
     fn limbs(&mut self) -> [u64; LIMBS] {
         let mut limbs = match self.bits() % 5 {
             0 => [u64::MAX; LIMBS],
@@ -123,7 +123,7 @@ impl Random {
             2 => core::array::from_fn(|_| if self.bits() & 1 == 0 { 0 } else { u64::MAX }),
             _ => core::array::from_fn(|_| self.bits()),
         };
-        // Flip up to two bits of a regular mantissa.
+        // Up to two bits of a regular mantissa are flipped.
         for _ in 0..self.bits() % 3 {
             let place = self.bits() % (64 * LIMBS as u64);
             limbs[(place / 64) as usize] ^= 1 << (place % 64);
@@ -132,12 +132,12 @@ impl Random {
         limbs
     }
 
-    /// Returns a dense number of about 1024 bits with its leading bit at 2^exponent.
+    /// Returns a number of about 1024 bits without gaps. Its leading bit stands for 2^exponent.
     fn wide(&mut self, exponent: i64) -> Wide {
         Wide::from_limbs(self.bits() & 1 == 1, &self.limbs()).scaled(exponent - 64 * LIMBS as i64 + 1)
     }
 
-    /// Returns a number of few, widely spaced digits.
+    /// Returns a number of few digits that are far apart.
     fn sparse(&mut self, exponent: i64) -> Wide {
         let parts = 1 + self.bits() % 6;
         (0..parts).fold(Wide::zero(), |sum, _| {
@@ -146,7 +146,7 @@ impl Random {
         })
     }
 
-    /// Returns two numbers: far apart, overlapping, nearly opposite, or of few digits.
+    /// Returns two numbers that are far apart, overlapping, nearly opposite, or of few digits.
     fn pair(&mut self) -> [Wide; 2] {
         let exponent = self.within(5000);
         let a = self.wide(exponent);
@@ -164,7 +164,7 @@ impl Random {
                 self.wide(exponent + distance)
             }
             3 => {
-                // −a except for its lowest digits.
+                // The second number is −a except for its lowest digits.
                 let low = self.wide(exponent - 640);
                 low - a
             }

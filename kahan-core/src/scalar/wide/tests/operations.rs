@@ -1,4 +1,4 @@
-//! Errors of the operations, and undefined results.
+//! Tests errors of the operations, and undefined results.
 
 use num_traits::{One, Zero};
 
@@ -8,7 +8,7 @@ use crate::Scalar;
 
 const TRIALS: usize = 2_000;
 
-/// Asserts error ≤ radius ≤ unit of a result of exact operands.
+/// Asserts error ≤ radius ≤ unit, for the result of an operation on exact operands.
 fn assert_close(computed: Wide, exact: &Dyadic, what: &str, operands: [Wide; 2]) {
     let (error, radius) = (Dyadic::of(computed).minus(exact), Dyadic::size(computed.radius()));
     assert!(error.is_within(&radius.scaled_up()), "{what} of {operands:?} is {computed:?}");
@@ -54,7 +54,8 @@ fn both_ways_to_multiply_agree() {
     assert!((TRIALS / 4..TRIALS).contains(&made_in_place), "{made_in_place}");
 }
 
-/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b|, multiplied by |b| and by the denominator of q.
+/// Tests |q − a/b| ≤ 2⁻¹⁰²²·|a/b| for a quotient q. Both sides are multiplied by |b| and by the
+/// denominator of q.
 #[test]
 fn a_quotient_is_within_the_unit() {
     let mut random = Random(3);
@@ -70,7 +71,7 @@ fn a_quotient_is_within_the_unit() {
     }
 }
 
-/// Digits are cut off only in full rows: sums of up to 17 digits at any places are exact.
+/// Digits are cut off only in full rows. Sums of up to 17 digits at any places are exact.
 #[test]
 fn digits_lie_where_they_are_needed() {
     let mut random = Random(4);
@@ -83,14 +84,14 @@ fn digits_lie_where_they_are_needed() {
         assert!(rest.radius().is_zero() && rest == parts[0]);
         let longer = sum + part(20, random.bits());
         let cut = longer.radius();
-        // The lowest digit is cut off; the bound may add one of its units.
+        // The lowest digit is cut off. The bound may add one unit of this digit.
         assert!(Dyadic::of(parts[0]).is_within(&Dyadic::size(cut)));
         assert!(Dyadic::size(cut).is_within(&Dyadic::of(parts[0] + Wide::one().scaled(-64 * 50 + 14))));
     }
     let (one, huge) = (Wide::one(), Wide::one().scaled(100_000));
     let square = (huge + one) * (huge + one) - huge * huge;
     assert!(square == huge + huge + one && square.radius().is_zero());
-    // Digits more than 2¹⁶ places below the leading one are dropped.
+    // Digits more than 2¹⁶ places below the leading digit are dropped.
     let huge = one.scaled(64 << 16);
     assert!(!(huge + one).radius().is_zero() && (huge.scaled(-64) + one).radius().is_zero());
 }
@@ -111,7 +112,7 @@ fn short_fractions_are_exact() {
         assert_eq!(p / q * whole(b * c), whole(-a * d));
         assert_eq!(p.is_better_pivot(&q), a * d > b * c);
     }
-    // Denominators beyond 64 bits are divided out; the radius contains the error.
+    // Denominators beyond 64 bits are divided out. The radius contains the error of this division.
     let large = whole((1 << 61) - 1);
     let (p, q) = (whole(1) / large, whole(1) / whole((1 << 60) + 33));
     for (number, exact) in [(p + q, whole((1 << 61) - 1) + whole((1 << 60) + 33)), (p * q, whole(1))] {
@@ -122,7 +123,7 @@ fn short_fractions_are_exact() {
     }
 }
 
-/// Results for operands at the ends of their radii lie within the radius of the result.
+/// If operands lie at the ends of their radii, their result lies within the radius of the result.
 #[test]
 fn a_radius_holds_whatever_the_operands_stand_for() {
     let mut random = Random(9);

@@ -1,4 +1,5 @@
-//! Magnitudes round by at most 2⁻⁵² in each operation, and become NaN beyond their range.
+//! Tests that magnitudes round by at most 2⁻⁵² in each operation, and become NaN beyond their
+//! range.
 
 use core::cmp::Ordering;
 
@@ -11,7 +12,7 @@ fn dyadic(size: Size) -> Dyadic {
     Dyadic::size(size)
 }
 
-/// Returns whether computed and exact differ by at most 2^−bits of the exact number.
+/// Returns whether `computed` and `exact` differ by at most 2^−bits of the exact number.
 fn is_near(computed: &Dyadic, exact: &Dyadic, bits: i64) -> bool {
     computed.minus(exact).scaled(bits).is_within(exact)
 }
@@ -65,7 +66,7 @@ fn beyond_the_doubles_a_size_goes_on_and_beyond_its_range_nothing_is_known() {
     assert!(tiny * tiny > Size::zero() && huge * huge > huge);
     assert_eq!((f64::from(tiny * tiny), f64::from(huge * huge)), (0.0, f64::INFINITY));
     assert_eq!(f64::from(huge * huge * tiny * tiny).round(), 1.0);
-    // The difference of the exponents exceeds 64 bits.
+    // The exponents differ by more than 64 bits can hold.
     let edge = |exponent| Size::from(1.5).scaled(exponent);
     assert_eq!(edge(i64::MAX - 1) + edge(i64::MIN + 1), edge(i64::MAX - 1));
     let unknown = edge(i64::MAX - 1) * edge(i64::MAX - 1);

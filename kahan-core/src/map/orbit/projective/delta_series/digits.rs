@@ -1,4 +1,4 @@
-//! Wide numbers with a numeric δ far below a float's last digit, for float orbits through poles.
+//! Wide numbers for float orbits through poles, with a numeric δ far below a float's last digit.
 
 use core::array::from_fn;
 
@@ -12,17 +12,19 @@ use crate::scalar::{Size, Wide};
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{DeltaSeries, direction};
 
-/// The exponent of δ relative to the unit; even δ⁴ leaves the digits of a [`Dd`](crate::Dd) intact.
+/// The exponent of δ relative to the size of the point. Even δ⁴ leaves the digits of a
+/// [`Dd`](crate::Dd) intact.
 const DELTA: i32 = -192;
 
-/// The exponent, relative to the unit, above which a coordinate counts as infinite; below the
-/// inverse threshold it counts as 0.
+/// The exponent, relative to the size of the point, above which a coordinate counts as infinite. A
+/// coordinate with an exponent below the negative threshold counts as 0.
 const INFINITE: i64 = 96;
 
-/// The number of bits to which a limit must be known, more than any float of this crate has.
+/// The number of bits to which a limit must be known. No float of this crate has so many bits.
 const KNOWN: i64 = 110;
 
-/// Returns the limit of a coordinate as δ → 0: drops traces of δ far below its leading digits.
+/// Returns the limit of a coordinate as δ → 0. Traces of δ far below the leading digits are
+/// dropped.
 fn without_delta(entry: Wide, size: Size) -> Wide {
     if entry.size() < size.scaled(-INFINITE) {
         return Wide::zero();
@@ -31,11 +33,12 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
     if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
 }
 
-/// The number of bits by which rounding may be amplified on the way back to the first point.
+/// The number of bits by which the way back to the first point may amplify rounding errors.
 const LOST: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The first attempt, for points near a pole, has δ = 0; the others differ in their directions.
+    /// The number of attempts. The first attempt, for points near a pole, has δ = 0; the other
+    /// attempts use different directions.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
@@ -59,7 +62,7 @@ impl<T: PromiseScalar> DeltaSeries<T> for Wide {
         let larger = |best: usize, i: usize| if point[i].size() > point[best].size() { i } else { best };
         let largest = (1..N).fold(0, larger);
         let size = point[largest].size() + unit.size();
-        // Comparisons with NaN are false.
+        // Comparisons with NaN are false, and therefore the condition is negated.
         if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN)) {
             return None;
         }

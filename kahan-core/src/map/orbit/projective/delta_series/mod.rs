@@ -1,8 +1,8 @@
 //! Numbers that depend on a perturbation δ → 0, for orbits through poles.
 //!
 //! In: numbers of a scalar, and the number of the attempt. Out: numbers that depend on δ, and their
-//! limits. Exact scalars use Laurent series in δ ([`series`]). Floats use a numeric δ far below
-//! their last digits, in numbers of 17 × 64 bits ([`digits`]).
+//! limits. Over exact scalars the numbers are Laurent series in δ ([`series`]). Over floats δ is a
+//! number far below the last digits, and numbers have 17 × 64 bits ([`digits`]).
 
 mod digits;
 #[cfg(feature = "exact")]
@@ -19,26 +19,28 @@ use super::point::{ProjectivePoint, first_of_the_largest};
 
 /// A number over the scalar T that may depend on δ.
 pub(super) trait DeltaSeries<T: Scalar>: Scalar {
-    /// The number of attempts; each resolves more than the one before.
+    /// The number of attempts. Each attempt determines more points than the attempt before.
     const EFFORTS: usize;
 
     fn of(number: &T) -> Self;
 
-    /// Returns δ; 0 in an attempt without perturbation.
+    /// Returns δ, which is 0 in an attempt without perturbation.
     fn delta(effort: usize) -> Self;
 
-    /// Returns the magnitude of coordinates near a point, the unit of δ.
+    /// Returns the magnitude of a point's coordinates, to which δ is relative.
     fn unit(point: &[T]) -> Self;
 
-    /// Returns the limit of a point as δ → 0, in these units; `None` if its digits do not suffice.
+    /// Returns the limit of a point as δ → 0, relative to `unit`. Returns `None` if the digits of
+    /// the numbers do not suffice.
     fn limit<const N: usize>(
         point: &SVector<Self, N>,
         unit: &Self,
         effort: usize,
     ) -> Option<ProjectivePoint<T, N>>;
 
-    /// Returns whether the steps map neighbourhoods of the first point to those of `point`
-    /// one-to-one, by the `derivative` of the former by the latter; `None` if digits are too few.
+    /// Returns whether the steps map neighbourhoods of the first point one-to-one to neighbourhoods
+    /// of `point`. The matrix `derivative` is that of the first point by `point`. Returns `None` if
+    /// the numbers have too few digits.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
