@@ -160,7 +160,7 @@ impl Polynomial {
         degree
     }
 
-    /// Returns the degree in the variables that satisfy `belongs`.
+    /// Returns the degree of the polynomial in the variables that satisfy `belongs`.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
         for (monomial, _) in &self.terms {
@@ -169,7 +169,7 @@ impl Polynomial {
         degree
     }
 
-    /// Returns the variables that occur, in order.
+    /// Returns the variables of the polynomial, in order.
     pub fn variables(&self) -> Vec<Variable> {
         let mut variables: Vec<Variable> = Vec::new();
         for (monomial, _) in &self.terms {
@@ -182,7 +182,7 @@ impl Polynomial {
         variables
     }
 
-    /// Returns whether `variable` occurs.
+    /// Returns whether `variable` occurs in the polynomial.
     pub fn contains(&self, variable: Variable) -> bool {
         self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
     }

@@ -10,7 +10,7 @@
 //! Each module uses only earlier ones of the list.
 //!
 //! 1. `step` separates prepared constants from the kernel, and rewrites the kernel.
-//! `writing` turns a polynomial into operations: it nests sums, distributes ε and reuses values.
+//! 2. `writing` turns a polynomial into operations: it nests sums, distributes ε and reuses values.
 //! 3. `accuracy` measures the loss of digits in long steps, and refuses inaccurate forms.
 //! 4. `forms` writes different ways to solve A·x̃ = b.
 //! 5. `choice` chooses the form for one orbit and the form for lanes.

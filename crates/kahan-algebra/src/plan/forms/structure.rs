@@ -80,8 +80,8 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
 fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut components: Vec<Vec<usize>> = Vec::new();
     let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];
-    // These are Tarjan's low-links: for each vertex, the least number known to be reachable within
-    // the component.
+    // Tarjan's low-links: for each vertex, the least number known to be reachable within the
+    // component.
     let mut lowest = vec![0; depends.len()];
     let mut is_open = vec![false; depends.len()];
     let (mut open, mut path, mut count) = (Vec::new(), Vec::new(), 0);

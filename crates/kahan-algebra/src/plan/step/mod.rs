@@ -1,9 +1,9 @@
 //! The plan of a step. Constants are prepared once for ε and the parameters, and a kernel runs at
 //! each state.
 //!
-//! `split` separates prepared constants from the `kernel`.
-//! `signs` and `reciprocals` choose signs in the kernel after multiply-adds were fused.
-//! `recurrence` measures the cycles from a state to the next.
+//! - `split` separates prepared constants from the `kernel`.
+//! - `signs` and `reciprocals` choose signs in the kernel after multiply-adds were fused.
+//! - `recurrence` measures the cycles from a state to the next.
 
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;

@@ -1,9 +1,9 @@
 //! Turns polynomials into operations.
 //!
-//! `scaling` replaces products of ε with parameters and states by new variables.
-//! `nesting` chooses the variable to factor out of terms, `factors` computes a common set of
+//! - `scaling` replaces products of ε with parameters and states by new variables.
+//! - `nesting` chooses the variable to factor out of terms, `factors` computes a common set of
 //!   factors, and `numerators` chooses the order of multiplications.
-//! `writer` writes a polynomial into a `draft` and reuses existing operations. The draft tracks
+//! - `writer` writes a polynomial into a `draft` and reuses existing operations. The draft tracks
 //!   when each value is ready.
 
 pub(in crate::plan) mod factors;
