@@ -2,8 +2,8 @@
 //!
 //! - `structure` finds the blocks of the field, and independent states within them.
 //! - `factored_map` writes the reduced map as products over one set of factors.
-//! - `minors` writes determinants of A, and `blocks` solves A block by block. `products` solves with
-//!   f as written, `inverse` divides by the time step, and `tangent` maps tangent vectors.
+//! - `minors` writes determinants of A, and `blocks` solves A block by block. `products` solves
+//!   with f as written, `inverse` divides by the time step, and `tangent` maps tangent vectors.
 //! - `candidate` prices a finished form, and `candidates` compares forms.
 
 pub(in crate::plan) mod blocks;
