@@ -58,8 +58,8 @@ pub struct Evaluation<V> {
     pub density: Option<Option<V>>,
     /// The unconditional brackets, as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
-    /// The unconditional drifts. Each has a name and the values F(x) and F(x̃), the latter by the
-    /// recurrence.
+    /// The unconditional drifts. Each has a name, the value F(x), and the value F(x̃) computed by
+    /// its recurrence.
     pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 

@@ -130,8 +130,8 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// Inserts values into the written form. Returns `None` if a value is a rational function with
-    /// a denominator, or if a divisor cancels.
+    /// Inserts values into the written form. Returns `None` if a value is not a polynomial, or if a
+    /// divisor cancels.
     fn kept(
         &self,
         kept: &FieldWithSubexpressions,

@@ -2,7 +2,7 @@
 //! quadratic.
 //!
 //! Each row of a table has a text with one mistake, and the text to which its hint leads. Text that
-//! the hint quotes must occur in the latter, up to `…`.
+//! the hint quotes must occur in the second text, up to `…`.
 
 use std::path::Path;
 

@@ -85,8 +85,8 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks that the integral of the map equals that of the flow at ε = 0, and that the latter leads
-/// to the former.
+/// Checks that the integral of the map equals that of the flow at ε = 0, and that the rules derive
+/// the integral of the map from that of the flow.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]

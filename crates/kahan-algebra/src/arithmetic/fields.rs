@@ -104,7 +104,7 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// The range is the one that generated code uses.
+            /// Generated code replaces division by multiplication in the same range.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

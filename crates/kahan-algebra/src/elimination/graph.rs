@@ -22,8 +22,9 @@ pub(super) struct FilledPattern {
 pub(super) struct FilledRow {
     pub(super) columns: Vec<usize>,
     pub(super) diagonal: usize,
-    /// The end of the columns that elimination reads from this row on behalf of rows below. The
-    /// last row read has the later columns too, so rows below inherit them from that row.
+    /// The end of the columns that elimination reads from this row on behalf of rows below. Let q
+    /// be the last column read. Later columns also occur in row q, from which rows below inherit
+    /// them.
     looked_at: Option<usize>,
 }
 

@@ -2,12 +2,11 @@
 //! pivoting.
 //!
 //! A step loses digits if leading terms of its minors cancel, or if a pivot of 1 stands beside
-//! entries of size ‖εf′‖, because it magnifies errors by that factor. Each form of a step is run in
-//! floats of 30 bits, at seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000. It is compared with
-//! elimination with partial pivoting of A d = f, x̃ = x + 2εd in 30 bits; in 53 bits, that
-//! elimination is the reference. To first order, errors are proportional to the unit roundoff u, so
-//! an error of k u in 30 bits predicts one of k u in 53 bits. A form with errors beyond the limits
-//! is refused if another form stays well within them.
+//! entries of size ‖εf′‖ and magnifies errors by that factor. Each form runs in floats of 30 bits,
+//! at seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination of A d = f, x̃ = x + 2εd with
+//! pivoting runs there too; in 53 bits it is the reference. To first order, errors are proportional
+//! to the unit roundoff u: an error of k u in 30 bits predicts k u in 53 bits. A form beyond the
+//! limits is refused if another stays well within.
 
 mod float_plan;
 mod sample_step;

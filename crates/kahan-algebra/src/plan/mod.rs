@@ -13,7 +13,7 @@
 //! 2. `writing` turns a polynomial into operations: it nests sums, distributes ε and reuses values.
 //! 3. `accuracy` measures the loss of digits in long steps, and refuses inaccurate forms.
 //! 4. `forms` writes different ways to solve A·x̃ = b.
-//! 5. `choice` chooses the form for one orbit and the form for lanes.
+//! 5. `choice` chooses a form for one orbit, and a form for many orbits in SIMD lanes.
 //!
 //! Three further modules serve all plans. `subexpressions` substitutes named sums and divisors of
 //! the written form, `dense` writes fields with very many products, and `descriptions` names

@@ -82,9 +82,9 @@ pub(super) fn take_step<A: OverRationals>(
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }
 
-/// The most points that are drawn for one step. A claim may also take this number less one of steps
-/// beyond those that it needs. The bound on the error probability ([`super::sizes`]) grows with the
-/// square of this number.
+/// The most points that are drawn for one step. A claim may also take additional steps, fewer than
+/// this number. The bound on the error probability ([`super::sizes`]) grows with the square of this
+/// number.
 pub(super) const MOST_DRAWS: usize = 16;
 
 /// The random points under given conditions. They are drawn when needed.

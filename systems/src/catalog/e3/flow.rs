@@ -6,7 +6,7 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E3 (Table 5, i = 3). With T = t + α, the point at time t is
+/// A trajectory of E3 (Hone and Petrera, Table 5, i = 3). With T = t + α, the point at time t is
 ///
 ///   x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT.
 #[derive(Clone, Debug, PartialEq)]

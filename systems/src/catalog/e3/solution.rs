@@ -6,7 +6,8 @@ use kahan_core::vector;
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
-/// An orbit of the map of E3 (Theorem 3, i = 3). With T = 2δn + κ, the point after n steps is
+/// An orbit of the map of E3 (Hone and Petrera, Theorem 3, i = 3). With T = 2δn + κ, the point
+/// after n steps is
 ///
 /// * on the inner branch, |εz| < 1: (x, y) = (cos θ, sin θ) sinh δ/(ε cosh T), z = tanh δ tanh T/ε,
 ///   where the integral K̂ is tanh² δ/(2ε²);

@@ -6,8 +6,8 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{OutOfDomain, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// A trajectory of E4 (Table 5, i = 4). With T = t + α, and with sn, cn and dn taken at λT for the
-/// modulus k, the point at time t is
+/// A trajectory of E4 (Hone and Petrera, Table 5, i = 4). With T = t + α, and with sn, cn and dn
+/// taken at λT for the modulus k, the point at time t is
 ///
 ///   x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn,
 ///

@@ -6,8 +6,8 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// An orbit of the map of E4 (Theorem 3, i = 4). With v = 2δn + κ, the modulus k, s = x + y and d =
-/// x − y, the point after n steps is
+/// An orbit of the map of E4 (Hone and Petrera, Theorem 3, i = 4). With v = 2δn + κ, the modulus k,
+/// s = x + y and d = x − y, the point after n steps is
 ///
 /// * on the inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn
 ///   v/ε;

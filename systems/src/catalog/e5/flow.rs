@@ -6,7 +6,8 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E5 (Table 5, i = 5). With T = t + α and the sign s of x, the point at time t is
+/// A trajectory of E5 (Hone and Petrera, Table 5, i = 5). With T = t + α and the sign s of x, the
+/// point at time t is
 ///
 ///   x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
 #[derive(Clone, Debug, PartialEq)]

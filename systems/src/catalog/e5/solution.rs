@@ -6,8 +6,8 @@ use kahan_core::vector;
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
-/// An orbit of the map of E5 (Theorem 3, i = 5). With T = 2δn + κ and a sign s, the point after n
-/// steps and the integrals Ĥ and K̂ are
+/// An orbit of the map of E5 (Hone and Petrera, Theorem 3, i = 5). With T = 2δn + κ and a sign s,
+/// the point after n steps and the integrals Ĥ and K̂ are
 ///
 /// * on the inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε, z = s[μ cosh T +
 ///   (1/ε + μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;

@@ -6,7 +6,7 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E7 (Table 5, i = 7). With T = t + α, the point at time t is
+/// A trajectory of E7 (Hone and Petrera, Table 5, i = 7). With T = t + α, the point at time t is
 ///
 ///   x = 1/T, y = β|T|^(−ξ), z = T(γ − β²|T|^(−2ξ)).
 ///

@@ -19,8 +19,8 @@ fn sigma<T: Real>(xi: &T) -> T {
 }
 
 /// Returns Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of the map of E7
-/// (Section 6.1). It equals y/x for ξ = 1, and 4ε²xy/(1 − ε²x²) for ξ = −1. It is NaN for x = 0,
-/// and zero or infinite at poles of Γ.
+/// (Hone and Petrera, Section 6.1). It equals y/x for ξ = 1, and 4ε²xy/(1 − ε²x²) for ξ = −1. It is
+/// NaN for x = 0, and zero or infinite at poles of Γ.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -68,7 +68,7 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
 }
 
 /// Returns the antisymmetric matrix of the invariant bracket {x_i, x_j} of the map of E7 with the
-/// Casimir function Ĥ₇ (Section 6.1). With u = 1/(2εx), the entries are
+/// Casimir function Ĥ₇ (Hone and Petrera, Section 6.1). With u = 1/(2εx), the entries are
 ///
 ///   {x,y} = 0, {z,x} = x(1 − ε²x²), {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1].
 ///

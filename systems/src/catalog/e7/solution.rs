@@ -6,8 +6,8 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
-/// An orbit of the map of E7 (Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀, g_n =
-/// Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2) and a sum W_n, the point after n steps is
+/// An orbit of the map of E7 (Hone and Petrera, Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀,
+/// g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2) and a sum W_n, the point after n steps is
 ///
 ///   x = 1/(2εN), y = τβ g_n G₀/(2εN),
 ///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).

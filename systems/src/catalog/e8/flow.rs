@@ -7,8 +7,8 @@ use super::E8;
 use crate::solution::{ReciprocalFlow, ReciprocalTrajectory};
 use crate::special::Real;
 
-/// A trajectory of E8 (Table 5, i = 8). With T = t + α, β = y/x + ln|T| and L = β − ln|T|, where α,
-/// β and γ are constants, the point at time t and the integral H are
+/// A trajectory of E8 (Hone and Petrera, Table 5, i = 8). With T = t + α, β = y/x + ln|T| and L = β
+/// − ln|T|, where α, β and γ are constants, the point at time t and the integral H are
 ///
 ///   x = 1/T, y = L/T, z = γT − L²/T, with H = x e^(−y/x) = ±e^(−β).
 ///

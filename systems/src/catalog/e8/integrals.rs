@@ -5,8 +5,8 @@ use kahan_core::nalgebra::SVector;
 use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
-/// Returns Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of the map of E8 (Section 6.2). It
-/// is NaN for x = 0 and at poles of ψ.
+/// Returns Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of the map of E8 (Hone and Petrera,
+/// Section 6.2). It is NaN for x = 0 and at poles of ψ.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
     let level = T::one() / (T::from_int(2) * *eps * point[0]);
     point[1] / point[0] + digamma(&(level + T::half()))

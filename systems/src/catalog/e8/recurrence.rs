@@ -5,8 +5,8 @@ use kahan_core::{Scalar, vector};
 
 use crate::solution::{OutOfDomain, integer, require};
 
-/// An orbit of the map of E8 in the variables Y = y/x and Z = z/x (Section 6). With N = n + τ and x
-/// = 1/(2εN), the recurrences are
+/// An orbit of the map of E8 in the variables Y = y/x and Z = z/x (Hone and Petrera, Section 6).
+/// With N = n + τ and x = 1/(2εN), the recurrences are
 ///
 ///   Y_{n+1} = Y_n − 1/(N + 1/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + Y_n + Y_{n+1} + 2Y_nY_{n+1}.
 #[derive(Clone, Debug, PartialEq)]

@@ -28,8 +28,8 @@ pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     points
 }
 
-/// A trajectory of E9 for x > 0 and y > 0, by a quadrature (Section 6.3 with erratum A8). With c =
-/// H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z², it satisfies
+/// A trajectory of E9 for x > 0 and y > 0, by a quadrature (Hone and Petrera, Section 6.3 with
+/// erratum A8). With c = H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z², it satisfies
 ///
 ///   dt = ∓dx/(x √(r² − x² − c²x^{2ξ})), y = c x^ξ, z = ±√(r² − x² − c²x^{2ξ}).
 ///

@@ -1,4 +1,5 @@
-//! Orbits of the map of E9 for ξ = 0, 1, −1. For other ξ the map is not integrable (Section 7).
+//! Orbits of the map of E9 for ξ = 0, 1, −1. For other ξ the map is not integrable (Hone and
+//! Petrera, Section 7).
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;

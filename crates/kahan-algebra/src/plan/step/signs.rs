@@ -8,7 +8,7 @@
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// The cost of a negated result. A subtraction in a kernel where other sums add has cost 1.
+/// The cost of a negated result. For comparison, a sum that subtracts has cost 1.
 const NEGATION: usize = 4;
 
 const ROUNDS: usize = 4;
