@@ -31,7 +31,7 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
 
-/// The most terms of a formula. This limit and the limit on work are generous for lifted chains.
+/// The most terms of a formula. Lifted chains of equations stay below this limit.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 

@@ -243,8 +243,8 @@ fn what_is_fixed_later_is_put_into_relations() {
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // If a1 and a2 are given, the relation is solved for a5; if three are given, for a6. If all are
-    // given, it is decided.
+    // If a1 and a2 are given, the relation is solved for a5; if three names are given, for a6. If
+    // all four are given, the relation only has to be checked.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));

@@ -216,7 +216,8 @@ impl LeadingCoefficient {
         Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
-    /// Returns a polynomial that every leading coefficient of a factor with this exponent divides.
+    /// Returns a common multiple of the leading coefficients of all factors that have this
+    /// exponent.
     fn multiplier(&self, exponent: u32, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let mut product = Polynomial::constant(self.content.clone());
         for (factor, own) in &self.factors {

@@ -16,23 +16,23 @@ pub enum Operation<I, C, F = Infallible> {
     Input(I),
     /// A constant embedded in the program.
     Constant(C),
-    /// a + b
+    /// The sum a + b.
     Add(Node, Node),
-    /// a − b
+    /// The difference a − b.
     Subtract(Node, Node),
-    /// a · b
+    /// The product a · b.
     Multiply(Node, Node),
-    /// a / b
+    /// The quotient a / b.
     Divide(Node, Node),
-    /// −a
+    /// The negative −a.
     Negate(Node),
-    /// a · b + c, rounded once if the arithmetic can do so
+    /// The value a · b + c, rounded once if the arithmetic can do so.
     MultiplyAdd(Node, Node, Node),
-    /// a · b − c, rounded once if the arithmetic can do so
+    /// The value a · b − c, rounded once if the arithmetic can do so.
     MultiplySubtract(Node, Node, Node),
-    /// a − b · c, rounded once if the arithmetic can do so
+    /// The value a − b · c, rounded once if the arithmetic can do so.
     SubtractProduct(Node, Node, Node),
-    /// f(a, b); if the function f has one argument, b = a
+    /// The result f(a, b). If the function f has one argument, b = a.
     Call(F, Node, Node),
 }
 

@@ -1,9 +1,10 @@
 //! Exact rational numbers, which are the numbers of the language and the coefficients of
 //! polynomials.
 //!
-//! They are made from integers, decimals and floats, and rounded correctly to floats. Numbers are
-//! in lowest terms with positive denominators, so equal numbers have equal representations.
-//! [`Rational::checked_div`] replaces a division operator, so that callers handle division by zero.
+//! Rationals are made from integers, decimals and floats, and are rounded correctly to floats.
+//! Numbers are in lowest terms with positive denominators, so equal numbers have equal
+//! representations. [`Rational::checked_div`] replaces a division operator, so that callers handle
+//! division by zero.
 
 mod arithmetic;
 pub(crate) mod numeral;

@@ -1,5 +1,4 @@
-//! Implements [`Real`] for `f64`. Elementary functions are those of the standard library; Γ and ψ
-//! come from other crates.
+//! `f64` as a [`Real`]: elementary functions of the standard library, Γ and ψ of other crates.
 
 use std::sync::OnceLock;
 

@@ -104,7 +104,8 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// Generated code replaces division by multiplication in the same range.
+            /// Uses the range in which generated code, too, multiplies by reciprocals instead of
+            /// dividing.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

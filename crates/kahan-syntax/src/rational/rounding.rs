@@ -1,7 +1,8 @@
 //! Rounds an exact rational to the nearest float.
 //!
-//! The nearest float is returned, with ties to even. There is only one rounding, also for subnormal
-//! results. Values at least half an ulp beyond the largest float become infinite, as in IEEE 754.
+//! The result is the nearest float, with ties to even. There is only one rounding, also for
+//! subnormal results. Values at least half an ulp beyond the largest float become infinite, as in
+//! IEEE 754.
 
 use num_bigint::BigUint;
 use num_integer::Integer;
