@@ -25,7 +25,7 @@ pub struct Point<V> {
     pub state: Vec<V>,
     /// The parameters, in order.
     pub parameters: Vec<V>,
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: V,
 }
 

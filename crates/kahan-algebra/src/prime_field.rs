@@ -155,8 +155,8 @@ pub fn is_prime_u64(n: u64) -> bool {
     BASES.iter().all(|&base| is_strong_probable_prime(n, base))
 }
 
-/// Write n − 1 = d·2^s with d odd. Returns whether base^d = 1, or base^(d·2^r) = −1 for some r < s,
-/// modulo n.
+/// Returns whether base^d = 1, or base^(d·2^r) = −1 for some r < s, modulo n. The numbers d and s
+/// are those with n − 1 = d·2^s and d odd.
 fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     let twos = (n - 1).trailing_zeros();
     let mut power = pow_mod(base, (n - 1) >> twos, n);

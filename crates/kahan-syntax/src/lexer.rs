@@ -22,8 +22,7 @@ pub struct Lexed {
     pub is_of_others: bool,
 }
 
-/// Splits `text` into tokens. An unknown character becomes a token of kind
-/// [`TokenKind::UnreadableText`].
+/// Splits `text` into tokens. An unknown character becomes [`TokenKind::Unreadable`].
 #[must_use]
 pub fn lex(text: &str) -> Lexed {
     let mut lexer = Lexer { text, at: 0, docs: Vec::new(), out: Lexed::default() };

@@ -57,7 +57,10 @@ impl<T: Real> Modulus<T> {
         (-(T::pi() * complementary.quarter_period() / self.quarter_period())).exp()
     }
 
-    /// Returns the incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ) for any real φ; for k = 1,
+    /// Returns the incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ) for any real φ. For k = 1,
+    /// φ must lie between −π/2 and π/2. Multiples of π are subtracted from φ, then the integral is
+    /// R_F(cos²φ, 1 − k² sin²φ, 1) sin φ with Carlson's R_F. In `f64` the error is at most 6 ulp
+    /// for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50, even near k = 1.
     /// |φ| must be below π/2. Multiples of π are subtracted from φ, then the integral is R_F(cos²φ,
     /// 1 − k² sin²φ, 1) sin φ with Carlson's R_F. In `f64` the error is at most 6 ulp for |φ| ≤ π/2
     /// and 8 ulp for |φ| ≤ 50, even near k = 1.

@@ -86,8 +86,8 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     (T::from_int(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
-/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)). The series is used at x + n, and ψ(x+1) = ψ(x)
-/// + 1/x leads back to x. For x < 1/2, ψ(x) = ψ(1−x) − π cot πx is used.
+/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)). The series is used at x + n, and ψ(x+1) =
+/// ψ(x) + 1/x leads back to x. For x < 1/2, ψ(x) = ψ(1−x) − π cot πx is used.
 pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();

@@ -25,8 +25,8 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 /// Returns the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) for real w and σ.
 ///
 /// If 2σ is an integer up to ±64, R or its reciprocal is a polynomial, which is evaluated.
-/// Otherwise the series is used at a large w, with at most about 12 + 2|σ| factors in `f64` and 40
-/// + 2|σ| in [`Float256`](super::Float256). For w < −|σ| − 1/2, the reflection is used.
+/// Otherwise the series is used at a large w, with at most about 12 + 2|σ| factors in `f64` and
+/// 40 + 2|σ| in [`Float256`](super::Float256). For w < −|σ| − 1/2, the reflection is used.
 ///
 /// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For −20
 /// ≤ w < 0 it is at most 64 ulp away from the poles.
@@ -112,8 +112,8 @@ fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
 }
 
 /// Returns the sum Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) to the precision of T. The Bernoulli
-/// polynomials follow from B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) −
-/// 1) B_k, which is nonzero for even k only.
+/// polynomials follow from B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) =
+/// (2^(1−k) − 1) B_k, which is nonzero for even k only.
 fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T {
     let middle = middle_values::<T>();
     let terms = 1..=T::bernoulli().len() as i64;

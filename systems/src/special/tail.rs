@@ -39,8 +39,8 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
 }
 
 /// Returns Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N +
-/// j + 1/2). Requires N ≥ [`asymptotic_start`]. With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) = h
-/// + Σ B₂ₘ/(2m w^(2m)) − ln w, the term is (D + D² − 1/(4w²))/(2w(w² − 1)).
+/// j + 1/2). Requires N ≥ [`asymptotic_start`]. With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) =
+/// h + Σ B₂ₘ/(2m w^(2m)) − ln w, the term is (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     let even: Vec<T> = core::iter::once(*h)
         .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / T::from_int(2 * m)))

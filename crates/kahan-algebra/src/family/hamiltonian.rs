@@ -1,8 +1,8 @@
 //! Finds the constant antisymmetric matrix K with ẋ = K∇H, as a stencil that also holds in rows
 //! near the ends.
 //!
-//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ − x
-//! = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
+//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ −
+//! x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
 //! 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};

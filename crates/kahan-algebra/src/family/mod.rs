@@ -83,7 +83,7 @@ pub enum Role {
         /// The index among the site parameters.
         index: usize,
     },
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     Epsilon,
 }
 

@@ -1,5 +1,5 @@
-//! Computes the Jacobian f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) = x
-//! + εBx + 2εc.
+//! Computes the Jacobian f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) =
+//! x + εBx + 2εc.
 
 use kahan_syntax::rational::Rational;
 

@@ -144,8 +144,8 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, added in this order. The term with k
-    /// = j counts twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, added in this order. The term with
+    /// k = j counts twice.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {

@@ -6,8 +6,8 @@ use kahan_core::{Scalar, vector};
 use super::E2;
 use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of the map of E2 (Hone and Petrera, Theorem 3, i = 2), exact over big rationals. With N
-/// = n + τ and β = Ĥ = xy/(1 − ε²x²), where β, γ and τ are constants, the point after n steps is
+/// An orbit of the map of E2 (Hone and Petrera, Theorem 3, i = 2), exact over big rationals. With
+/// N = n + τ and β = Ĥ = xy/(1 − ε²x²), where β, γ and τ are constants, the point after n steps is
 ///
 ///   x = 1/(2εN), y = 2βε(N − 1/(4N)), z = ε(2N − 1/(2N))(γ − β²ε²(4N² − 1)).
 pub type Solution<T> = ReciprocalOrbit<E2, T>;

@@ -6,8 +6,8 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor};
 use crate::special::{Real, digamma};
 
-/// An orbit of the map of E8 (Hone and Petrera, Section 6.2, with erratum A3 corrected). With N = n
-/// + τ, β = 2εy₀, γ = 2εz₀, U_n = ψ(N+1/2) − ψ(τ+1/2) and a sum V_n, the point after n steps is
+/// An orbit of the map of E8 (Hone and Petrera, Section 6.2, with erratum A3 corrected). With N =
+/// n + τ, β = 2εy₀, γ = 2εz₀, U_n = ψ(N+1/2) − ψ(τ+1/2) and a sum V_n, the point after n steps is
 ///
 ///   x = 1/(2εN), y = (τβ − U_n)/(2εN),
 ///   z = τ[4n(n+2τ)(β²τ+β+γ) + 4τ²γ − γ]/(2ε(4τ²−1)N) − 4(4N²−1)V_n/(2εN).

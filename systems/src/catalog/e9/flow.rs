@@ -51,8 +51,8 @@ pub struct Elementary<T> {
 
 impl<T: Real> FlowSolution<T> {
     /// Returns the trajectory through `point` at t = 0. Fails unless ξ is 0, 1, −1, 2 or 1/2. Also
-    /// fails in the plane x = 0 for ξ = 0 and 2, in the plane y = 0 for ξ = 1/2, and on the line x
-    /// = y = 0 for ξ = ±1. Points there are fixed, or have trajectories of another form.
+    /// fails in the plane x = 0 for ξ = 0 and 2, in the plane y = 0 for ξ = 1/2, and on the line
+    /// x = y = 0 for ξ = ±1. Points there are fixed, or have trajectories of another form.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let two = T::from_int(2);

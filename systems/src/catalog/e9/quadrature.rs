@@ -85,8 +85,8 @@ impl<T: Real> Quadrature<T> {
     }
 
     /// Returns the time from the turning point with the largest x to this x, on the half with z >
-    /// 0, where x decreases. It is NaN beyond a turning point, and becomes infinite as x → 0 for ξ
-    /// > 0.
+    /// 0, where x decreases. It is NaN beyond a turning point, and becomes infinite as x → 0 for
+    /// ξ > 0.
     ///
     /// With x = x_max e^(−s²) the integrand is analytic, and `exp_m1` keeps the digits of z² near
     /// the turning point. Near a fixed point for ξ < 0, z² is small on the whole trajectory. The

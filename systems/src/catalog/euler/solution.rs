@@ -1,5 +1,5 @@
-//! Orbits and trajectories of the Euler top, derived from those of E4. In the coordinates (x − y, x
-//! + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of
+//! Orbits and trajectories of the Euler top, derived from those of E4. In the coordinates (x − y,
+//! x + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of
 //! variables. Permuting and scaling the axes therefore maps solutions of one top to solutions of
 //! another.
 
@@ -10,9 +10,9 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
 /// The linear change of variables from an Euler top to E4, which permutes and scales the axes. With
-/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cⱼcₖ/cᵢ = rᵢ. Then cᵢ²
-/// = rⱼrₖ, which is positive if all rᵢ have one sign. The permutation moves the axis whose α has
-/// another sign than the others to the third place.
+/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cⱼcₖ/cᵢ = rᵢ. Then
+/// cᵢ² = rⱼrₖ, which is positive if all rᵢ have one sign. The permutation moves the axis whose α
+/// has another sign than the others to the third place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
     /// The axes of the top that become the first, second and third coordinate of E4.
