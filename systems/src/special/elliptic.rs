@@ -61,9 +61,6 @@ impl<T: Real> Modulus<T> {
     /// φ must lie between −π/2 and π/2. Multiples of π are subtracted from φ, then the integral is
     /// R_F(cos²φ, 1 − k² sin²φ, 1) sin φ with Carlson's R_F. In `f64` the error is at most 6 ulp
     /// for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50, even near k = 1.
-    /// |φ| must be below π/2. Multiples of π are subtracted from φ, then the integral is R_F(cos²φ,
-    /// 1 − k² sin²φ, 1) sin φ with Carlson's R_F. In `f64` the error is at most 6 ulp for |φ| ≤ π/2
-    /// and 8 ulp for |φ| ≤ 50, even near k = 1.
     fn incomplete(&self, phi: &T) -> T {
         let half_turns = (*phi / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();

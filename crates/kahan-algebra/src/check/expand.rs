@@ -3,8 +3,8 @@
 //!
 //! Limits on sizes keep compile times bounded. The caller checks the degree of the result.
 //!
-//! The [written form](crate::kept) is stored beside p/q, except in two cases: if a name or the
-//! highest degree of a sum cancels, or if the divisor of a quotient cancels.
+//! The [written form](crate::subexpressions) is stored beside p/q, except in two cases: if a name
+//! or the highest degree of a sum cancels, or if the divisor of a quotient cancels.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;

@@ -1,5 +1,5 @@
-//! Substitutes the [named subexpressions](crate::kept) of a field into plans, so that the plans
-//! depend only on states and parameters. A plan computes each subexpression once.
+//! Substitutes the [named subexpressions](crate::subexpressions) of a field into plans, so that the
+//! plans depend only on states and parameters. A plan computes each subexpression once.
 
 use kahan_syntax::rational::Rational;
 

@@ -33,7 +33,6 @@ impl Rational {
 
     /// Returns the power, where 0⁰ is 1; `None` if the power is undefined. The bit length of the
     /// result is about that of the number multiplied by the absolute value of the exponent.
-    /// |exponent| times as many bits as the number.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
