@@ -1,6 +1,6 @@
-//! Entries of the catalog: names, the block as text, the closed solution of the flow, and the
-//! sources of the claims. The text is cut out of the system's source file, so it equals the text
-//! that the macro compiles. Nothing is parsed here except the limits of the block.
+//! Entries of the catalog. An entry has names, the block as text, the closed solution of the flow,
+//! and the sources of the claims. The text is cut out of the system's source file, so it equals the
+//! text that the macro compiles. Nothing is parsed here except the limits of the block.
 
 use std::ops::Range;
 
@@ -30,20 +30,21 @@ pub struct Entry {
     pub title: &'static str,
     /// The contents of the source file that contains the block.
     pub(crate) file: &'static str,
-    /// A value for each parameter, as numerator and denominator, used by tests. The values have the
-    /// size usual in the literature and are dyadic, so that floats represent them exactly.
+    /// For each parameter the numerator and denominator of a value that tests use. The values have
+    /// the size that is usual in the literature. Their denominators are powers of two, so floats
+    /// represent them exactly.
     pub parameters: &'static [(i64, i64)],
     /// The closed solution of the flow, if known.
     pub flow: Option<ClosedFlow>,
-    /// The source of each claim by name: a place in the paper, or `FOUND`.
+    /// For each claim its name and its source, which is a place in the paper or `FOUND`.
     pub sources: &'static [(&'static str, &'static str)],
 }
 
-/// The source of claims that were found from the equations.
+/// The source of claims that `kahan discover` found from the equations.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
-/// Makes the entry of an integrable system E1 to E6, whose claims fill a row of the paper's tables.
-/// The last argument is a remark on the tensor Q.
+/// Makes the entry of one of the integrable systems E1 to E6, whose claims fill a row of the
+/// paper's tables. The last argument is a remark about the tensor Q.
 macro_rules! row_of_the_tables {
     ($i:literal, $title:literal $(, $remark:literal)?) => {
         Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))
@@ -60,7 +61,8 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// Makes an entry without parameters, closed solution and claims; its name is that of its type.
+    /// Makes an entry without parameters, closed solution and claims. Its usual name is that of its
+    /// type.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,
@@ -86,7 +88,7 @@ impl Entry {
         Entry { sources, ..self }
     }
 
-    /// Returns the block in the language of `kahan!`, without `kahan! {` and its closing brace.
+    /// Returns the block in the language of `kahan!`, without `kahan! {` and the closing brace.
     #[must_use]
     pub fn text(&self) -> &'static str {
         block_range(self.file).map_or("", |range| &self.file[range])
@@ -99,8 +101,9 @@ impl Entry {
     }
 }
 
-/// Returns the byte range of the first block in a Rust source file: between `kahan! {` at the
-/// beginning of a line and the matching brace. `None` without a complete block.
+/// Returns the byte range of the first block in a Rust source file. The block begins after
+/// `kahan! {` at the beginning of a line, and ends before the matching brace. Returns `None` if
+/// there is no complete block.
 #[must_use]
 pub fn block_range(file: &str) -> Option<Range<usize>> {
     const OPENING: &str = "kahan! {";

@@ -1,9 +1,10 @@
 //! A catalog of quadratic fields with the structures that their Kahan maps preserve: the Euler top,
-//! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each file holds a field as a
-//! `kahan!` block with its claims, which the macro proves; ε, half the time step, is written `eps`.
-//! The crate exports the macro's types, closed solutions, and an [`Entry`](entry::Entry) for each
-//! system in [`registry`], which explains how to add one. [`lattices`] are systems with any number
-//! of sites. The crate must not know the `kahan` command or the claims of the paper.
+//! Lotka–Volterra, E1 to E9 of Hone and Petrera, and further systems. Each file has a `kahan!`
+//! block with a field and its claims, which the macro proves. In blocks, ε (half the time step) is
+//! written `eps`. The crate exports the types that the macro makes, closed solutions, and an
+//! [`Entry`](entry::Entry) for each system. [`registry`] lists the systems and explains how to add
+//! one; [`lattices`] has systems with any number of sites. The crate must know neither the `kahan`
+//! command nor the claims of the paper.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -15,7 +16,8 @@ pub mod solution;
 pub mod special;
 
 pub mod catalog {
-    //! The systems: one module each, with its type, entry and closed solutions.
+    //! The systems of the catalog. Each module has the type, the entry and the closed solutions of
+    //! one system.
 
     macro_rules! modules {
         ($($group:ident {

@@ -1,22 +1,22 @@
-//! The catalog by name.
+//! Finds the systems of the catalog by name.
 //!
 //! # Adding a system
 //!
-//! 1. Write a file in `systems/src/catalog/`, say `toda.rs`: the `kahan!` block, and below it an
-//!    [`Entry`] called `ENTRY`. `weierstrass.rs` is a short example.
-//! 2. Add a line to [`with_catalog!`](crate::with_catalog): `toda::Toda { a } in 4;` for four
-//!    variables.
+//! 1. Write a file in `systems/src/catalog/`, for example `toda.rs`, with the `kahan!` block and,
+//!    below it, an [`Entry`] with the name `ENTRY`. `weierstrass.rs` is a short example.
+//! 2. Add a line to [`with_catalog!`](crate::with_catalog), for example `toda::Toda { a } in 4;`
+//!    for a system with four variables.
 //!
 //! The command, the atlas, the completions and the tests read the registry. A macro declares the
-//! modules, so `cargo fmt` skips them: `rustfmt systems/src/catalog/*.rs` formats them, and
-//! `.ci/run` checks that.
+//! modules, so `cargo fmt` skips their files. The command `rustfmt systems/src/catalog/*.rs`
+//! formats them, and `.ci/run` checks that they are formatted.
 
 use crate::catalog::*;
 use crate::entry::Entry;
 
-/// Calls a macro with the catalog: `paper { … } further { … }`, one line for each system in order
-/// of display. A line holds the module, the type with its parameters, if any, and the number of
-/// variables. `paper` are the systems of Hone and Petrera.
+/// Calls a macro with the catalog: `paper { … } further { … }`. Each system has one line, in order
+/// of display. A line has the module, the type with its parameters, if any, and the number of
+/// variables. The systems in `paper` are those of Hone and Petrera.
 ///
 /// ```
 /// use kahan_systems::with_catalog;
@@ -69,19 +69,19 @@ macro_rules! entries {
         /// The systems of the paper, in order of display.
         pub static SYSTEMS: &[Entry] = &[$($paper::ENTRY),*];
 
-        /// Further systems; `kahan discover` found their claims.
+        /// The other systems, in order of display. `kahan discover` found their claims.
         pub static FURTHER: &[Entry] = &[$($further::ENTRY),*];
     };
 }
 
 with_catalog!(entries);
 
-/// Returns all systems: those of the paper, then the others.
+/// Returns all systems: first those of the paper, then the others.
 pub fn all() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain(FURTHER)
 }
 
-/// Finds a system by command name or type name, ignoring case.
+/// Finds a system by its command name or its type name. Case is ignored.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))

@@ -1,4 +1,5 @@
-//! Quadratic fields ẋ = Q(x, x) + Bx + c built from coefficients, and the coefficients of a field.
+//! Builds quadratic fields ẋ = Q(x, x) + Bx + c from coefficients, and returns the coefficients of
+//! a field.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,19 +14,20 @@ use crate::system::System;
 pub struct Coefficient {
     /// The index of the component.
     pub component: usize,
-    /// The indices of the states in the monomial: none for an entry of c, one for B, two for Q.
+    /// The indices of the states in the monomial. An entry of c has none, one of B has one, and one
+    /// of Q has two.
     pub states: [Option<usize>; 2],
-    /// The index of the parameter in the monomial.
+    /// The index of the parameter in the monomial, if there is one.
     pub parameter: Option<usize>,
     /// The value of the coefficient.
     pub value: Rational,
 }
 
 impl System {
-    /// Returns the system without claims whose components are the sums of these terms.
+    /// Returns the system whose components are sums of these terms. The system has no claims.
     ///
     /// # Panics
-    /// If a component, a state or a parameter has an index beyond those of the symbols.
+    /// If an index of a component, a state or a parameter exceeds those of the symbols.
     #[must_use]
     pub fn of_coefficients(symbols: Symbols, coefficients: impl IntoIterator<Item = Coefficient>) -> System {
         let mut terms = vec![Vec::new(); symbols.dimension()];
@@ -43,7 +45,8 @@ impl System {
         System::of(field, kept)
     }
 
-    /// Returns the coefficients by component; `None` for divisors, ε, or products of parameters.
+    /// Returns the coefficients, ordered by component. Returns `None` if the field contains a
+    /// divisor, ε, or a product of parameters.
     #[must_use]
     pub fn coefficients(&self) -> Option<Vec<Coefficient>> {
         let symbols = &self.field.symbols;

@@ -1,5 +1,5 @@
-//! Evaluates every object of Kahan's method at a point, at run time and in any arithmetic. Exact
-//! arithmetic returns `None` for undefined values.
+//! Evaluates every object of Kahan's method at a point, at run time and in any arithmetic. In exact
+//! arithmetic, an undefined value is `None`.
 
 mod map;
 
@@ -12,7 +12,7 @@ use crate::poly::Variable;
 use crate::symbols::Symbol;
 use crate::system::{System, upper_index};
 
-/// A system prepared for evaluation.
+/// A system that is prepared for evaluation.
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     derived: Derived,
@@ -25,48 +25,50 @@ pub struct Point<V> {
     pub state: Vec<V>,
     /// The parameters, in order.
     pub parameters: Vec<V>,
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: V,
 }
 
-/// A bracket's name and its n×n matrix, if defined.
+/// The name of a bracket and its n×n matrix; `None` if the matrix is undefined.
 pub type NamedTensor<V> = (String, Option<Vec<Vec<V>>>);
 
-/// All objects at a point. `None` marks undefined values.
+/// All objects of Kahan's method at a point. Undefined values are `None`.
 #[derive(Clone, Debug)]
 pub struct Evaluation<V> {
-    /// f(x)
+    /// The field f(x).
     pub field: Vec<V>,
-    /// f′(x), row by row.
+    /// The Jacobian f′(x), row by row.
     pub field_jacobian: Vec<Vec<V>>,
-    /// A(x,ε)
+    /// The matrix A(x,ε).
     pub matrix: Vec<Vec<V>>,
-    /// b(x,ε)
+    /// The right-hand side b(x,ε).
     pub rhs: Vec<V>,
-    /// det A(x,ε)
+    /// The determinant det A(x,ε).
     pub det_matrix: V,
-    /// x̃ of the reduced map.
+    /// The image x̃ under the reduced map.
     pub next: Option<Vec<V>>,
-    /// ∂x̃/∂x of the reduced map.
+    /// The Jacobian ∂x̃/∂x of the reduced map.
     pub jacobian: Option<Vec<Vec<V>>>,
-    /// det ∂x̃/∂x
+    /// The determinant of the Jacobian ∂x̃/∂x.
     pub det_jacobian: Option<V>,
-    /// The unconditional integrals.
+    /// The unconditional integrals, each with its name and value.
     pub integrals: Vec<(String, Option<V>)>,
-    /// The unconditional density; the outer `None` if none is declared.
+    /// The value of the unconditional density. The outer option is `None` if no density is
+    /// declared.
     pub density: Option<Option<V>>,
-    /// The unconditional brackets as n×n matrices.
+    /// The unconditional brackets, as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
-    /// The unconditional drifts: F(x), and F(x̃) by the recurrence.
+    /// The unconditional drifts. Each has a name, the value F(x), and the value F(x̃) computed by
+    /// its recurrence.
     pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 
-/// The error of a parameter value at which the field divides by zero.
+/// The error that the field divides by zero at the given parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndefinedField;
 
 impl Interpreter {
-    /// Derives the plans once.
+    /// Derives the plans of a system once, for evaluation at many points.
     #[must_use]
     pub fn new(system: &System) -> Self {
         Interpreter { derived: derive(system) }
@@ -79,7 +81,7 @@ impl Interpreter {
     /// Evaluates all objects at one point.
     ///
     /// # Errors
-    /// If a parameter makes the field divide by zero.
+    /// If the field divides by zero at the given parameters.
     pub fn evaluate<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -91,7 +93,7 @@ impl Interpreter {
         }
     }
 
-    /// Returns Q(x, y).
+    /// Returns the bilinear form Q(x, y).
     pub fn bilinear<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -101,7 +103,7 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().bilinear(), y)
     }
 
-    /// Returns Q(x,y) + ½B(x+y) + c.
+    /// Returns the polarised field Q(x,y) + ½B(x+y) + c.
     pub fn polarized<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -111,13 +113,13 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().polarized(), y)
     }
 
-    /// Returns x̃ of the reduced map; `None` at a pole, also for floats.
+    /// Returns the image x̃ under the reduced map; `None` at a pole, even in float arithmetic.
     pub fn next<A: OverRationals>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
         self.at(arithmetic, point).next()
     }
 
-    /// Returns ∂x̃/∂x at x̃ = `next`: the derivative of the reduced map by dual numbers, or else
-    /// A(x,ε)⁻¹A(x̃,−ε).
+    /// Returns the Jacobian ∂x̃/∂x at x̃ = `next`. The reduced map is differentiated by dual
+    /// numbers; without a reduced map, the result is A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -196,7 +198,7 @@ impl<A: OverRationals> Evaluator<'_, A> {
         }
     }
 
-    /// Returns the antisymmetric matrix with these entries above its diagonal.
+    /// Returns the antisymmetric matrix whose entries above the diagonal are `upper`, row by row.
     fn full(&self, upper: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
         let n = self.point.state.len();
         let zero = self.arithmetic.constant(&Rational::zero())?;

@@ -1,16 +1,17 @@
-//! The exact front end of Kahan's method.
+//! The exact part of the implementation of Kahan's method: from the text of a field to plans of its
+//! map.
 //!
-//! [`read`] takes tokens of the language of `kahan!` and returns a checked quadratic vector field
-//! with a verdict on every claim about its map. [`derive()`] returns every plan that evaluates the
-//! map. [`check`] makes a [`system`] or a [`family`] of the syntax tree, [`prove`] decides the
-//! claims, [`derived`] makes the [`plan`]s.
+//! [`read`] takes tokens of the language of `kahan!`. It returns a checked quadratic vector field
+//! with a verdict on every claim about the field's map. [`check`] makes a [`system`] or a
+//! [`family`] from the syntax tree, and [`prove`] decides the claims. [`derive()`] returns every
+//! [`plan`] that evaluates the map; its code is in [`derived`].
 //!
-//! The crate must not know any target language, nor the scalars of `kahan-core`: the macro, maps at
-//! run time and the command share one [`Derived`].
+//! The macro, maps at run time and the command share one [`Derived`]. The crate must therefore know
+//! neither a target language nor the scalars of `kahan-core`.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Each module uses only modules above it; a test checks this.
+// Each module uses only modules above it. A test checks this.
 pub mod prime_field;
 
 pub mod poly;
@@ -56,7 +57,8 @@ pub mod prove;
 pub mod check;
 
 pub use derived::{Derived, derive};
-/// Modules of `kahan-syntax`, so that users of this crate need no second dependency.
+/// The modules of `kahan-syntax` are exported here, so that users of this crate need no second
+/// dependency.
 pub use kahan_syntax::{diagnostics, lenient, lexer, parse, rational, syntax, table, token};
 
 use check::{Broken, Checked};
@@ -81,8 +83,8 @@ pub fn read_unproved(tokens: &[Token]) -> Checked {
     checked(block, None, diagnostics)
 }
 
-/// Parses and checks a text in the lenient notation without proving its claims. Frees the tokens,
-/// which take several times the memory of the text, before the check.
+/// Parses and checks a text in the lenient notation without proving its claims. The tokens, which
+/// take several times the memory of the text, are freed before the check.
 #[must_use]
 pub fn read_unproved_text(text: &str) -> Checked {
     let mut diagnostics = Diagnostics::default();
@@ -96,7 +98,7 @@ pub fn check_unproved(block: Block) -> Checked {
     checked(block, None, Diagnostics::default())
 }
 
-/// Checks a block; proves its claims if the tokens are given.
+/// Checks a block. Its claims are proved only if the tokens are given.
 fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
     let (stand_in, checked) = match &block.family {
         Some(head) => {
@@ -108,7 +110,8 @@ fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics)
         }
         None => {
             let (stand_in, system) = check::check_system(block, &mut diagnostics);
-            // A wrong field makes every claim wrong, so report only the mistakes of the field.
+            // If the field is wrong, every claim may be wrong. Only the mistakes of the field are
+            // then reported.
             if let (Some(system), Some(tokens)) = (&system, tokens) {
                 prove::check_claims(system, seed(tokens), &mut diagnostics);
             }
@@ -125,8 +128,9 @@ fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics)
     }
 }
 
-/// Returns the seed of the prover's points: a cryptographic hash of the block's text. Builds are
-/// reproducible, and no claim can be constructed to hold only at its test points.
+/// Returns the seed of the prover's random points, which is a cryptographic hash of the block's
+/// text. Builds are therefore reproducible, and nobody can construct a claim that holds only at the
+/// points of its test.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();

@@ -1,10 +1,12 @@
-//! Integrals of Kahan's map that follow from integrals of the flow by linear algebra over rational
-//! functions of the parameters. Absent: orbits, primes and searches (`kahan-discover`).
+//! Derives integrals of Kahan's map from integrals of the flow, by linear algebra over rational
+//! functions of the parameters. Methods that use orbits, primes or searches are in
+//! `kahan-discover`.
 //!
 //! # Theorems
 //!
-//! Let x̃ be the image of x and f(x,x̃) the polarised field: x̃ − x = 2ε f(x,x̃). A *form* is an
-//! affine function of x. Two theorems hold in any dimension; [`Rule`] states special cases.
+//! Let x̃ be the image of x and f(x,x̃) the polarised field, so that x̃ − x = 2ε f(x,x̃). A *form*
+//! is an affine function of x. The following two theorems hold in any dimension; [`Rule`] states
+//! special cases.
 //!
 //! **Polarisation.** Let I = a·x + xᵀCx with dI/dt = 0 and Cf affine. Then I − ε² fᵀCf is an
 //! integral. Proof: write I = a·x + yᵀCy with forms y whose derivatives ℓ are affine. Polarise
@@ -29,56 +31,64 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
 
-/// Limits on the terms of a formula and on the work for each theorem, generous for lifted chains.
+/// The most terms of a formula. Lifted chains of equations stay below this limit.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The theorem that yields an integral.
+/// The theorem from which an integral follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// I = a·x + xᵀCx with Cf affine yields I − ε² fᵀCf.
+    /// If I = a·x + xᵀCx is an integral of the flow ẋ = f and Cf is affine, then I − ε² fᵀCf is an
+    /// integral of the map.
     ///
-    /// For linear I this is I; for linear f, I itself is an integral. *Relations*: w = x² and ẋ = y
-    /// yield w − x² + ε²y² for any ẏ. *Energy*: ẋ = p, ṗ = −F and Ẇ = F·p, for a potential W with
-    /// gradient F, yield |p|²/2 + W − ε²|F|²/2 for any equations of F.
+    /// If I is linear, the integral of the map is I. If f is linear, I itself is an integral of the
+    /// map.
+    ///
+    /// *Relations*: if w = x² and ẋ = y, then w − x² + ε²y² is an integral of the map, whatever ẏ
+    /// is. *Energy*: if ẋ = p, ṗ = −F and Ẇ = F·p for a potential W with gradient F, then |p|²/2 +
+    /// W − ε²|F|²/2 is one, whatever the equations of F are.
     Polarisation,
-    /// ẏ = m N y with N² = −δ, δ > 0, yields yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is (βs² +
-    /// αc²)/(1 + ε²αβm²) for any ṁ; if m is constant along orbits, I itself.
+    /// If ẏ = m N y with a form m and N² = −δ, δ > 0, then yᵀQy/(1 + ε²δm²) is an integral of the
+    /// map. Here yᵀQy is an integral of the flow. For ṡ = αcm and ċ = −βsm, the integral is (βs² +
+    /// αc²)/(1 + ε²αβm²), whatever ṁ is. If m is constant along orbits, yᵀQy itself is an integral.
     Rotation,
-    /// Like [`Rotation`](Rule::Rotation) with δ < 0: ṡ = κsm, ẇ = −κwm yield sw/(1 − ε²κ²m²). The
-    /// sign of a δ with parameters is that of its leading coefficient.
+    /// Like [`Rotation`](Rule::Rotation), but with δ < 0. For ṡ = κsm and ẇ = −κwm, the integral is
+    /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient counts.
     Hyperbolic,
 }
 
 /// A quadratic or linear integral of the flow, and the corresponding integral of Kahan's map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModifiedIntegral {
-    /// The theorem that yields it.
+    /// The theorem from which the integral of the map follows.
     pub rule: Rule,
     /// The integral I of the flow, of degree at most 2 in the states.
     pub of_flow: Polynomial,
-    /// The integral of the map, in states, parameters and ε; it is I at ε = 0.
+    /// The integral of the map, in states, parameters and ε. At ε = 0 it equals the integral of the
+    /// flow.
     pub of_map: RationalFunction,
 }
 
-/// Returns all integrals that the two theorems yield: a basis of the linear ones, then of those by
-/// polarisation modulo products of linear ones, then those by rotation for each m. They are
-/// linearly independent, and usually functionally.
+/// Returns all integrals that polarisation and rotation yield. First comes a basis of the linear
+/// integrals, then one of those by polarisation, modulo products of linear integrals. The integrals
+/// by rotation follow for each form m. All of them are linearly independent, and usually also
+/// functionally independent.
 ///
-/// Integrals beyond a bounded amount of work are omitted.
+/// The amount of work is bounded; integrals that would take more are omitted.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
     let mut found = Vec::new();
-    // Integrals found before the budget is spent are valid.
+    // If the budget is spent, the integrals found before are still valid.
     let _ = flow.add_polarised(&mut found, &mut budget());
     let _ = flow.add_rotations(&mut found, &mut budget());
     found
 }
 
-/// Returns the integral of Kahan's map that corresponds to an integral of the flow of degree at
-/// most 2; `None` if neither theorem applies, or beyond a bounded amount of work. The rotation rule
-/// may change the constant term, multiplied by a state-independent denominator.
+/// Returns the integral of Kahan's map that corresponds to `integral`, an integral of the flow of
+/// degree at most 2. Returns `None` if neither theorem applies, or if the work would exceed a
+/// bound. The rotation rule may change the constant term, multiplied by a denominator without
+/// states.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -86,11 +96,11 @@ pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<Modifie
 }
 
 /// Returns a basis of the linear integrals Σ cₖ xₖ with numeric coefficients, each as pairs (k,
-/// cₖ). They hold for all parameters and ε, for the flow and the map. Empty beyond a bounded amount
-/// of work.
+/// cₖ). They are integrals of the flow and of the map, for all parameters and ε. The list is empty
+/// if the work would exceed a bound.
 ///
-/// The basis is in reduced echelon form from the end of `order`, a permutation of the states: the
-/// last variable of each relation occurs in no other one.
+/// `order` must be a permutation of the states. The basis is in reduced echelon form, counted from
+/// the end of `order`: the last variable of each integral occurs in no other one.
 ///
 /// # Panics
 /// If `order` contains an index that is not a state.
@@ -109,7 +119,7 @@ fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The reason for no integral: a premise fails, or the budget is spent.
+/// The error that there is no integral, because a premise fails or the budget is spent.
 #[derive(Clone, Copy, Debug)]
 struct NoIntegral;
 
@@ -119,17 +129,18 @@ impl From<OverBudget> for NoIntegral {
     }
 }
 
-/// A form λ with λ′, or with λ′/m, where λ′ is its derivative along the field.
+/// A form λ together with its derivative λ′ along the field, or with λ′/m for a form m.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product of two linear integrals, and a pair of states whose product occurs in it.
+/// A product of two linear integrals. `pair` are two states whose product occurs in it.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
     pair: [Variable; 2],
 }
 
-/// ẋ = F(x)/q with polynomials in states and parameters, q free of states.
+/// The flow of ẋ = F(x)/q. The components F are polynomials in states and parameters; the divisor q
+/// contains no states.
 struct Flow<'a> {
     symbols: &'a Symbols,
     components: Vec<Polynomial>,
@@ -146,7 +157,7 @@ impl<'a> Flow<'a> {
         Polynomial::variable(self.symbols.state(i))
     }
 
-    /// Returns Σ ∂P/∂xᵢ vᵢ.
+    /// Returns the derivative Σ ∂P/∂xᵢ vᵢ of a polynomial P in the direction v.
     fn directional_derivative(
         &self,
         polynomial: &Polynomial,
@@ -173,7 +184,7 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        // Linear integrals come first in a basis of the forms with affine derivatives.
+        // Linear integrals come first in the basis of the forms whose derivatives are affine.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
         let mut forms = Vec::new();
@@ -188,8 +199,8 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // Reduce modulo products: subtracting a multiple of (x + y)² may turn the energy into a
-            // sum of squares.
+            // Reduce the integral modulo products: subtracting a multiple of (x + y)² may turn the
+            // energy into a sum of squares.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -200,9 +211,9 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the products of linear integrals, those of two different ones first. Each pair of
-    /// states occurs in no later product, since the last state of a linear integral occurs in no
-    /// other one.
+    /// Returns the products of linear integrals. Products of two different integrals come first.
+    /// The pair of states of a product occurs in no later product, because the last state of a
+    /// linear integral occurs in no other one.
     fn products(
         &self,
         relations: &[Relation],
@@ -215,7 +226,7 @@ impl<'a> Flow<'a> {
                 let is_square = i == j;
                 let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
                 let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
-                // Products that are squares of one state were removed before.
+                // Products that are squares of a single state were removed before.
                 if pair[0] != pair[1] {
                     let value = forms[i].0.mul_within(&forms[j].0, budget)?;
                     if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
@@ -225,14 +236,15 @@ impl<'a> Flow<'a> {
         Ok([of_two, squares].concat())
     }
 
-    /// Adds the integrals by rotation, ẏ = m N y, for each m.
+    /// Adds the integrals by rotation, where ẏ = m N y, for each form m.
     fn add_rotations(
         &self,
         found: &mut Vec<ModifiedIntegral>,
         budget: &mut Budget,
     ) -> Result<(), NoIntegral> {
         for multiplier in self.multipliers(budget)? {
-            // The candidates for y: variables with ẋ = m n, n affine in these variables.
+            // The candidates for y are variables with ẋ = m n, where n is affine in these
+            // variables.
             let mut slopes = Vec::with_capacity(self.components.len());
             for component in &self.components {
                 let slope = component.div_within(&multiplier, budget)?;
@@ -255,7 +267,7 @@ impl<'a> Flow<'a> {
                 second.push(twice);
             }
             for delta in deltas {
-                // Forms λ with λN² = −δλ.
+                // Collect forms λ with λN² = −δλ.
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
@@ -273,8 +285,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ in `further`, given
-    /// with their derivatives. Omits products of the first `constant` forms.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ in `further`. Both
+    /// are given with their derivatives. Products of the first `constant` forms are omitted.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -301,8 +313,9 @@ impl<'a> Flow<'a> {
         Ok(integrals)
     }
 
-    /// Returns the forms m that divide at least two components and may rotate a pair of variables:
-    /// either variable occurs in the other's quotient, or each occurs in its own.
+    /// Returns the forms m that divide at least two components and may rotate a pair of variables.
+    /// Let n be the quotient of a component by m. Either each variable of the pair occurs in the
+    /// quotient n of the other, or each occurs in its own.
     fn multipliers(&self, budget: &mut Budget) -> WithinBudget<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -325,7 +338,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes variables whose n depends on a removed variable, repeatedly.
+    /// Removes variables whose quotient n depends on a removed variable, until none is left.
     fn close(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -341,15 +354,15 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// Returns I − ε² fᵀCf.
+    /// Returns the integral I − ε² fᵀCf by polarisation, where I is the integral of the flow.
     fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
-        // For a linear field the map is the midpoint rule, which preserves I.
+        // If the field is linear, the map is the midpoint rule, which preserves I.
         if self.components.iter().all(|component| self.symbols.degree(component) < 2) {
             let of_map = integral.clone().into();
             return Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map });
         }
-        // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, where (2Cf)ᵢ is the derivative of ∂I/∂xᵢ.
+        // Use 2fᵀCf = Σ fᵢ (2Cf)ᵢ, where (2Cf)ᵢ is the derivative of ∂I/∂xᵢ along the field.
         let mut twice = Polynomial::zero();
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
             let second = self.directional_derivative(&slope, &self.components, budget)?;
@@ -367,12 +380,13 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
     }
 
-    /// Returns I/(1 + ε²δm²), from the forms y = 2Qx: ẏ = m u, u̇ = −δ m y.
+    /// Returns the integral I/(1 + ε²δm²) by rotation. The forms y = 2Qx of the integral I satisfy
+    /// ẏ = m u and u̇ = −δ m y.
     fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // The first form represents the constant 1 in I, a quadratic form of (1, x).
+        // Regard I as a quadratic form of (1, x). The first form belongs to the constant 1.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -399,7 +413,7 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // u̇/m + δy, which is 0 except for the constant term of I.
+        // The sums u̇/m + δy are zero, except for the one that belongs to the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;
@@ -414,7 +428,7 @@ impl<'a> Flow<'a> {
         let of_flow = centred.numerator().clone();
         let (_, leading) = above.leading_term().expect("δ is not 0");
         let rule = if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation };
-        // If m is an integral, so is 1 + ε²δm².
+        // If m is an integral, then 1 + ε²δm² is one too, and need not be divided by.
         if self.directional_derivative(&multiplier, &self.components, budget)?.is_zero() {
             return Ok(ModifiedIntegral { rule, of_map: of_flow.clone().into(), of_flow });
         }
@@ -428,7 +442,8 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule, of_flow, of_map: of_map.expect("1 + ε²δm² is not zero") })
     }
 
-    /// Refuses all but integrals of the flow of degree 1 or 2, free of ε.
+    /// Returns an error unless the polynomial is an integral of the flow of degree 1 or 2 without
+    /// ε.
     fn check(&self, integral: &Polynomial, budget: &mut Budget) -> Result<(), NoIntegral> {
         let is_fit = (1..=2).contains(&self.symbols.degree(integral))
             && integral.variables().iter().all(|variable| *variable < self.symbols.epsilon())
@@ -441,7 +456,7 @@ fn last(relation: &Relation) -> usize {
     relation.last().expect("a relation has a coefficient").0
 }
 
-/// Returns Σ cₖ vₖ.
+/// Returns the combination Σ cₖ vₖ of vectors vₖ, where cₖ are the coefficients of the relation.
 fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> WithinBudget<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)

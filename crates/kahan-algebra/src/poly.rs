@@ -1,8 +1,8 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
-//! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. So
-//! equal polynomials are equal as data, and every iteration is deterministic. Absent: names,
-//! evaluation (by plans), irreducible factors (`kahan-factor`).
+//! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. Equal
+//! polynomials are therefore equal as data, and every iteration is deterministic. Three tasks are
+//! done elsewhere: names, evaluation (by plans) and irreducible factors (`kahan-factor`).
 
 mod arithmetic;
 mod budget;
@@ -60,7 +60,8 @@ impl Polynomial {
         if coefficient.is_zero() { Self::zero() } else { Self { terms: vec![(monomial, coefficient)] } }
     }
 
-    /// Returns the sum of terms in any order; repeated monomials are added up. Costs a sort.
+    /// Returns the sum of terms that are given in any order. Coefficients of repeated monomials are
+    /// added. The cost is that of sorting the terms.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
         let Ok(sum) = Self::collected(terms.into_iter().collect(), |a, b| Ok::<_, Infallible>(a + b));
         sum
@@ -93,7 +94,7 @@ impl Polynomial {
         Self { terms }
     }
 
-    /// Returns the terms, highest first in graded lexicographic order.
+    /// Returns the terms in graded lexicographic order, highest first.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
         self.terms.iter().map(|(monomial, coefficient)| (monomial, coefficient))
     }
@@ -102,7 +103,7 @@ impl Polynomial {
         &self.terms
     }
 
-    /// Returns the highest term; `None` for 0.
+    /// Returns the highest term; `None` for the polynomial 0.
     pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
         self.terms.first().map(|(monomial, coefficient)| (monomial, coefficient))
     }
@@ -127,16 +128,17 @@ impl Polynomial {
         self.terms.len() == 1 && self.terms[0].0.is_one() && self.terms[0].1.is_one()
     }
 
-    /// Returns the value of a constant polynomial.
+    /// Returns the value of the polynomial if it is constant.
     pub fn as_constant(&self) -> Option<Rational> {
         match self.leading_term() {
             None => Some(Rational::ZERO),
-            // In a graded order, a leading monomial 1 is the only one.
+            // The order is graded, so if the leading monomial is 1, there is no other one.
             Some((monomial, coefficient)) => monomial.is_one().then(|| coefficient.clone()),
         }
     }
 
-    /// Returns the coefficient of `monomial`, 0 if absent. Costs a binary search.
+    /// Returns the coefficient of `monomial`, which is 0 if the monomial does not occur. The cost
+    /// is that of a binary search.
     pub fn coefficient(&self, monomial: &Monomial) -> Rational {
         match self.terms.binary_search_by(|term| monomial.cmp(&term.0)) {
             Ok(index) => self.terms[index].1.clone(),
@@ -158,7 +160,7 @@ impl Polynomial {
         degree
     }
 
-    /// Returns the degree in the variables that satisfy `belongs`.
+    /// Returns the degree of the polynomial in the variables that satisfy `belongs`.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
         for (monomial, _) in &self.terms {
@@ -167,7 +169,7 @@ impl Polynomial {
         degree
     }
 
-    /// Returns the variables that occur, in order.
+    /// Returns the variables of the polynomial, in order.
     pub fn variables(&self) -> Vec<Variable> {
         let mut variables: Vec<Variable> = Vec::new();
         for (monomial, _) in &self.terms {
@@ -180,7 +182,7 @@ impl Polynomial {
         variables
     }
 
-    /// Returns whether `variable` occurs.
+    /// Returns whether `variable` occurs in the polynomial.
     pub fn contains(&self, variable: Variable) -> bool {
         self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
     }

@@ -1,8 +1,8 @@
-//! Arithmetic modulo a prime below 2^62, and the primes themselves.
+//! Arithmetic modulo primes below 2^62, and tests for primes.
 //!
-//! The prover tests identities between rational functions by evaluation in a prime field at seeded
-//! points. Primality is decided, not guessed; equal seeds give equal primes and points on every
-//! machine. Absent: Montgomery form, since a `u128` remainder is fast enough here.
+//! The prover tests identities between rational functions by evaluating them in a prime field at
+//! seeded points. The primality test is certain. Equal seeds give equal primes and points on every
+//! machine. Montgomery form is not used, because a `u128` remainder is fast enough here.
 
 mod random;
 #[cfg(test)]
@@ -16,14 +16,15 @@ pub use random::{Random, Shake256, SplitMix64};
 
 use kahan_syntax::rational::Rational;
 
-/// The field ℤ/p; elements are `u64` below p.
+/// The field ℤ/p of residues modulo a prime p. Its elements are `u64` numbers below p.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PrimeField {
     prime: u64,
 }
 
 impl PrimeField {
-    /// The field of 2^61 − 1 elements, for computations whose result does not depend on the prime.
+    /// The field with 2^61 − 1 elements, for computations whose result does not depend on the
+    /// prime.
     pub const MERSENNE_61: Self = Self { prime: (1 << 61) - 1 };
 
     /// Returns the field with `prime` elements; `None` unless `prime` is a prime below 2^62.
@@ -31,12 +32,12 @@ impl PrimeField {
         (prime < 1 << 62 && is_prime_u64(prime)).then_some(Self { prime })
     }
 
-    /// Returns the field of a uniformly drawn prime of 61 bits.
+    /// Returns the field of a random prime of 61 bits, drawn uniformly.
     pub fn random(rng: &mut dyn Random) -> Self {
         Self { prime: random_prime_61(rng) }
     }
 
-    /// Returns the number of elements.
+    /// Returns the prime, which is the number of elements.
     pub fn prime(self) -> u64 {
         self.prime
     }
@@ -62,17 +63,17 @@ impl PrimeField {
         if a == 0 { 0 } else { self.prime - a }
     }
 
-    /// Returns a^exponent; 0^0 is 1.
+    /// Returns a^exponent, where 0^0 is 1.
     pub fn pow(self, a: u64, exponent: u64) -> u64 {
         pow_mod(a, exponent, self.prime)
     }
 
-    /// Returns 1/a by the extended Euclidean algorithm; `None` for 0.
+    /// Returns 1/a by the extended Euclidean algorithm; `None` if a is 0.
     pub fn inverse(self, a: u64) -> Option<u64> {
         if a == 0 {
             return None;
         }
-        // Invariant: r = s·a mod p for both rows; |s| stays below p < 2^62.
+        // Both pairs (r, s) keep r = s·a modulo p, and |s| stays below p < 2^62.
         let (mut r, mut next_r) = (self.prime as i64, a as i64);
         let (mut s, mut next_s) = (0_i64, 1_i64);
         while next_r != 0 {
@@ -89,7 +90,7 @@ impl PrimeField {
         if value < 0 { self.neg(residue) } else { residue }
     }
 
-    /// Returns the residue of a rational; `None` if p divides the denominator.
+    /// Returns the residue of a rational; `None` if the prime divides the denominator.
     pub fn reduce(self, value: &Rational) -> Option<u64> {
         let (num, den) = match value.as_small_ratio() {
             Some((num, 1)) => return Some(self.reduce_i64(num)),
@@ -125,14 +126,15 @@ fn pow_mod(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
     power
 }
 
-/// The first twelve primes. As Miller–Rabin bases they decide primality below 3.3·10^24 (Sorenson
-/// and Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
+/// The first twelve primes. As bases of the Miller–Rabin test they decide primality below 3.3·10^24
+/// (Sorenson and Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
 const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 
-/// Upper limit of trial divisors, which are cheap and settle most composites.
+/// The upper limit of trial divisors. Trial division is cheap and recognises most composite
+/// numbers.
 const TRIAL_LIMIT: u64 = 256;
 
-/// Returns whether `n` is prime; the answer is certain.
+/// Returns whether `n` is prime. The answer is certain.
 pub fn is_prime_u64(n: u64) -> bool {
     if n < 4 {
         return n >= 2;
@@ -153,7 +155,8 @@ pub fn is_prime_u64(n: u64) -> bool {
     BASES.iter().all(|&base| is_strong_probable_prime(n, base))
 }
 
-/// Tests base^d = 1 or base^(d·2^r) = −1 for some r < s, with n − 1 = d·2^s and d odd.
+/// Returns whether base^d = 1, or base^(d·2^r) = −1 for some r < s, modulo n. The numbers d and s
+/// are those with n − 1 = d·2^s and d odd.
 fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     let twos = (n - 1).trailing_zeros();
     let mut power = pow_mod(base, (n - 1) >> twos, n);
@@ -169,7 +172,7 @@ fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     false
 }
 
-/// Draws a prime uniformly between 2^60 and 2^61. Tries about 21 odd numbers on average.
+/// Draws a prime between 2^60 and 2^61 uniformly. About 21 odd numbers are tried on average.
 pub fn random_prime_61(rng: &mut dyn Random) -> u64 {
     loop {
         let candidate = (1 << 60) | (rng.next_u64() >> 4) | 1;

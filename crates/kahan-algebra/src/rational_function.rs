@@ -1,9 +1,9 @@
 //! Rational functions over ℚ in normal form.
 //!
 //! Numerator and denominator are coprime, and the denominator is primitive with positive leading
-//! coefficient, so equal functions are equal as data. Each operation exists with and without a
-//! [`Budget`]. Operands are in lowest terms, so only few factors can cancel (Henrici's algorithm),
-//! which keeps each gcd small. Absent: evaluation, and unreduced quotients.
+//! coefficient. Equal functions are therefore equal as data. Operands are in lowest terms, so only
+//! few factors can cancel; Henrici's algorithm uses this to keep each gcd small. Each operation
+//! exists with and without a [`Budget`]. Evaluation is done by plans.
 
 mod common;
 #[cfg(test)]
@@ -69,7 +69,8 @@ impl RationalFunction {
         &self.numerator
     }
 
-    /// Returns the denominator, primitive with positive leading term; 1 exactly for polynomials.
+    /// Returns the denominator, which is primitive with positive leading term. It is 1 exactly if
+    /// the function is a polynomial.
     pub fn denominator(&self) -> &Polynomial {
         &self.denominator
     }
@@ -89,7 +90,7 @@ impl RationalFunction {
         self.numerator.contains(variable) || self.denominator.contains(variable)
     }
 
-    /// Applies `change` to numerator and denominator; `None` if the denominator becomes zero.
+    /// Applies `change` to numerator and denominator; `None` if the new denominator is zero.
     pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
         Self::new(change(&self.numerator), change(&self.denominator))
     }
@@ -99,7 +100,7 @@ impl RationalFunction {
         unlimited(|budget| self.div_within(divisor, budget))
     }
 
-    /// Returns the reciprocal; `None` for 0.
+    /// Returns the reciprocal; `None` if the function is 0.
     pub fn recip(&self) -> Option<Self> {
         if self.is_zero() {
             return None;
@@ -112,9 +113,10 @@ impl RationalFunction {
         unlimited(|budget| self.derivative_within(variable, budget))
     }
 
-    /// Returns the sum within a budget.
+    /// Returns the sum, or an error if it exceeds the budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
-        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g), g = gcd(b, d); only divisors of g may cancel.
+        // Compute a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d). Only divisors of g may
+        // cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
         let own_cofactor = divide(&self.denominator, &common, budget)?;
         let other_cofactor = divide(&other.denominator, &common, budget)?;
@@ -129,27 +131,29 @@ impl RationalFunction {
         Ok(Self::from_coprime(sum, denominator))
     }
 
-    /// Returns the difference within a budget.
+    /// Returns the difference, or an error if it exceeds the budget.
     pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         self.add_within(&-other, budget)
     }
 
-    /// Returns the product within a budget.
+    /// Returns the product, or an error if it exceeds the budget.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
-        // Both factors are reduced, so only crosswise cancellation is possible.
+        // Both factors are in lowest terms. Only a numerator and the denominator of the other
+        // factor can have a common factor.
         let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
         let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
         Ok(Self::from_coprime(a.mul_within(&c, budget)?, b.mul_within(&d, budget)?))
     }
 
-    /// Returns the quotient within a budget; `None` if `divisor` is zero.
+    /// Returns the quotient, or an error if it exceeds the budget. The quotient is `None` if
+    /// `divisor` is zero.
     pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> WithinBudget<Option<Self>> {
         divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
     }
 
-    /// Returns the partial derivative within a budget.
+    /// Returns the partial derivative, or an error if it exceeds the budget.
     pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> WithinBudget<Self> {
-        // (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′)
+        // Compute (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′).
         let slope = self.denominator.derivative(variable);
         let common = gcd_within(&self.denominator, &slope, budget)?;
         let cofactor = divide(&self.denominator, &common, budget)?;
@@ -162,7 +166,7 @@ impl RationalFunction {
         Ok(Self::from_coprime(numerator, denominator))
     }
 
-    /// Replaces `variable` by `value`; `None` if the denominator then vanishes identically.
+    /// Replaces `variable` by `value`; `None` if the new denominator is zero.
     pub fn compose_within(
         &self,
         variable: Variable,
@@ -179,7 +183,7 @@ impl RationalFunction {
         Self::new_within(above, below, budget)
     }
 
-    /// Normalises a quotient of coprime polynomials with nonzero denominator.
+    /// Normalises a quotient of two coprime polynomials. The denominator must be nonzero.
     pub(crate) fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
         if numerator.is_zero() {
             return Self::zero();
@@ -211,7 +215,7 @@ fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> W
 /// Runs a computation with a budget that limits only degrees.
 ///
 /// # Panics
-/// Beyond a total degree of 2^24, where exponents might overflow.
+/// If a total degree exceeds 2^24, beyond which exponents might overflow.
 fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> WithinBudget<T>) -> T {
     compute(&mut Budget::unlimited()).expect("total degrees stay below 2^24")
 }

@@ -1,15 +1,15 @@
-//! Relations between parameters and ε, each solved for a name that enters linearly.
+//! Solves relations between parameters and ε. Each is solved for a name that occurs linearly.
 //!
-//! Polynomials that are to vanish come in; values of some names, as rational functions of the other
-//! names, go out. Solving divides by the coefficient of the name. The coefficient is assumed
-//! nonzero where the relations hold, and its factors are divided out of later relations. A relation
-//! a·v + b with coprime a and b is irreducible: its generic solutions do not depend on the choice
-//! of v.
+//! The input consists of polynomials that must vanish. The result gives some names as rational
+//! functions of the other names. Solving divides by the coefficient of the name. The coefficient is
+//! assumed to be nonzero where the relations hold, and its factors are divided out of later
+//! relations. A relation a·v + b with coprime a and b is irreducible, so its generic solutions do
+//! not depend on the choice of the name v.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, WithinBudget, gcd_within};
 use crate::rational_function::RationalFunction;
 
-/// Limits on the terms of a value or relation, and on the total of term products.
+/// The most terms of a value or a relation.
 const MOST_TERMS: usize = 10_000;
 const MOST_WORK: u64 = 300_000;
 
@@ -21,31 +21,33 @@ pub struct Relations {
     budget: Budget,
 }
 
-/// The reason why a relation cannot be added to the earlier ones.
+/// An obstacle to adding a relation to earlier ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
-    /// The relation holds already.
+    /// The earlier relations already imply this one.
     Identity,
     /// The relation never holds.
     Contradiction,
-    /// No name enters linearly.
+    /// No name occurs linearly in the relation.
     NotLinear,
-    /// The relation is a product; it does not say which factor is to vanish.
+    /// The relation is a product of these two polynomials. It does not say which of them must
+    /// vanish.
     Product(Polynomial, Polynomial),
     /// The relation is too large to be solved.
     TooLarge,
 }
 
-/// The preference among names to solve a relation a·v + b = 0 for, best first.
+/// A classification of names v, by the coefficients of a relation a·v + b = 0. It is better to
+/// solve for a name of an earlier class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Solvability {
-    /// a is a number.
+    /// The coefficient a is a number.
     Number,
-    /// a and b are coprime, so the relation is irreducible.
+    /// The coefficients a and b are coprime, so the relation is irreducible.
     Irreducible,
-    /// a and b have a common factor, which is assumed nonzero.
+    /// The coefficients a and b have a common factor, which is assumed to be nonzero.
     Factor,
-    /// b = 0: either v or a may be meant to vanish.
+    /// The coefficient b is 0, so either v or a may be meant to vanish.
     Product,
 }
 
@@ -62,14 +64,15 @@ impl Default for Relations {
 }
 
 impl Relations {
-    /// Adds the relation `polynomial` = 0 and returns the name that it was solved for. Prefers a
-    /// name whose coefficient is a number, then one whose coefficient is coprime to the remaining
-    /// terms. Ties go to the first name in `names`, then to variables introduced by earlier values.
+    /// Adds the relation `polynomial` = 0 and returns the name for which it was solved. Names whose
+    /// coefficient is a number are preferred, then names whose coefficient is coprime to the other
+    /// terms. Among equals, the first name in `names` comes first; variables that earlier values
+    /// introduced come last.
     ///
     /// # Errors
-    /// Returns the [`Obstacle`] and adds nothing.
+    /// Returns the [`Obstacle`]; the relation is then not added.
     pub fn add(&mut self, polynomial: &Polynomial, names: &[Variable]) -> Result<Variable, Obstacle> {
-        // The relation holds where its numerator vanishes.
+        // The relation holds where the numerator vanishes.
         let mut relation = self.put_into(polynomial)?.ok_or(Obstacle::Contradiction)?.numerator().clone();
         if relation.is_zero() {
             return Err(Obstacle::Identity);
@@ -145,7 +148,8 @@ impl Relations {
         })
     }
 
-    /// Records that `polynomial` is nonzero on the relations; returns `false` if it vanishes there.
+    /// Records that `polynomial` is nonzero where the relations hold. Returns `false` if it
+    /// vanishes there.
     pub fn require(&mut self, polynomial: &Polynomial) -> WithinBudget<bool> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {
@@ -154,18 +158,19 @@ impl Relations {
         Ok(!vanishes)
     }
 
-    /// Returns whether `polynomial` vanishes, or has no value, where the relations hold.
+    /// Returns whether `polynomial` vanishes or is undefined wherever the relations hold.
     pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> WithinBudget<bool> {
         Ok(self.put_into(polynomial)?.is_none_or(|value| value.is_zero()))
     }
 
-    /// Returns the value of a name, if it has one.
+    /// Returns the value of a name; `None` if no relation is solved for it.
     #[must_use]
     pub fn value(&self, name: Variable) -> Option<&RationalFunction> {
         self.values.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
-    /// Returns the names that have a value, with their values, in order of their relations.
+    /// Returns the names for which relations are solved, with their values, in the order of the
+    /// relations.
     pub fn values(&self) -> impl Iterator<Item = (Variable, &RationalFunction)> {
         self.values.iter().map(|(name, value)| (*name, value))
     }
@@ -181,7 +186,8 @@ impl Relations {
     }
 }
 
-/// Replaces names by their values within a budget; `None` if a divisor then vanishes identically.
+/// Replaces names by their values, within a budget. Returns `None` if a divisor then vanishes
+/// identically.
 pub(crate) fn put_into<'a>(
     polynomial: &Polynomial,
     values: impl Iterator<Item = (Variable, &'a RationalFunction)>,
@@ -197,7 +203,7 @@ pub(crate) fn put_into<'a>(
     Ok(Some(function))
 }
 
-/// Returns a and b of a polynomial a·v + b.
+/// Returns the coefficients a and b of a polynomial a·v + b, where v is `name`.
 fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial) {
     let mut parts = polynomial.coefficients_in(name);
     (parts.remove(&1).unwrap_or_default(), parts.remove(&0).unwrap_or_default())

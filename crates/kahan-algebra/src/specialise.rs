@@ -1,4 +1,4 @@
-//! Systems with values for some parameters, reduced after substitution.
+//! Inserts values for some parameters into a system, and reduces the result.
 
 use std::sync::Arc;
 
@@ -15,8 +15,9 @@ use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, Condition, System};
 
 impl System {
-    /// Returns the system at these values of parameters, which become constants. Drops claims whose
-    /// conditions contradict the values or cannot be solved. `None` if the field divides by zero.
+    /// Returns the system in which these parameters are constants with the given values. Claims are
+    /// dropped if their conditions contradict the values or cannot be solved. Returns `None` if the
+    /// field divides by zero.
     #[must_use]
     pub fn specialise(&self, values: &[(usize, Rational)]) -> Option<System> {
         let old = &self.field.symbols;
@@ -31,7 +32,8 @@ impl System {
             Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
-            // A block has one unconditional density; a second one is the first times an integral.
+            // A block has one unconditional density. A second one would be the first one multiplied
+            // by an integral.
             let is_density = |claim: &Claim| claim.kind == ClaimKind::Density && claim.is_unconditional();
             if !is_density(&claim) || !claims.iter().any(is_density) {
                 claims.push(claim);
@@ -44,7 +46,7 @@ impl System {
         Some(specialised)
     }
 
-    /// Returns the system with additional parameters on which nothing depends.
+    /// Returns the system with additional parameters that do not occur anywhere.
     #[must_use]
     pub fn with_parameters(&self, names: &[String]) -> System {
         let old = &self.field.symbols;
@@ -60,8 +62,8 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// Returns the system at this ε without claims. At ε = 0 its field is the one that the map
-    /// approximates. `None` if the field divides by zero, which never happens at ε = 0.
+    /// Returns the system at this ε, without claims. At ε = 0, the map approximates the flow of the
+    /// returned field. Returns `None` if the field divides by zero, which never happens at ε = 0.
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
@@ -73,8 +75,9 @@ impl System {
         Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
     }
 
-    /// Returns the system where these relations between parameters hold, without claims and without
-    /// the parameters that they are solved for. `None` for a division by zero, or beyond limits.
+    /// Returns the system where these relations between parameters hold. It has no claims, and does
+    /// not contain the parameters for which the relations are solved. Returns `None` if the field
+    /// divides by zero, or if limits on sizes are exceeded.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;
@@ -127,7 +130,8 @@ impl Specialisation<'_> {
         self.function(&numerator.checked_div(&denominator)?)
     }
 
-    /// Specialises the written form; `None` for rational parameters, or if a divisor cancels.
+    /// Inserts values into the written form. Returns `None` if a value is not a polynomial, or if a
+    /// divisor cancels.
     fn kept(
         &self,
         kept: &FieldWithSubexpressions,
@@ -164,8 +168,8 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// Solves the conditions after specialisation; `None` if they are false, or not known to be
-    /// equivalent.
+    /// Solves the conditions of a claim after values were inserted. Returns `None` if the
+    /// conditions are false, or not known to be equivalent.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

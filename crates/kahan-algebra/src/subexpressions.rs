@@ -1,10 +1,11 @@
-//! The written form of a field: sums used as factors, and reciprocals of divisors, are named
-//! subexpressions (`Subexpressions`).
+//! The written form of a field. Sums that are used as factors, and reciprocals of divisors, become
+//! named subexpressions (`Subexpressions`).
 //!
-//! Expansion can lose digits: `(p - q)*x*y` is accurate for p near q, `p*x*y - q*x*y` is not. A
-//! common divisor of `x/(1 + nu) + x/(mu - nu)` can vanish by rounding where neither divisor does.
-//! Plans for floats therefore use division-free polynomials in states, parameters and named
-//! subexpressions. After substitution the components equal those of the [`Field`].
+//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but
+//! `p*x*y - q*x*y` is not. Similarly, the common divisor in `x/(1 + nu) + x/(mu - nu)` can vanish
+//! by rounding where neither divisor does. Plans for floats therefore use polynomials without
+//! divisions, in states, parameters and named subexpressions. When subexpressions are substituted,
+//! the components equal those of the [`Field`].
 
 use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;
@@ -16,27 +17,27 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
-/// The variable by which the points of an orbit are differentiated.
+/// A quantity by which the points of an orbit are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sensitivity {
-    /// A coordinate of the first point.
+    /// The coordinate with this index of the first point.
     Start,
     /// The parameter with this index.
     Parameter(usize),
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     Epsilon,
 }
 
-/// A named subexpression, a polynomial in states, parameters and earlier subexpressions.
+/// A named subexpression, given by a polynomial in states, parameters and earlier subexpressions.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Value {
-    /// A sum written as a factor.
+    /// A sum that is written as a factor.
     Sum(Polynomial),
-    /// The reciprocal of a divisor that is free of states.
+    /// The reciprocal of a divisor that contains no state.
     Reciprocal(Polynomial),
 }
 
-/// The named subexpressions of a field. Their variables are numbered after all symbols.
+/// The named subexpressions of a field. Their variables are numbered after those of all symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Subexpressions {
     first: usize,
@@ -51,13 +52,13 @@ pub struct FieldWithSubexpressions {
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field for planning steps: state-independent subexpressions are additional parameters.
+/// A field from which steps are planned. Subexpressions without states are additional parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct WithConstants {
     pub(crate) field: Field,
-    /// The field with sums that depend on states; `None` if it has only state-independent sums.
+    /// The field whose subexpressions are sums with states; `None` if all sums are free of states.
     pub(crate) kept: Option<FieldWithSubexpressions>,
-    /// For each added parameter the index of its subexpression.
+    /// For each added parameter, the index of its subexpression.
     pub(crate) places: Vec<usize>,
     pub(crate) values: Subexpressions,
     pub(crate) symbols: Symbols,
@@ -82,7 +83,7 @@ impl Subexpressions {
         Subexpressions { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
 
-    /// Returns the index of the subexpression that a variable stands for.
+    /// Returns the index of the subexpression that a variable names.
     pub(crate) fn place(&self, variable: Variable) -> Option<usize> {
         usize::from(variable.0).checked_sub(self.first)
     }
@@ -91,7 +92,8 @@ impl Subexpressions {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// Returns the variable of a subexpression, added if new; `None` beyond 2¹⁶ variables.
+    /// Returns the variable that names a subexpression, which is added if it is new. Returns `None`
+    /// if there would be more than 2¹⁶ variables.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let place = self.values.number(value);
         self.variable(place)
@@ -102,8 +104,8 @@ impl Subexpressions {
         self
     }
 
-    /// Converts a polynomial to a factor: a sum becomes a named subexpression times a number, a
-    /// single term stays.
+    /// Turns a polynomial into a factor of a product. A sum becomes a named subexpression
+    /// multiplied by a number; a single term stays.
     pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.len() < 2 {
             return polynomial.clone();
@@ -121,7 +123,8 @@ impl Subexpressions {
         }
     }
 
-    /// Returns the quotient by a nonzero divisor without states, after cancelling common monomials.
+    /// Returns the quotient by a nonzero divisor that contains no state. Common monomials are
+    /// cancelled first.
     pub(crate) fn quotient(&mut self, dividend: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
         let (dividend, divisor) = (self.factor(dividend), self.factor(divisor));
         let common = dividend.monomial_content().gcd(&divisor.monomial_content());
@@ -130,7 +133,7 @@ impl Subexpressions {
         Some(&dividend * &self.reciprocal(&divisor)?)
     }
 
-    /// Returns whether every divisor in a polynomial is a factor of `denominator`.
+    /// Returns whether every divisor that occurs in a polynomial is a factor of `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
         places.all(|place| match &self.values[place] {
@@ -148,8 +151,8 @@ impl Subexpressions {
         })
     }
 
-    /// Returns the reciprocal of a nonzero state-independent polynomial; `None` beyond 2¹⁶
-    /// variables.
+    /// Returns the reciprocal of a nonzero polynomial without states. Returns `None` if there would
+    /// be more than 2¹⁶ variables.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -159,7 +162,7 @@ impl Subexpressions {
         self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
     }
 
-    /// Returns the derivatives of a polynomial by all wanted variables, by the chain rule.
+    /// Returns the derivatives of a polynomial by the wanted variables, by the chain rule.
     /// Derivatives that are sums become named subexpressions.
     fn gradient(
         &mut self,
@@ -196,7 +199,7 @@ impl Subexpressions {
         let value = self.values[place].clone();
         let factor = match value {
             Value::Sum(_) => Polynomial::one(),
-            // (1/q)′ = −q′·(1/q)²
+            // The derivative of a reciprocal is (1/q)′ = −q′·(1/q)².
             Value::Reciprocal(_) => {
                 let own = self.variable(place).expect("it has a variable");
                 Polynomial::term(Monomial::power(own, 2), -Rational::ONE)
@@ -210,7 +213,7 @@ impl Subexpressions {
     }
 }
 
-/// The nonzero derivatives, each with its variable, unordered.
+/// The nonzero derivatives of a polynomial, each with its variable, in no particular order.
 type Gradient = Vec<(Variable, Polynomial)>;
 
 fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
@@ -221,9 +224,9 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 }
 
 impl FieldWithSubexpressions {
-    /// Builds a field with the subexpressions that it needs.
+    /// Builds a field that keeps only the subexpressions that its components need.
     ///
-    /// If ε occurs in even powers only, ε² becomes the first subexpression.
+    /// If ε occurs only in even powers, ε² becomes the first subexpression.
     pub(crate) fn new(values: Subexpressions, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -268,7 +271,8 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions { components, values: kept }
     }
 
-    /// Returns the written form of an expanded field: its denominators are divisors.
+    /// Returns the written form of an expanded field, whose divisors are the denominators of the
+    /// components.
     pub(crate) fn of(field: &Field) -> Self {
         let mut values = Subexpressions::of(&field.symbols);
         let components = field.components.iter().map(|component| {
@@ -285,7 +289,7 @@ impl FieldWithSubexpressions {
         !polynomials.all(|polynomial| polynomial.is_even_in(*epsilon))
     }
 
-    /// Returns the field at this ε, where its divisors must be nonzero.
+    /// Returns the field at this ε. The divisors must be nonzero there.
     pub(crate) fn at_eps(&self, symbols: &Symbols, eps: &Rational) -> Self {
         let mut values = Subexpressions::of(symbols);
         let put = |variable| match variable == symbols.epsilon() {
@@ -296,8 +300,8 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(values, components)
     }
 
-    /// Returns the field together with one derivative vector for each entry of `by`; `tangent`
-    /// names all variables.
+    /// Returns the field together with one vector of derivatives for each entry of `by`. `tangent`
+    /// has the names of all variables.
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[Sensitivity]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
@@ -327,7 +331,8 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(Subexpressions::of(tangent).with(renamed), components)
     }
 
-    /// Returns ∂f/∂a. For a = ε returns f + ε ∂f/∂ε, which the caller multiplies by 1/ε.
+    /// Returns ∂f/∂a for a parameter a. For ε returns f + ε ∂f/∂ε instead, which the caller
+    /// multiplies by 1/ε.
     fn sources(&self, symbols: &Symbols, values: &mut Subexpressions, by: Sensitivity) -> Vec<Polynomial> {
         let name = match by {
             Sensitivity::Start => return vec![Polynomial::zero(); self.components.len()],
@@ -347,7 +352,8 @@ impl FieldWithSubexpressions {
         self.components.iter().map(source).collect()
     }
 
-    /// Returns the nonzero entries of f′(x), row by row, with the subexpressions in them.
+    /// Returns the nonzero entries of f′(x), row by row, with the subexpressions that occur in
+    /// them.
     pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Subexpressions, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
@@ -361,8 +367,8 @@ impl FieldWithSubexpressions {
         (values, rows)
     }
 
-    /// Turns state-independent subexpressions into parameters; returns `field` if a coefficient of
-    /// the result vanishes.
+    /// Turns subexpressions without states into parameters. Returns `field` unchanged if a
+    /// coefficient of the result vanishes.
     pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
@@ -422,11 +428,12 @@ impl FieldWithSubexpressions {
         WithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
-    /// Returns whether a step planned from expanded sums may lose digits: if a term has two written
-    /// sums, or a constant times a sum as in `(y - 1)/s`. A sum that contains the component's own
-    /// state is harmless: the constant is also on the diagonal of A and cancels.
+    /// Returns whether a step that is planned from expanded sums may lose digits. It may if a term
+    /// contains two written sums, or a constant multiplied by a sum as in `(y - 1)/s`. A sum that
+    /// contains the component's own state does no harm, because the constant is also on the
+    /// diagonal of A and cancels.
     ///
-    /// Requires that every subexpression is a sum, as in a field with named constants.
+    /// Every subexpression must be a sum, as in a field with named constants.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
@@ -443,7 +450,8 @@ impl FieldWithSubexpressions {
         })
     }
 
-    /// Replaces each variable by `put`; adds the resulting subexpressions to `others`.
+    /// Replaces each variable by the result of `put`. Subexpressions that arise are added to
+    /// `others`.
     pub(crate) fn with(
         &self,
         others: &mut Subexpressions,
@@ -478,7 +486,7 @@ impl FieldWithSubexpressions {
 }
 
 impl WithConstants {
-    /// Returns the expanded field, without added parameters.
+    /// Returns the expanded field, to which no parameters are added.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Subexpressions::of(&symbols);

@@ -1,24 +1,25 @@
-//! The assignment of variables to names: states, parameters, ε, then a second copy of the states.
+//! Assigns variables to names. States come first, then parameters, then ε, then a second copy of
+//! the states.
 
 use crate::poly::{Polynomial, Variable, gcd_all};
 
 /// The names of states and parameters of a system.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Symbols {
-    /// The state variables, in order of their equations.
+    /// The names of the states, in order of their equations.
     pub states: Vec<String>,
-    /// The parameters, in order of the header.
+    /// The names of the parameters, in order of the header.
     pub parameters: Vec<String>,
 }
 
-/// The meaning of a variable.
+/// The meaning of a variable in a system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Symbol {
     /// The state with this index.
     State(usize),
     /// The parameter with this index.
     Parameter(usize),
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     Epsilon,
     /// The state with this index at the second point of a bilinear form.
     SecondState(usize),
@@ -31,7 +32,7 @@ impl Symbols {
         self.states.len()
     }
 
-    /// Returns the number of variables: each state twice, the parameters and ε.
+    /// Returns the number of variables. Each state counts twice, each parameter and ε once.
     #[must_use]
     pub fn count(&self) -> usize {
         2 * self.states.len() + self.parameters.len() + 1
@@ -99,8 +100,9 @@ impl Symbols {
         self.degree(polynomial) > 0
     }
 
-    /// Divides by the greatest common divisor of the coefficients with respect to the states, and
-    /// makes the rational coefficients coprime integers, the leading one positive. 0 stays 0.
+    /// Divides by the greatest common divisor of the coefficients with respect to the states. Then
+    /// scales the rational coefficients to coprime integers with a positive leading one. The
+    /// polynomial 0 stays 0.
     #[must_use]
     pub fn primitive_part(&self, polynomial: &Polynomial) -> Polynomial {
         let groups = polynomial.group(|variable| self.is_state(variable));
@@ -108,7 +110,8 @@ impl Symbols {
         polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part()
     }
 
-    /// Returns the name as the user wrote it; a second copy of a state gets a prime.
+    /// Returns the name of a variable as the user wrote it. The second copy of a state gets a
+    /// prime.
     #[must_use]
     pub fn name(&self, variable: Variable) -> String {
         match self.symbol(variable) {
@@ -119,7 +122,7 @@ impl Symbols {
         }
     }
 
-    /// Returns the variable of this name.
+    /// Returns the variable with this name.
     #[must_use]
     pub fn named(&self, name: &str) -> Option<Variable> {
         (0..self.count()).map(|index| Variable(index as u16)).find(|&variable| self.name(variable) == name)

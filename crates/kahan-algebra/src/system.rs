@@ -1,4 +1,5 @@
-//! A checked block: a field, and claims about its map with resolved names, not yet proved.
+//! A checked block, which consists of a field and claims about its map. Names in claims are
+//! resolved, but the claims are not yet proved.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -20,13 +21,14 @@ use crate::symbols::Symbols;
 pub struct System {
     /// The header, if the block has one.
     pub header: Option<Header>,
-    /// Constants with their values, in order of declaration.
+    /// The constants with their values, in order of declaration.
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
     pub field: Arc<Field>,
     /// The field with the sums and divisors as written, from which plans are made.
     pub kept: Arc<FieldWithSubexpressions>,
-    /// The right-hand sides as written, in order; empty for a derived system.
+    /// The right-hand sides as written, in order. The list is empty for a system that was derived
+    /// from another one.
     pub written: Arc<[Expr]>,
     /// The claims, in order.
     pub claims: Vec<Claim>,
@@ -41,30 +43,31 @@ pub struct Claim {
     pub name: Name,
     /// The claim as written, for display.
     pub body: ClaimBody,
-    /// The function (one output; for a drift two, F(x) and F(x̃)), or the tensor's n(n−1)/2 entries
-    /// above the diagonal, row by row.
+    /// The plan of the claim. A drift has the outputs F(x) and F(x̃), a bracket has its n(n−1)/2
+    /// entries above the diagonal, row by row, and any other claim has one output.
     pub plan: Plan,
-    /// The conditions under which the claim is made.
+    /// The conditions under which the claim should hold.
     pub conditions: Vec<Condition>,
 }
 
-/// A relation between parameters and ε behind `when`, solved for one of them.
+/// A relation between parameters and ε that follows `when`, solved for one of these names.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The condition as written, for display.
     pub written: syntax::Condition,
-    /// The name that the relation was solved for.
+    /// The name for which the relation was solved.
     pub variable: Variable,
-    /// The value of `variable`, in names that no condition of the claim is solved for.
+    /// The value of `variable`, as a function of names for which no condition of the claim is
+    /// solved.
     pub value: RationalFunction,
-    /// The polynomials that must be nonzero for this relation: the name's coefficient, and
-    /// divisors.
+    /// The polynomials that must be nonzero for this relation: divisors, and the coefficient of
+    /// `variable`.
     pub nonzero: Vec<Polynomial>,
 }
 
 impl Condition {
-    /// Builds the conditions of a claim from solved relations: each as written, its name, and the
-    /// range of its polynomials in `relations.nonzero()`.
+    /// Builds the conditions of a claim from solved relations. Each entry has a relation as
+    /// written, its name, and the range of its polynomials in `relations.nonzero()`.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,
@@ -76,7 +79,7 @@ impl Condition {
         solved.into_iter().map(condition).collect()
     }
 
-    /// Returns the condition `NAME = value`, without a place in the text.
+    /// Returns the condition `NAME = value`. It has no place in the text.
     #[must_use]
     pub fn fixed(symbols: &Symbols, variable: Variable, value: &Rational) -> Condition {
         let expr = |kind| Expr { kind, span: Span::token(0) };
@@ -91,7 +94,7 @@ impl Condition {
         }
     }
 
-    /// Returns the value, if it is a number.
+    /// Returns the value if it is a number.
     #[must_use]
     pub fn number(&self) -> Option<Rational> {
         self.value.as_polynomial().and_then(Polynomial::as_constant)
@@ -99,7 +102,7 @@ impl Condition {
 }
 
 impl Claim {
-    /// Replaces names by their values.
+    /// Replaces names in the condition by their values.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.body {
             ClaimBody::Function(value) => value.put_values(values),
@@ -115,7 +118,8 @@ impl Claim {
         }
     }
 
-    /// Returns the plan with values for the names that the conditions are solved for.
+    /// Returns the plan of the claim, in which names for which conditions are solved are replaced
+    /// by their values.
     #[must_use]
     pub fn where_it_holds(&self) -> Plan {
         let mut builder = PlanBuilder::default();
@@ -129,14 +133,16 @@ impl Claim {
         builder.finish(&outputs)
     }
 
-    /// Returns whether the claim is made for generic parameters and ε.
+    /// Returns whether the claim has no conditions, so that it should hold for generic parameters
+    /// and ε.
     #[must_use]
     pub fn is_unconditional(&self) -> bool {
         self.conditions.is_empty()
     }
 }
 
-/// Returns the index of entry (i, j), i < j, above the diagonal of an n×n matrix, row by row.
+/// Returns the index of entry (i, j) in the list of entries above the diagonal of an n×n matrix,
+/// row by row. The indices must satisfy i < j.
 #[must_use]
 pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
     i * (2 * n - i - 1) / 2 + (j - i - 1)
@@ -159,12 +165,12 @@ impl System {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())
     }
 
-    /// Returns the claims made under conditions, in order.
+    /// Returns the claims that have conditions, in order.
     pub fn conditional(&self) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(|claim| !claim.is_unconditional())
     }
 
-    /// Returns the system's name, or `field`.
+    /// Returns the system's name, or `field` if it has none.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())

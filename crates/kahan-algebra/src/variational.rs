@@ -1,8 +1,8 @@
-//! The variational field: a field together with tangent vectors.
+//! Derives the variational field, which extends a field by tangent vectors.
 //!
-//! ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a, which is quadratic again. The map becomes x ↦ x̃,
-//! v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarisation and differentiation commute. For a = ε the
-//! inhomogeneous term is f/ε + ∂f/∂ε.
+//! The field ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a for a parameter a, which is quadratic
+//! again. Since polarisation and differentiation commute, the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v +
+//! ∂x̃/∂a. If a = ε, f/ε + ∂f/∂ε replaces ∂f/∂a.
 
 use crate::field::Field;
 use crate::poly::Polynomial;
@@ -12,14 +12,16 @@ use crate::symbols::Symbols;
 use crate::system::System;
 
 impl System {
-    /// Returns the system of x and a tangent vector v (named with a leading `d`), without claims.
+    /// Returns the system for x and a tangent vector v, without claims. The names of v begin with
+    /// `d`.
     #[must_use]
     pub fn variational(&self) -> System {
         self.sensitivities(&[Sensitivity::Start])
     }
 
-    /// Returns the system of x and one derivative vector for each entry of `by`, without claims,
-    /// named with leading `d`s. With [`Sensitivity::Epsilon`], 1/ε is an additional last parameter.
+    /// Returns the system for x and one vector of derivatives for each entry of `by`, without
+    /// claims. The names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], 1/ε is an
+    /// additional last parameter.
     #[must_use]
     pub fn sensitivities(&self, by: &[Sensitivity]) -> System {
         let field = &self.field;

@@ -1,4 +1,5 @@
-//! Coefficients that depend on ε: at each ε the map is that of a field with a parameter k = ε².
+//! Tests coefficients that depend on ε. At each ε, the map equals that of a field with a parameter
+//! k = ε².
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::diagnostics::Diagnostic;
@@ -10,10 +11,11 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::Sensitivity;
 
-/// At k = ε² a factor cancels: x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 − 2εx)).
+/// At k = ε², a factor cancels. The map is then x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 −
+/// 2εx)).
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
-/// Fields with a parameter `k`, to be replaced by ε².
+/// The fields have a parameter `k`, which is replaced by ε².
 const FIELDS: [&str; 12] = [
     "xdot = k*x^2 + x;",
     "struct P { k } xdot = (1 - k)*x^2 + k^2*x - 3*k;",
@@ -22,7 +24,7 @@ const FIELDS: [&str; 12] = [
     "struct P { k } xdot = x^2*(1 + k) - 2*x*y; ydot = y*(x - k*y)/(2 - k);",
     "struct P { a, k } xdot = y*z*(1 - a*k); ydot = x*z + k*(x - y)*(z + a); zdot = x*y + k*x - k*x;",
     "struct P { a, k } xdot = y; ydot = z + k*x*(x - a); zdot = -x*y - k*z^2/(a + k);",
-    // A factor of det A cancels in the map.
+    // In these fields, a factor of det A cancels in the map.
     "struct P { k } xdot = (1 + k)*x^2; ydot = (1 + k)*x*y; zdot = (1 + k)*x*z;",
     REPAIRED,
     "struct P { a, k } x1dot = x2*x3 + k*x1; x2dot = x3*x4 - a; x3dot = k*x4*x1; x4dot = x1*x2 - x3/(1 + k^2); \
@@ -105,14 +107,15 @@ fn the_map_is_that_of_the_field_with_eps_squared_put_in() {
 #[test]
 fn factors_that_cancel_for_these_coefficients_are_divided_out() {
     let own = with_eps(REPAIRED);
-    // ε = 1/2, b = 1: 1 − εb − ε(1 − ε²b²)x is 0 at x = 4/3, and x̃ = x/(1 − x) = −4.
+    // At ε = 1/2 and b = 1, the divisor 1 − εb − ε(1 − ε²b²)x is zero at x = 4/3, where x̃ = x/(1 −
+    // x) = −4.
     let [half, one, y] = [Rational::new(1, 2), Rational::ONE, Rational::from(5)];
     let point = Point { state: vec![Rational::new(4, 3), y], parameters: vec![one], eps: half };
     let next = Interpreter::new(&own).next(&Exact, &point).expect("the reduced map has a value");
     assert_eq!(next, [Rational::from(-4), Rational::from(-45)]);
 }
 
-/// A float step keeps all digits, since its constants are prepared from ε.
+/// A step in floats keeps all digits, because its constants are prepared from ε.
 #[test]
 fn a_step_of_floats_is_near_the_exact_one() {
     let float = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
@@ -160,7 +163,7 @@ fn stepping_back_returns_the_start() {
     }
 }
 
-/// ẋ = ε²x²: one step takes x to x/(1 − 2ε³x), whose derivative by ε is 6ε²x²/(1 − 2ε³x)².
+/// For ẋ = ε²x², one step takes x to x/(1 − 2ε³x). The derivative by ε is 6ε²x²/(1 − 2ε³x)².
 #[test]
 fn the_derivative_by_eps_has_that_of_the_coefficients() {
     let with_derivative = system("xdot = eps^2*x^2;").sensitivities(&[Sensitivity::Epsilon]);
@@ -168,11 +171,11 @@ fn the_derivative_by_eps_has_that_of_the_coefficients() {
     let inverse = eps.recip().expect("it is not 0");
     let point = Point { state: vec![x.clone(), Rational::ZERO], parameters: vec![inverse], eps };
     let next = Interpreter::new(&with_derivative).next(&Exact, &point).expect("no pole");
-    // 1 − 2ε³x = 8/9, 6ε²x² = 3/2
+    // The divisor 1 − 2ε³x is 8/9, and the numerator 6ε²x² is 3/2.
     assert_eq!(next, [Rational::new(27, 16), Rational::new(243, 128)]);
 }
 
-/// Compares with central differences of the exact map.
+/// Derivatives by ε are compared with central differences of the exact map.
 #[test]
 fn derivatives_by_eps_are_limits_of_differences() {
     for text in FIELDS {
@@ -219,7 +222,7 @@ fn values_of_parameters_leave_eps_in_the_coefficients() {
     assert_eq!(next(&fixed), next(&same));
 }
 
-/// (x̃ − x)/(2ε) = ε²xx̃ is 1/x̃ = 1/x − 2ε³.
+/// The map (x̃ − x)/(2ε) = ε²xx̃ is equivalent to 1/x̃ = 1/x − 2ε³.
 #[test]
 fn claims_about_such_a_map_are_proved() {
     let text = "xdot = eps^2*x^2; ydot = -eps^2*y^2; integral I = 1/x + 1/y;";
@@ -251,7 +254,7 @@ fn odd_powers_of_eps_are_refused_at_the_token() {
         assert!(found[0].message.contains("odd powers"), "{found:?}");
         assert_eq!(place(text, &found[0]), start..start + 3, "{text}");
     }
-    // Odd powers may cancel, or multiply to even ones.
+    // Odd powers of ε may cancel, or multiply to even powers.
     system("xdot = (x + eps*y)*(x - eps*y) + eps*x - eps*x; ydot = eps*x*eps;");
 }
 

@@ -1,4 +1,5 @@
-//! Claims `when` relations between parameters and ε hold: solved, proved, refuted, printed.
+//! Tests claims with conditions behind `when`. The conditions are solved, the claims proved or
+//! refuted, and both are printed.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::check::Checked;
@@ -8,13 +9,13 @@ use kahan_algebra::render::{claim_text, condition_note, macro_block};
 use kahan_algebra::system::System;
 use kahan_algebra::{derive, lexer, read, read_unproved, seed};
 
-/// x + y + z changes by (p + q + r) x y.
+/// The derivative of x + y + z is (p + q + r) x y.
 const SUM: &str = "xdot = p*x*y; ydot = q*x*y; zdot = r*x*y;";
-/// A Lotka–Volterra field; a b x + y − a z changes by (a b c + 1) x y.
+/// A Lotka–Volterra field. The derivative of a b x + y − a z is (a b c + 1) x y.
 const VOLTERRA: &str = "xdot = x*(c*y + z); ydot = y*(x + a*z); zdot = z*(b*x + y);";
 /// Two oscillators with the frequencies a1 a2 and a5 a6.
 const OSCILLATORS: &str = "xdot = a1*a2*y; ydot = -a1*a2*x; udot = a5*a6*v; vdot = -a5*a6*u;";
-/// The map multiplies by (1 + ε p)/(1 − ε p) and (1 + ε q)/(1 − ε q).
+/// The map multiplies x by (1 + ε p)/(1 − ε p), and y by (1 + ε q)/(1 − ε q).
 const GROWTH: &str = "xdot = p*x; ydot = q*y;";
 
 fn reading(text: &str) -> Checked {
@@ -53,7 +54,7 @@ fn both_provers_decide_claims_on_their_relations() {
             ],
             &["p = q, r = 2*p", "r = p - q", "r = -p - 2*q", "eps = 1"],
         ),
-        // The first relation is divided by q, so q ≠ 0; hence r = 0 and p = 0.
+        // Solving divides the first relation by q, so q ≠ 0; hence r = 0 and p = 0.
         (SUM, "integral D = x + z", &["p*q = r^2, q*r = 0"], &[]),
         (
             VOLTERRA,
@@ -61,7 +62,7 @@ fn both_provers_decide_claims_on_their_relations() {
             &["a*b*c = -1", "c = -1/(a*b)", "a*b*c = -1, a = b^2", "a = b^2, a*b*c = -1"],
             &["a*b*c = -2", "a*b*c = 1"],
         ),
-        // The last true case: the first relation is divided by a2, so a2 ≠ 0.
+        // This is the last true case. Solving divides the first relation by a2, so a2 ≠ 0.
         (
             OSCILLATORS,
             "integral G = x*u + y*v",
@@ -144,7 +145,7 @@ fn no_sign_and_no_coefficient_can_be_changed() {
 
 #[test]
 fn tensors_are_decided_on_relations_too() {
-    // The bracket of two oscillators of equal frequency, with exchanged signs.
+    // The bracket is that of two oscillators with equal frequency, with exchanged signs.
     let bracket = "bracket P { {x,v} = 1; {y,u} = -1; }";
     assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1*a2 = a5*a6;")), Verdict::Proved(_)));
     assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1 = a5;")), Verdict::Refuted(_)));
@@ -165,7 +166,8 @@ fn a_counterexample_satisfies_the_relations() {
 
 #[test]
 fn the_degrees_of_solved_names_enter_the_error_bound() {
-    // The claim has a degree of about 10⁵, below the limit 2²⁰; with p = q^64 it is above.
+    // The claim has a degree of about 10⁵, which is below the limit 2²⁰. With p = q^64 the degree
+    // exceeds the limit.
     let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
     assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
     assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);
@@ -241,7 +243,8 @@ fn what_is_fixed_later_is_put_into_relations() {
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // With a1, a2 given, a5 is solved for; with three given, a6; with all, the relation is decided.
+    // If a1 and a2 are given, the relation is solved for a5; if three names are given, for a6. If
+    // all four are given, the relation only has to be checked.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));
@@ -274,7 +277,7 @@ fn what_relations_were_divided_by_is_said() {
     assert_eq!(note("p*q = r^2, eps*p = 1/(r + 1)"), "q != 0, 1 + r != 0");
 }
 
-/// r equals −p − q for any value of r.
+/// In the evaluation r equals −p − q, whatever value is given for r.
 #[test]
 fn a_conditional_claim_is_evaluated_where_it_holds() {
     let system = sound(&format!("{SUM} integral S = r*(x + y + z) when r = -p - q;"));

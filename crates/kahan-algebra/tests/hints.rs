@@ -1,7 +1,8 @@
-//! Follows each hint to a text that can be read, or to the page on fields that are not quadratic.
+//! Follows each hint to a text that can be read, or to the page about fields that are not
+//! quadratic.
 //!
-//! Each table row has a text with one mistake, and the text that its hint leads to. Text quoted by
-//! the hint must occur there, up to `…`.
+//! Each row of a table has a text with one mistake, and the text to which its hint leads. Text that
+//! the hint quotes must occur in the second text, up to `…`.
 
 use std::path::Path;
 
@@ -11,7 +12,7 @@ use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::{lenient, lexer, read};
 
 const PAGE: &str = "docs/how-to/not-quadratic.md";
-/// The page on texts in other notations.
+/// The page about texts in other notations.
 const ON_TEXTS: &str = "docs/how-to/texts.md";
 
 fn checked(text: &str) -> Checked {
@@ -24,7 +25,7 @@ fn mistake(text: &str) -> Diagnostic {
     mistake.clone()
 }
 
-/// Returns the text in backticks, split at `…`.
+/// Returns the text in backticks, split at each `…`.
 fn quoted(help: &str) -> Vec<&str> {
     help.split('`').skip(1).step_by(2).flat_map(|quoted| quoted.split('…')).collect()
 }
@@ -32,7 +33,7 @@ fn quoted(help: &str) -> Vec<&str> {
 #[test]
 fn hints_lead_to_a_text_that_is_read() {
     for (wrong, right) in [
-        // Derivatives in other notations.
+        // Derivatives are written in other notations.
         ("dx = y; ydot = -x;", "xdot = y; ydot = -x;"),
         ("dx = -1;", "xdot = -1;"),
         ("dx = -k*dx;", "dxdot = -k*dx;"),
@@ -56,12 +57,12 @@ fn hints_lead_to_a_text_that_is_read() {
         ("x_ddot = -v*x;", "xdot = u; udot = -v*x;"),
         ("ẍ = -x;", "xdot = v; vdot = -x;"),
         ("xdddot = -x;", "xdot = v; vdot = a; adot = -x;"),
-        // The time, and derivatives on a right-hand side.
+        // Rows contain the time, or a derivative on a right-hand side.
         ("xdot = t*x;", "xdot = t*x; tdot = 1;"),
         ("xdot = t*x;", "struct Name { t } xdot = t*x;"),
         ("struct S; xdot = t*x;", "struct S; xdot = t*x; tdot = 1;"),
         ("for i in open { x[i]dot = t*x[i]; }", "for i in open { x[i]dot = t[i]*x[i]; t[i]dot = 1; }"),
-        // Powers and calls.
+        // Rows contain powers and function calls.
         ("xdot = x^(2);", "xdot = x^2;"),
         ("xdot = x^2.0;", "xdot = x^2;"),
         ("xdot = k^-2*x;", "xdot = 1/k^2*x;"),
@@ -126,12 +127,13 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
 }
 
-/// Refused texts of other tools, with the text or the page that each hint leads to.
+/// Texts of other tools are refused. Each row has the text or the page to which the hint
+/// leads.
 #[test]
 fn hints_on_texts_of_other_tools_lead_on() {
     let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);
     for (wrong, part, right) in [
-        // Products without `*`, and units.
+        // Rows have products without `*`, and physical units.
         ("(x)' = -9.999 x + 9.999 y", "`-9.999*x + 9.999*y`", "(x)' = -9.999*x + 9.999*y"),
         ("x' = 2x - 3xy", "`2*x - 3*x*y`; if `xy` is one name", "x' = 2*x - 3*x*y"),
         ("x' = 2x - 3xy", "if `xy` is one name", "x' = 2*x - 3*xy"),
@@ -139,18 +141,18 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("S' = -beta S I; I' = beta S I - gamma I", "`-beta*S*I`", "S' = -beta*S*I; I' = beta*S*I - gamma*I"),
         ("x' = 0.5e-1x(x + 1)", "`0.5e-1*x*(x + 1)`", "x' = 0.5e-1*x*(x + 1)"),
         ("y' = 3 [1/s] * y", "write the number alone", "y' = 3 * y"),
-        // Derivatives.
+        // Derivatives are written in the notation of other tools.
         ("x_dot = y; y' = -x", "`xdot = …`", "xdot = y; y' = -x"),
         ("dx = y; y' = -x", "`xdot = …`", "xdot = y; y' = -x"),
         ("x' = y'; y' = 1", "put in what", "x' = 1; y' = 1"),
         ("x' = v; v' = -x + t", "`tdot = 1;`", "x' = v; v' = -x + t; tdot = 1"),
-        // Values.
+        // Rows set initial values or parameters.
         ("x(0) = a; x' = a*x", "`x(0) = 1/2`", "x(0) = 1/2; x' = a*x"),
         ("x = a; x' = a*x", "`x = 1/2`", "x = 1/2; x' = a*x"),
         ("a = 1; a = 2; x' = a*x", "once", "a = 1; x' = a*x"),
         ("x'(0) = 1; x' = x", "leave it out", "x' = x"),
         ("z(0) = 1; x' = x", "leave it out", "x' = x"),
-        // Features of other tools, and functions that are not smooth.
+        // Rows use features of other tools, or functions that are not smooth.
         ("k1, A + B --> C", "Antimony and SBML", ""),
         ("A + B -> C; k1*A*B; C -> A + B; k2*C; A = 1; k1 = 0.1;", "Antimony and SBML", ""),
         ("x' = -x*abs(x)", ON_TEXTS, ""),
@@ -159,7 +161,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("x' = sin x", PAGE, ""),
         ("x' = if(x > 0, -x, x)", ON_TEXTS, ""),
         ("x' = -x(t - 1)", ON_TEXTS, ""),
-        // Fields that are not quadratic.
+        // The fields are not quadratic.
         ("x'' = -x^3 + cos(t)", PAGE, ""),
         ("x'' = -x^3", PAGE, ""),
         ("S' = -beta*S*I/(S+I+R); I' = beta*S*I/(S+I+R) - gamma*I; R' = gamma*I", PAGE, ""),
@@ -180,7 +182,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(ON_TEXTS).exists());
 }
 
-/// A name that looks like a derivative is a state if the block uses it so.
+/// A name that looks like a derivative is a state if the block uses it as a state.
 #[test]
 fn names_that_are_used_are_states() {
     for (text, states) in [
@@ -203,7 +205,7 @@ fn names_that_are_used_are_states() {
     assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
 }
 
-/// Misreading a field would prove claims about a wrong one.
+/// If a field were misread, claims about a wrong field would be proved.
 #[test]
 fn no_name_of_a_derivative_is_taken_for_a_parameter() {
     for text in [

@@ -1,4 +1,4 @@
-//! Compares limits in the language reference with the code, at each limit and beyond it.
+//! Compares limits in the language reference with the code, both at the limit and beyond it.
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
@@ -28,11 +28,12 @@ fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String 
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }
 
-/// A test of a limit.
+/// A way to test a limit.
 enum Tied {
-    /// By a block at the limit without mistakes, and one beyond it.
+    /// Returns a block for a number. The block at the limit has no mistake; one beyond it has a
+    /// mistake.
     AtTheLimit(fn(usize) -> String),
-    /// By the number in the message for a block far beyond it.
+    /// A block far beyond the limit. The message about it contains the limit.
     InWords(String),
 }
 use Tied::{AtTheLimit, InWords};
@@ -77,7 +78,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
         ),
         ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
         ("digits of a number", AtTheLimit(|n| format!("xdot = {}*x;", "1".repeat(n)))),
-        // 3 has two bits, and a power has the bits of its base times the exponent.
+        // The number 3 has two bits. A power has the bits of its base multiplied by the exponent.
         ("bits of the power of a number", AtTheLimit(|n| format!("xdot = 3^{}*x;", n.div_ceil(2)))),
         (
             "terms of an expansion",
@@ -142,7 +143,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
     assert_eq!(rows, [], "these rows have no test");
 }
 
-/// One budget serves all expressions of a block, and long numbers cost more.
+/// All expressions of a block share one budget, and long numbers cost more than short ones.
 #[test]
 fn many_large_expansions_are_one_mistake() {
     let only = |text: &str| {
@@ -152,7 +153,8 @@ fn many_large_expansions_are_one_mistake() {
     };
     let constants = listed(3_000, |k| format!("const c{} = 3/7*c{k} + 1/{};", k + 1, k + 2), " ");
     assert_eq!(only(&format!("const c0 = 5; {constants} xdot = c3000*x;")), Kind::TooLarge);
-    // The least common multiple of 1 to 20 000 has 28 860 bits and would take seconds.
+    // The least common multiple of 1 to 20 000 has 28 860 bits. Adding all fractions would take
+    // seconds.
     let sum = |count: usize| listed(count, |k| format!("x/{}", k + 1), " + ");
     assert_eq!(mistakes(&format!("xdot = {};", sum(500))), []);
     assert_eq!(only(&format!("xdot = {};", sum(20_000))), Kind::TooLarge);
@@ -160,10 +162,11 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
 }
 
-/// Equations may leave too little of the block's budget for claims; one mistake says so.
+/// The equations may leave too little of the block's budget for the claims. One mistake reports
+/// this.
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
-    // About 170 000 products.
+    // The expansion takes about 170 000 products.
     let power = "(1 + a + b + c)^30";
     let equations = |array: &str| listed(11, |k| format!("x{k}{array}dot = {power}*x{k}{array};"), " ");
     let system = |claims: &str| format!("{} ydot = d*x0; {claims}", equations(""));
@@ -178,7 +181,7 @@ fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
     }
 }
 
-/// Products and powers of powers count after expansion.
+/// The limit applies to exponents after products and powers of powers are expanded.
 #[test]
 fn exponents_of_parameters_count_after_expansion() {
     for equation in ["a^40*a^24*x", "(a^8)^8*x", "a^64*a^36/a^40*x"] {

@@ -1,4 +1,5 @@
-//! The map preserves the formulas of the polarisation and rotation rules exactly.
+//! Checks exactly that the map preserves the integrals found by the polarisation and rotation
+//! rules.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -40,7 +41,8 @@ fn small(random: &mut SplitMix64) -> Rational {
     Rational::new(random.below(13) as i64 - 6, 1 + random.below(5) as i64)
 }
 
-/// Returns whether the map preserves a function at three random points, parameters and steps.
+/// Returns whether the map preserves a function at three random points, each with random parameters
+/// and ε.
 fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64) -> bool {
     let interpreter = Interpreter::new(system);
     let symbols = &system.field.symbols;
@@ -65,7 +67,7 @@ fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64
     true
 }
 
-/// Returns the checked formulas for a text as `rule: integral of the map`.
+/// Returns the integrals found for a text, after checks, in the form `rule: integral of the map`.
 fn found(text: &str) -> Vec<String> {
     let system = system(text);
     let symbols = &system.field.symbols;
@@ -83,7 +85,8 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks that the integral is I at ε = 0, and that I leads to it.
+/// Checks that the integral of the map equals that of the flow at ε = 0, and that the rules derive
+/// the integral of the map from that of the flow.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]
@@ -98,11 +101,11 @@ fn check(text: &str, expected: &[&str]) {
 
 #[test]
 fn lifted_fields_keep_relations_and_energies() {
-    // w = x² for any ẏ, including van der Pol's field.
+    // The relation w = x² yields an integral for any ẏ, including van der Pol's field.
     let relation = "Polarisation: -w + x^2 - eps^2*y^2";
     check("xdot = y; ydot = x*w - 3*y^2 + y*w; wdot = 2*x*y;", &[relation]);
     check("xdot = y; ydot = mu*(y - w*y) - x; wdot = 2*x*y;", &[relation]);
-    // The pendulum: plain, with parameters, and with friction.
+    // The fields are those of the pendulum: plain, with parameters, and with friction.
     let turning = "Rotation: (s^2 + c^2)/(1 + eps^2*p^2)";
     check(
         "xdot = p; pdot = -s; sdot = c*p; cdot = -s*p;",
@@ -113,14 +116,14 @@ fn lifted_fields_keep_relations_and_energies() {
         &["Polarisation: (-2*g*l*c + l^2*p^2 - eps^2*g^2*s^2)/(l)", turning],
     );
     check("xdot = p; pdot = -s - k*p; sdot = c*p; cdot = -s*p;", &[turning]);
-    // Morse's potential u² − 2u, u = exp(−x), with v = u².
+    // The field has Morse's potential u² − 2u with u = exp(−x) and v = u².
     check(
         "xdot = p; pdot = 2*v - 2*u; udot = -u*p; vdot = -2*v*p;",
         &["Polarisation: -4*u + 2*v + p^2 - 4*eps^2*u^2 + 8*eps^2*u*v - 4*eps^2*v^2"],
     );
-    // A linear field preserves the integrals of its flow.
+    // The map of a linear field preserves the integrals of the flow.
     check("xdot = w*y; ydot = -w*x;", &["Polarisation: x^2 + y^2"]);
-    // Toda's chain: momentum and energy.
+    // The integrals of Toda's chain are momentum and energy.
     check(
         "p1dot = -a; p2dot = a - b; p3dot = b; adot = a*(p1 - p2); bdot = b*(p2 - p3);",
         &[
@@ -128,7 +131,7 @@ fn lifted_fields_keep_relations_and_energies() {
             "Polarisation: 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*a^2 + 2*eps^2*a*b - 2*eps^2*b^2",
         ],
     );
-    // Kepler's problem: a = r⁻³, b = x·p/r², c = |p|²/r², F = ax, u = −1/r.
+    // The field is Kepler's problem with a = r⁻³, b = x·p/r², c = |p|²/r², F = ax and u = −1/r.
     check(
         "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
          cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;",
@@ -156,7 +159,7 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
         &["Rotation: (13 - 6*s + 4*c + s^2 + c^2)/(1 + eps^2*m^2)"],
     );
     check("sdot = c*m; cdot = -s*m; mdot = 0;", &["Polarisation: m", "Rotation: s^2 + c^2"]);
-    // Two pairs with equal m also preserve their products.
+    // If two pairs have equal m, their products are also integrals.
     let four =
         found("sdot = c*(m + 1); cdot = -s*(m + 1); udot = v*(m + 1); vdot = -u*(m + 1); mdot = s*u - m^2;");
     assert_eq!(four.len(), 4);
@@ -166,14 +169,15 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
 #[test]
 fn fields_that_nearly_fit_keep_nothing() {
     for text in [
-        // ẋ is not affine.
+        // The derivative ẋ is not affine.
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
-        // dI/dt vanishes on s² + c² = 1 only.
+        // The derivative dI/dt vanishes only on s² + c² = 1.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // Exponents that are not opposite; a third variable that couples.
+        // In the first field the exponents are not opposite. In the next one, a third variable
+        // couples to the pair.
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
-        // The flow preserves s² + c², but the factor that rotates the pair is not a form.
+        // The flow preserves s² + c², but the factor that rotates the pair is not affine.
         "sdot = c*m + s*c; cdot = -s*m - s^2 + 1; mdot = s*m + c^2 - 1;",
     ] {
         check(text, &[]);
@@ -191,7 +195,7 @@ fn fields_that_nearly_fit_keep_nothing() {
     assert!(modified_integral(&euler.field, &with_eps).is_none());
 }
 
-/// Returns a random polynomial in all states; its constant term contains a parameter.
+/// Returns a random polynomial in all states. Its constant term contains a parameter.
 fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polynomial {
     let mut factors = vec![Polynomial::one()];
     factors.extend((0..symbols.dimension()).map(|i| Polynomial::variable(symbols.state(i))));
@@ -205,7 +209,7 @@ fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polyno
     sum
 }
 
-/// Returns the field after the substitution xᵢ ↦ xᵢ + `by`.
+/// Returns the field after xᵢ was replaced by xᵢ + `by`.
 fn sheared(symbols: &Symbols, components: &[Polynomial], i: usize, by: &Polynomial) -> Vec<Polynomial> {
     let slopes = by.gradient(|variable| symbols.is_state(variable));
     let moved = slopes.into_iter().fold(components[i].clone(), |sum, (variable, slope)| {
@@ -224,7 +228,8 @@ fn symbols(states: &[&str]) -> Symbols {
     Symbols { states: names(states), parameters: names(&["k"]) }
 }
 
-/// I = w + a·u + yᵀCy for random ẏ (affine), u̇ (quadratic), a and C, in other coordinates.
+/// The integral is I = w + a·u + yᵀCy. The derivatives ẏ (affine) and u̇ (quadratic), and a and C,
+/// are random. Coordinates are changed.
 #[test]
 fn what_polarisation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(57);
@@ -240,7 +245,7 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let along = |slope: &Polynomial, i: usize| &integral.derivative(symbols.state(i)) * slope;
         let others = &along(&other, 1) + &(&along(&slopes[0], 2) + &along(&slopes[1], 3));
         let mut components = vec![-&others, other, slopes[0].clone(), slopes[1].clone()];
-        // Replace variables by forms: w + 2x, x − 3u, and y plus a constant.
+        // Replace the variables by the forms w + 2x, x − 3u, and y plus a constant.
         for (i, by) in
             [(0, state(2).scale(&2.into())), (2, state(1).scale(&(-3).into())), (3, small(random).into())]
         {
@@ -255,13 +260,14 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let all = modified_integrals(&system.field);
         assert_eq!(all.len(), 1, "{components:?}: {all:?}");
         check_limit(&system.field, &all[0]);
-        // With one coefficient changed, nothing is preserved.
+        // If one coefficient is changed, nothing is preserved.
         components[0] = &components[0] + &(&state(1) * &state(2));
         assert!(modified_integrals(&system_of(&symbols, &components).field).is_empty(), "{components:?}");
     }
 }
 
-/// ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm for random m, ẋ and centres, in mixed coordinates.
+/// The pairs satisfy ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm with random m, ẋ and centres.
+/// Coordinates are mixed.
 #[test]
 fn what_rotation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(58);

@@ -1,4 +1,5 @@
-//! Reading: exact numbers, precedence, cancellation, and blocks that can be printed and read again.
+//! Tests reading of blocks: exact numbers, precedence and cancellation. Also prints blocks and
+//! reads them again.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
@@ -47,7 +48,7 @@ fn spellings_of_one_field_are_one_field() {
         ("xdot = x/(a*b)*a;", "xdot = x/b;"),
     ];
     for (spelling, canonical) in same {
-        // Parameters that cancel remain parameters, so compare only the equations.
+        // Parameters that cancel are still parameters, so compare only the equations.
         assert_eq!(equations(spelling), equations(canonical), "{spelling}");
     }
 }
@@ -136,7 +137,7 @@ fn blocks_of_more_names_and_claims_than_are_read_are_refused() {
         (format!("{} xdot = 1;", constants(9_000)), format!("{} xdot = 1;", constants(70_000))),
         (format!("xdot = 0; {}", claims(500)), format!("xdot = 0; {}", claims(501))),
         (
-            // Many variables, or many terms.
+            // The blocks have many variables or many terms.
             format!("{} integral H = x0;", listed(100, |k| format!("x{k}dot = 0*x{k};"), " ")),
             format!("{} integral H = x0;", listed(1_000, |k| format!("x{k}dot = 0*x{k};"), " ")),
         ),
@@ -208,10 +209,10 @@ fn places_point_at_the_token_to_change() {
     }
 }
 
-/// Inputs that failed once.
+/// Each of the inputs has failed at some time in the past.
 #[test]
 fn what_once_went_wrong_stays_mended() {
-    // A literal followed by a letter outside ASCII.
+    // In these texts, a letter outside ASCII follows a number.
     for text in ["xdot = 2α*x;", "xdot = 1.5ü*x;", "xdot = x^2é;", "xdot = 0é;", "xdot = 1_é*x;"] {
         assert_eq!(reading(text).diagnostics().len(), 1, "{text}");
     }
@@ -222,15 +223,15 @@ fn what_once_went_wrong_stays_mended() {
     // An underscore is not a name.
     assert_eq!(reading("xdot = _*x;").diagnostics().len(), 1);
     assert_eq!(reading("struct _; xdot = x;").diagnostics().len(), 1);
-    // A claim without any equation is one mistake: the field is missing.
+    // A claim without any equation is one mistake, namely that the field is missing.
     assert_eq!(reading("integral H = x;").diagnostics().len(), 1);
-    // The message must not call missing text empty.
+    // The message must not call the missing text empty.
     let read = reading("xdot = @x;");
     let message = &read.diagnostics()[0].message;
     assert!(message.contains('@') && !message.contains("empty"), "{message}");
 }
 
-/// A power of a number is a number in claims and equations; other powers have limits.
+/// A power of a number is a number in claims and in equations. Other powers have limits.
 #[test]
 fn claims_take_powers_of_numbers_as_equations_do() {
     let claim = |text: &str| {
@@ -288,7 +289,7 @@ fn a_block_that_asks_for_a_lift_is_told_where_it_is_lifted() {
         assert_eq!(&*tokens[mistake.span.first].text, "lift");
         assert!(mistake.help.contains("kahan lift"), "{mistake}");
     }
-    // A state, a parameter and a claim may have the name.
+    // The name may be that of a state, a parameter or a claim.
     for text in [
         "liftdot = lift;",
         "struct S { lift } xdot = lift*x;",

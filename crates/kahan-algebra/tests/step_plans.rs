@@ -1,6 +1,6 @@
-//! The plan of a step solves Kahan's scheme in every form: (x̃ − x)/(2ε) = P(x, x̃) over ℚ, P being
+//! Tests that the plan of a step solves Kahan's scheme (x̃ − x)/(2ε) = P(x, x̃) over ℚ, where P is
 //! the polarised field. The fields cover all paths of the planner: reduced and unreduced maps,
-//! blocks, independent sets, parameters, denominators, no division.
+//! blocks, independent sets, parameters, denominators, and steps without division.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -70,7 +70,7 @@ impl Numbers {
     }
 }
 
-/// Returns x̃ at a point (states, parameters, ε) by the plan; `None` at a pole.
+/// Runs the plan at a point, given by states, parameters and ε. Returns x̃; `None` at a pole.
 fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     let value = |variable: kahan_algebra::poly::Variable| Some(point[usize::from(variable.0)].clone());
     let constants = step.constants.evaluate(&Exact, |input| input.value(&[], value));
@@ -83,7 +83,7 @@ fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     Some(point.iter().zip(step.kernel.factors(&results)).map(component).collect())
 }
 
-/// Returns (x̃ − x) − 2ε P(x, x̃), each over the denominator of its equation.
+/// Returns (x̃ − x) − 2ε P(x, x̃). Each component is over the denominator of its equation.
 fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Rational> {
     let eps = &point[usize::from(field.symbols.epsilon().0)];
     let value = |variable| match field.symbols.symbol(variable) {
@@ -129,7 +129,8 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// Fields of four to seven states with few terms: too large to expand, in one or several blocks.
+/// The fields have four to seven states and few terms. They are too large to expand, and have one
+/// or several blocks.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -153,8 +154,9 @@ fn random_sparse_fields_are_stepped_by_their_structure() {
     }
 }
 
-/// Fields of one to three states with constants of either sign, parameters and divisors: reduced
-/// maps with various factors and signs. A driven equation makes the denominator a product.
+/// The fields have one to three states, constants of either sign, parameters and divisors. Their
+/// reduced maps have various factors and signs. An equation that another one drives makes the
+/// denominator a product.
 #[test]
 fn random_small_fields_are_stepped_by_their_reduced_maps() {
     let mut numbers = Numbers(SplitMix64::new(43));
@@ -193,14 +195,14 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     let e1 = field(FIELDS[1].1);
     let step = StepPlan::of(&e1).expect("E1 is small");
     let at = |x: Rational| [x, Rational::from(2), Rational::from(3), Rational::new(1, 2)];
-    // D = (1 − εx)(1 + 2εx); det A has the factor 1 + εx besides.
+    // The denominator is D = (1 − εx)(1 + 2εx); det A has the additional factor 1 + εx.
     assert!(next(&step, &at(Rational::from(2))).is_none());
     assert!(next(&step, &at(Rational::from(-1))).is_none());
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
-/// The increment of a single variable is a quotient if its divisor depends on the state. A constant
-/// divisor keeps its reciprocal, shared by all states.
+/// In a field with a single variable, the increment is a quotient if the divisor depends on the
+/// state. A constant divisor has a reciprocal that all states share.
 #[test]
 fn a_single_variable_is_divided_at_once() {
     for (text, divisions, reciprocals) in [
@@ -217,7 +219,8 @@ fn a_single_variable_is_divided_at_once() {
     }
 }
 
-/// One division serves all components, except in E1 and E5; lanes always use one.
+/// One division serves all components, except in E1 and E5. In SIMD lanes there is always a single
+/// division.
 #[test]
 fn divisions_are_as_few_as_possible() {
     for (name, text) in &FIELDS[..8] {
@@ -230,9 +233,9 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// If each step waits for ε in the denominator, the step is divided by it. E1, E3 and E5 then have
+/// If each step waits for ε in the denominator, the step is divided by ε. E1, E3 and E5 then have
 /// no rounded constants except 1/(2ε) and its doubles, so they are exactly Kahan's map at a nearby
-/// ε. The form for any scalar does not divide by ε.
+/// ε. The form that serves any scalar does not divide by ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

@@ -1,6 +1,6 @@
-//! Accessors of claims: `integrals`, one method per integral, `density`, `bracket_NAME` and
-//! `drift_NAME`. A claim with `when` has a separate accessor, `density_NAME` for a density; the
-//! solved conditions are substituted into its formula.
+//! Emits accessors of claims: `integrals`, one method for each integral, `density`, `bracket_NAME`
+//! and `drift_NAME`. A claim with `when` has an accessor of its own, which for a density is
+//! `density_NAME`. The solved conditions are substituted into its formula.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -18,7 +18,8 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims; marker traits let rustc report missing ones.
+/// Emits the accessors of all claims. If a kind of claim is missing, a marker trait is emitted, so
+/// that rustc can report this.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let (system, derived) = (context.system, context.derived);
@@ -45,7 +46,8 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// Expands to `pub fn NAME(&self, x, eps) -> …`; without parameters the method itself is generic.
+/// Expands to `pub fn NAME(&self, x, eps) -> …`. If the type has no parameters, the method itself
+/// is generic.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,
@@ -99,9 +101,10 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     }
 }
 
-/// Returns the name of an integral's method: its own name, or `integral_NAME` if that is taken.
+/// Returns the name of an integral's method. It is the integral's own name, or `integral_NAME` if
+/// that is taken.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
-    /// Methods of implemented and derived traits and of every type.
+    /// Names of methods that the type or its traits already have.
     const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
         step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit extend_scalars carry_tangent variables \
         parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
@@ -117,7 +120,8 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
-/// Expands to the method of a claim; one with `when` is `density_NAME`, or named by its integral.
+/// Expands to the method of a claim. The method of a density with `when` is `density_NAME`; that of
+/// an integral has the integral's name.
 fn emit_accessor(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let name = match claim.kind {
         ClaimKind::Integral => name_of_integral(&claim.name.text, &context.derived.integral_names),

@@ -1,4 +1,4 @@
-//! A field of many variables: its entries, their positions in A(x,ε), and their elimination.
+//! Emits a field of many variables: its entries, their positions in A(x,ε), and their elimination.
 //!
 //! ```text
 //! pub struct __Coupled;
@@ -8,7 +8,8 @@
 //! }
 //! ```
 //!
-//! The code size is proportional to the number of couplings: no function holds a whole matrix.
+//! The size of the code is proportional to the number of couplings, because no function holds a
+//! whole matrix.
 
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::{Plan, variables};
@@ -23,8 +24,8 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
 
-/// Emits `__Coupled`, on which [`emit_map`](super::map::emit_map) and
-/// [`emit_field`](super::field::emit_field) build.
+/// Emits the type `__Coupled`. The code of [`emit_map`](super::map::emit_map) and
+/// [`emit_field`](super::field::emit_field) uses it.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, places] = sizes(context, couplings);
@@ -58,19 +59,20 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     }
 }
 
-/// Returns the numbers of parameters, of entries of f′, and of structural nonzeros of A.
+/// Returns the numbers of parameters, of entries of f′, and of entries of A that are not
+/// identically zero.
 pub(super) fn sizes(context: &Context<'_>, couplings: &Couplings) -> [Literal; 3] {
     let sizes = [parameters(context), couplings.places.len(), couplings.columns.len()];
     sizes.map(Literal::usize_unsuffixed)
 }
 
-/// Returns the number of parameters, including ε if coefficients depend on it.
+/// Returns the number of parameters. ε counts as one if coefficients depend on it.
 fn parameters(context: &Context<'_>) -> usize {
     let field = &context.system.field;
     field.symbols.parameters.len() + usize::from(field.depends_on_eps())
 }
 
-/// Expands to `[self.mu.clone()]`, with `eps` last if coefficients depend on ε.
+/// Expands to `[self.mu.clone()]`. If coefficients depend on ε, `eps` comes last.
 pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> TokenStream {
     let eps = context.system.field.depends_on_eps().then_some(eps);
     let parameters = context.system.field.symbols.parameters.iter().map(|parameter| {
@@ -81,11 +83,12 @@ pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> Token
     quote!([#(#parameters),*])
 }
 
-/// The maximum number of operations per function. Compile time grows faster than the size of a
-/// function, above all for scalars with error bounds.
+/// The most operations in one function. Compile time grows faster than the size of a function,
+/// above all for scalars with error bounds.
 const MOST_OPERATIONS: usize = 160;
 
-/// Emits the body of a function that returns a plan's results as an array, split if it is long.
+/// Emits the body of a function that returns the results of a plan as an array. A long body is
+/// split into several functions.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     if plan.operations.len() <= 2 * MOST_OPERATIONS {
         let (bindings, results) = emit_part(context, plan);
@@ -124,7 +127,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// Emits a plan after bindings of states and parameters; returns its bindings and results.
+/// Emits a plan after the bindings of states and parameters. Returns the bindings and the results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = variables(plan);
@@ -160,7 +163,8 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     }
 }
 
-/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`, the elimination unrolled in loop order.
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`. The elimination is unrolled in the order
+/// of its loop.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let [parameters, slopes, _] = sizes(context, couplings);
@@ -196,7 +200,7 @@ fn entry(place: usize) -> Ident {
     format_ident!("__a{place}")
 }
 
-/// Emits A = I − εf′. Also returns which stored entries are nonzero.
+/// Emits the entries of A = I − εf′. Also returns for each stored entry whether it is nonzero.
 fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     let mut is_there = vec![false; couplings.columns.len()];
     let mut lines = TokenStream::new();
@@ -216,7 +220,8 @@ fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
     (lines, is_there)
 }
 
-/// Emits the LU elimination: multipliers replace the lower entries, reciprocals the pivots.
+/// Emits the LU elimination. Multipliers replace the entries below the diagonal, and reciprocals
+/// replace the pivots.
 fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     let Couplings { rows, columns, .. } = couplings;
     let mut lines = TokenStream::new();
@@ -250,7 +255,7 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
     lines
 }
 
-/// Emits the triangular substitutions, block by block; the solution replaces the right-hand side.
+/// Emits the triangular substitutions, block by block. The solution replaces the right-hand side.
 fn emit_solution(couplings: &Couplings) -> TokenStream {
     let Couplings { order, rows, columns, .. } = couplings;
     let right = |turn: usize| format_ident!("__b{}", order[turn]);

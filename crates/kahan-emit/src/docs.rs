@@ -1,4 +1,4 @@
-//! Documentation of the generated items, including their formulas.
+//! Writes the documentation of the generated items, including their formulas.
 
 use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{
@@ -13,7 +13,7 @@ use quote::quote;
 use super::Context;
 use super::lifted::Lifted;
 
-/// The maximum length in bytes; longer formulas are left to `kahan show`.
+/// The largest length in bytes. Longer formulas are left to `kahan show`.
 const LONGEST: usize = 2_000;
 
 fn emit_lines(lines: &[String]) -> TokenStream {
@@ -27,7 +27,7 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
     quote!(#before #[doc = #line])
 }
 
-/// Returns the documentation of a system; if `follows`, the user's documentation comes first.
+/// Writes the documentation of a system. If `follows`, the user's documentation comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if !context.is_proved {
         return stand_in(follows);
@@ -121,14 +121,14 @@ pub(super) fn project() -> TokenStream {
     emit_lines(&[" The states of a point of the lift.".to_owned()])
 }
 
-/// Returns the text of a claim, with the divisors that must not vanish.
+/// Returns the text of a claim, with the divisors that must be nonzero.
 fn proved(context: &Context<'_>, claim: &Claim) -> String {
     let note = condition_note(context.system, claim);
     let text = claim_text(context.system, claim);
     if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
-/// Returns a paragraph on the largest accurate step sizes, if they are limited.
+/// Writes a paragraph about the largest accurate step sizes, if they are limited.
 fn domain(who: &str, holds_to: u32) -> Vec<String> {
     if holds_to == LARGEST_SIZE {
         return Vec::new();
@@ -155,7 +155,7 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
 }
 
 fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
-    /// The approximate number of characters that rustdoc shows without a scroll bar.
+    /// The approximate number of characters in a line that rustdoc shows without a scroll bar.
     const WIDTH: usize = 96;
     let folded = formulas.iter().map(|formula| folded(formula, WIDTH)).collect::<String>();
     lines.push(" ```text".to_owned());
@@ -174,14 +174,15 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// The longest formula shown here; `integrals` shows longer ones.
+    /// The length of the longest formula that is shown here. Longer ones are shown by `integrals`.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
 }
 
-/// Returns the documentation of a claim's method; [`integral`] documents integrals without `when`.
+/// Writes the documentation of a claim's method. Integrals without `when` are documented by
+/// [`integral`].
 pub(super) fn accessor(context: &Context<'_>, claim: &Claim) -> TokenStream {
     let (kind, name) = (claim.kind, &claim.name.text);
     let (introduction, title) = match kind {

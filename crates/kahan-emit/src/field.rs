@@ -1,4 +1,4 @@
-//! `QuadraticField`: f, f′, the symmetric bilinear form and the polarised field.
+//! Emits `QuadraticField`: f, its Jacobian f′, the symmetric bilinear form and the polarised field.
 
 use kahan_algebra::Derived;
 use kahan_algebra::plan::Plan;
@@ -15,7 +15,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived.at_eps_zero();
     let (value, slope) = emit_value_and_slope(context, derived, &quote!(__kahan::integer(0)));
     let bilinear = emit_vector(context, derived.bilinear());
-    // A homogeneous quadratic field is polarised by its bilinear form.
+    // A homogeneous quadratic field is polarised by its bilinear form alone.
     let polarized = if derived.polarized() == derived.bilinear() {
         quote!(__kahan::QuadraticField::bilinear(self, x, y))
     } else {
@@ -41,7 +41,8 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to methods that evaluate the field at ε; `None` if coefficients do not depend on ε.
+/// Expands to methods that evaluate the field at ε. Returns `None` if coefficients do not depend on
+/// ε.
 pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
     let derived = context.derived;
     if !context.system.field.depends_on_eps() {
@@ -66,8 +67,8 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`: emitted plans, or calls of `__Coupled`'s
-/// methods, whose parameters include ε if coefficients depend on it.
+/// Returns the bodies of `field` and `field_jacobian`. They are emitted plans, or calls of methods
+/// of `__Coupled`. The parameters of these methods include ε if coefficients depend on it.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,

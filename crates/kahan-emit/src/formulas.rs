@@ -1,10 +1,10 @@
-//! Plans as tables of operations in postfix order.
+//! Emits plans as tables of operations in postfix order.
 //!
 //! ```text
 //! { use __kahan::Postfix::*; &[State(0), State(1), Multiply, Done, State(0), Negate, Done] }
 //! ```
 //!
-//! An operation that several results need is repeated for each of them.
+//! If several results need an operation, it is repeated for each of them.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -23,12 +23,14 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
-/// Returns the stack depth of an operation on operands of depths a and b, the deeper first.
+/// Returns the stack depth that an operation needs if its operands need depths a and b. The operand
+/// with the larger depth comes first.
 fn pair(a: usize, b: usize) -> usize {
     if a == b { a + 1 } else { a.max(b) }
 }
 
-/// Returns the stack depth of each operation, with the deeper operand first.
+/// Returns the stack depth that each operation needs. The operand with the larger depth always
+/// comes first.
 fn depths(plan: &Plan) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
@@ -64,7 +66,7 @@ impl PostfixWriter<'_> {
                 let (of, place) = match self.symbols.symbol(variable) {
                     Symbol::State(k) => (quote!(State), k),
                     Symbol::Parameter(k) => (quote!(Parameter), k),
-                    // ε follows the parameters if coefficients depend on it.
+                    // If coefficients depend on ε, it follows the parameters.
                     Symbol::Epsilon => (quote!(Parameter), self.symbols.parameters.len()),
                     Symbol::SecondState(_) => unreachable!("a field has no such variable"),
                 };
@@ -96,7 +98,8 @@ impl PostfixWriter<'_> {
         self.steps.extend(quote!(#step,));
     }
 
-    /// Writes two operands, the deeper one first, and returns the operation's name for that order.
+    /// Writes two operands, the one with the larger depth first. Returns the name of the operation
+    /// for this order.
     fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
         let is_exchanged = self.depth(b) > self.depth(a);
         let [first, second] = if is_exchanged { [b, a] } else { [a, b] };
@@ -124,7 +127,7 @@ impl PostfixWriter<'_> {
     }
 }
 
-/// An operand: a node of the plan, or the product inside a fused operation.
+/// An operand, which is a node of the plan, or the product inside a fused operation.
 #[derive(Clone, Copy)]
 enum Part {
     Of(Node),

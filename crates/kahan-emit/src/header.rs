@@ -1,4 +1,4 @@
-//! Attributes, documentation and visibility of a header as Rust syntax.
+//! Turns the attributes, documentation and visibility of a header into Rust syntax.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub(super) struct RustHeader {
 }
 
 impl RustHeader {
-    /// Parses a header, without the invalid attributes, which the front end has reported.
+    /// Parses a header. Invalid attributes are left out, because the front end has reported them.
     pub(super) fn of(header: &Header, input: &FlatTokens) -> Self {
         let attributes = |written| Attribute::parse_outer.parse2(input.rust(written)).unwrap_or_default();
         let described = header.described.iter().map(attributes);
@@ -41,7 +41,7 @@ pub(super) fn has_docs(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| attribute.path().is_ident("doc"))
 }
 
-/// Removes from a user's `#[derive(…)]` the traits that the macro itself derives.
+/// Removes from the user's `#[derive(…)]` the traits that the macro itself derives.
 fn without_our_derives(attribute: &mut Attribute) {
     const OURS: [&str; 4] = ["Clone", "Copy", "Debug", "PartialEq"];
     if !attribute.path().is_ident("derive") {

@@ -1,4 +1,4 @@
-//! Bindings for the inputs of plans.
+//! Emits bindings for the inputs of plans.
 
 use kahan_algebra::plan::{Plan, variables};
 use kahan_algebra::poly::Variable;
@@ -17,8 +17,8 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     }
 }
 
-/// Binds the inputs of a plan: `let [__s_x, _, __s_z] = __kahan::components(x);`, parameters from
-/// `self`. ε is named `eps`, and the second point `y`.
+/// Binds the inputs of a plan, as in `let [__s_x, _, __s_z] = __kahan::components(x);`. Parameters
+/// are read from `self`. ε has the name `eps`, and the second point has the name `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = variables(plan);
     let mut bindings = TokenStream::new();
@@ -32,7 +32,7 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     bindings
 }
 
-/// Binds the parameters among `inputs`, which are sorted, to `read(field)`.
+/// Binds the parameters among `inputs` to `read(field)`. The inputs must be sorted.
 pub(super) fn emit_bound_parameters(
     inputs: &[Variable],
     symbols: &Symbols,
@@ -47,16 +47,16 @@ pub(super) fn emit_bound_parameters(
     given.filter(|(variable, _)| inputs.binary_search(variable).is_ok()).map(binds).collect()
 }
 
-/// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
+/// Binds the states that a kernel reads, as in `let [__s_x, _, __s_z] = __state;`.
 ///
-/// All states are read at once; reading them on first use misleads auto-vectorisation.
+/// All states are read at once, because reading them on first use misleads auto-vectorisation.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&variables(plan), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
-/// Returns a pattern for the components of a point among `inputs`, which are sorted, with `_` for
-/// other components; `None` if the pattern binds nothing.
+/// Returns a pattern for the components of a point that are among `inputs`, with `_` for other
+/// components. The inputs must be sorted. Returns `None` if the pattern binds nothing.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,

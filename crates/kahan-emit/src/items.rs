@@ -1,4 +1,4 @@
-//! The generated type, its constants, and the value of a block without a header.
+//! Emits the generated type, its constants, and the value of a block without a header.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::Context;
 use super::header::{RustHeader, has_docs};
 use super::lifted;
 
-/// Returns a user's identifier. The front end has reported `_`, which is replaced.
+/// Returns an identifier of the user. The name `_` is replaced; the front end has reported it.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
     match syn::parse_str::<Ident>(name) {
         Ok(_) => Ident::new(name, span),
@@ -20,12 +20,12 @@ pub(super) fn identifier(name: &str, span: Span) -> Ident {
     }
 }
 
-/// The type that a block declares; an anonymous type if the block has no header.
+/// The type that a block declares. If the block has no header, the type is anonymous.
 pub(super) struct Type<'a> {
     pub(super) name: Ident,
     pub(super) scalar: Ident,
     parameters: &'a [String],
-    /// The parameters that have one value per site of a family.
+    /// The parameters that have one value for each site of a family.
     site_parameters: &'a [String],
     header: Option<RustHeader>,
 }
@@ -64,7 +64,7 @@ impl<'a> Type<'a> {
     }
 
     /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas`
-    /// returns the documentation; its argument says whether the user's documentation comes first.
+    /// returns the documentation. Its argument tells whether the user's documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
@@ -95,8 +95,9 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// Returns the items; without a header, a block that ends with `Field { mu: Clone::clone(&mu)
-    /// }`. Parameters in this value keep the user's tokens, which resolve in the user's scope.
+    /// Returns the items. If the block has no header, returns a block that ends with
+    /// `Field { mu: Clone::clone(&mu) }`. The parameters in this value keep the user's tokens, so
+    /// that they resolve in the user's scope.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &FlatTokens) -> TokenStream {
         if self.header.is_some() {
             return items.clone();
@@ -120,9 +121,9 @@ impl<'a> Type<'a> {
 
 pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
 
-/// Expands to `impl E6 { pub const X: usize = 0; … }`, the index of each state.
+/// Expands to `impl E6 { pub const X: usize = 0; … }`, with the index of each state.
 ///
-/// A state whose constant would clash with another name gets none. Only `E7<f64>` has the
+/// A state gets no constant if the constant's name is already in use. Only `E7<f64>` has the
 /// constants, so that `E7::X` needs no type annotation.
 pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
@@ -149,7 +150,8 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     quote! { impl #this { #(#places)* } }
 }
 
-/// Expands to `impl<T> Named for E7<T> { … }` and to `pub const VARIABLES …` of the type.
+/// Expands to `impl<T> Named for E7<T> { … }`, and to the constant `pub const VARIABLES …` of the
+/// type.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let (this, generics) = (context.this.path(), context.this.generics());

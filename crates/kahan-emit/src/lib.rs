@@ -1,8 +1,8 @@
 //! Emits Kahan's map of a system as Rust.
 //!
-//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens for the
-//! macro, or as formatted text. This crate contains no mathematics: plans fix every operation. A
-//! block with a header expands to
+//! The input is a block of the language of `kahan!`, read by `kahan-algebra`. The output is the map
+//! as tokens for the macro, or as formatted text. This crate contains no mathematics, because plans
+//! fix every operation. A block with a header expands to
 //!
 //! ```text
 //! #[derive(Clone, Copy, Debug, PartialEq)] pub struct E7<T> { pub xi: T }
@@ -17,13 +17,14 @@
 //! };
 //! ```
 //!
-//! A block without a header expands to `{ …the items of an anonymous type…; Field { mu: mu.clone()
-//! } }`. Mistakes become `compile_error!` beside a stand-in type, so that uses of the type cause no
-//! further errors.
+//! A block without a header expands to
+//! `{ …the items of an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
+//! `compile_error!` next to a stand-in type, so that uses of the type cause no further errors.
 //!
-//! Generated code names items through `__kahan` and prefixes bindings with `__` (state `x` is
-//! `__s_x`, parameter `mu` is `__p_mu`), because a user's constant of the same name would be taken
-//! for a pattern. Arguments have readable names; imported functions shadow the user's constants.
+//! Generated code names items through `__kahan` and prefixes bindings with `__`: state `x` is
+//! `__s_x`, and parameter `mu` is `__p_mu`. Without the prefix, a constant of the user with an
+//! equal name would be taken for a pattern. Arguments have readable names, because imported
+//! functions shadow the user's constants.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -76,7 +77,7 @@ struct Context<'a> {
     this: Type<'a>,
     lifted: Option<&'a Lifted>,
     dimension: Literal,
-    /// Whether the claims are proved; if not, the code is a stand-in for a block with mistakes.
+    /// Whether the claims are proved. If not, the code is a stand-in for a block with mistakes.
     is_proved: bool,
 }
 
@@ -85,12 +86,12 @@ struct Context<'a> {
 pub struct Expansion {
     /// The name of the system.
     pub name: String,
-    /// The code.
+    /// The code of the expansion.
     pub tokens: TokenStream,
 }
 
-/// Expands a block, given the tokens between the brackets of `kahan!`. `core` is the path of the
-/// crate that holds `__private`. Mistakes become `compile_error!` at their tokens.
+/// Expands a block, given by the tokens between the brackets of `kahan!`. `core` is the path of the
+/// crate that contains `__private`. Mistakes become `compile_error!` at their tokens.
 #[must_use]
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     let input = tokens::flatten(block);
@@ -112,9 +113,10 @@ fn read_block(input: &FlatTokens) -> ParsedBlock {
 }
 
 /// Expands the block in a file, like `include_kahan!("FILE")`. `file` is the literal, and `beside`
-/// the source file that contains it. The compiler re-reads the block when the file changes.
+/// is the source file that contains the literal. When the file changes, the compiler reads the
+/// block again.
 ///
-/// Mistakes become a `compile_error!` at the literal, with a caret under each position.
+/// Mistakes become one `compile_error!` at the literal, with a caret under each position.
 #[must_use]
 pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
     included(core, file, beside)
@@ -177,8 +179,9 @@ fn emit(core: &TokenStream, block: ParsedBlock, input: &FlatTokens) -> TokenStre
     }
 }
 
-/// Emits the errors of a block and a stand-in that keeps rustc from reporting more: a type with
-/// methods that return 0 if the states are known, otherwise the header's type, otherwise nothing.
+/// Emits the errors of a block and a stand-in that prevents further errors of rustc. If the states
+/// are known, the stand-in is a type with methods that return 0. Otherwise it is the header's type,
+/// or nothing.
 fn emit_broken(
     core: &TokenStream,
     broken: &Broken,
@@ -197,7 +200,7 @@ fn emit_broken(
         };
     }
     if header.is_none() {
-        // One `compile_error!` is valid both as an item and as an expression.
+        // A single `compile_error!` is valid both as an item and as an expression.
         return if diagnostics.len() <= 1 {
             errors
         } else {
@@ -209,7 +212,7 @@ fn emit_broken(
     quote! { #errors #definition }
 }
 
-/// Emits the type of a system, its implementations, and a value if the block has no header.
+/// Emits the type of a system and its implementations. If the block has no header, a value follows.
 fn emit_system(
     core: &TokenStream,
     derived: &Derived,
@@ -258,7 +261,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     }
 }
 
-/// Emits a `compile_error!` at the tokens of each mistake, or a single one for a file.
+/// Emits a `compile_error!` at the tokens of each mistake. For a file, emits a single one.
 fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
@@ -273,7 +276,8 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     diagnostics
         .iter()
         .map(|diagnostic| {
-            // Two tokens at the start and end of the span; syn extends the error over both.
+            // Two tokens stand at the start and the end of the span; syn extends the error over
+            // both.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
             syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()

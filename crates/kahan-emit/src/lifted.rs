@@ -1,5 +1,5 @@
-//! Blocks that request a lift. The lifted field is emitted like any other, and the type gets
-//! methods for the initial values of the new variables.
+//! Emits blocks that request a lift. The lifted field is emitted like any other field. The type
+//! also gets methods for the initial values of the new variables.
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_algebra::check::{Broken, Checked, StandIn};
@@ -22,21 +22,22 @@ use super::inputs::binding;
 use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
-/// The search budget: small enough for an unoptimised macro, and equal in every build.
+/// The budget of the search for a lift. It is small enough for an unoptimised macro, and equal in
+/// every build.
 const NODES: usize = 200;
 
 pub(super) struct Lifted {
-    /// The number of original states, including `t` if time occurs.
+    /// The number of original states. If time occurs, the state `t` is included.
     pub(super) states: usize,
     pub(super) lift: Option<Lift>,
     embedding: Embedding,
 }
 
-/// Lifts the equations of a block and proves its claims for the lifted field.
+/// Lifts the equations of a block, and proves its claims for the lifted field.
 pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     let mut mistakes = Diagnostics::default();
     let block = parse_lifted(tokens, &mut mistakes);
-    // `lift` reports these mistakes.
+    // The function `lift` reports these mistakes.
     drop(mistakes.finish());
     let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
     let place = place.unwrap_or(Span::token(0));
@@ -61,7 +62,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
-/// Points an error about the macro's search budget to the command, whose budget is larger.
+/// Adds advice to an error about the macro's search budget: the command has a larger budget.
 fn name_command(mistake: &mut Diagnostic, place: Span) {
     if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
         mistake.span = place;
@@ -87,8 +88,8 @@ fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Li
     (Checked::Broken(Broken { diagnostics, stand_in }), lifted)
 }
 
-/// Returns the block with lifted equations. Without a header it declares the original parameters,
-/// because some may occur only in initial values.
+/// Returns the block with lifted equations. If it has no header, it declares the original
+/// parameters, because some may occur only in initial values.
 fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
     let mut none = Diagnostics::default();
     let equations = parse(&lex(&lift.text()).tokens, &mut none).equations;
@@ -123,7 +124,7 @@ fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: S
     }
 }
 
-/// Returns the system if its claims hold, otherwise a stand-in and the mistakes.
+/// Returns the system if its claims hold. Otherwise returns a stand-in and the mistakes.
 fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     let mut diagnostics = Diagnostics::default();
     check_claims(&system, seed(tokens), &mut diagnostics);
@@ -150,8 +151,9 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
     Checked::Broken(Broken { diagnostics, stand_in })
 }
 
-/// Tests in floats whether an integral that failed the proof is constant on the relations of the
-/// lift. A step from embedded points must change it by less than 1e-9 of its change elsewhere.
+/// Tests in floats an integral whose proof failed: it may still be constant where the relations of
+/// the lift hold. Steps from points where they hold must change it by less than 1e-9 of its change
+/// elsewhere.
 fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
     const EPS: f64 = 1.0 / 64.0;
     const ROUNDING: f64 = 1e-9;
@@ -174,7 +176,7 @@ fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
         Some((value(&next)? - value(&point.state)?).abs()).filter(|change| change.is_finite())
     };
     let changes = (1..=6).filter_map(|place| {
-        // Values between 0.3 and 0.8, where logarithms and similar functions are defined.
+        // The values are between 0.3 and 0.8, where logarithms and similar functions are defined.
         let spread = |index: usize| 0.3 + ((7 + place) * (3 + index) % 11) as f64 / 20.0;
         let states: Vec<f64> = (0..lift.states.len()).map(spread).collect();
         let parameters: Vec<f64> = (0..lift.parameters.len()).map(|k| spread(k + states.len())).collect();
@@ -205,7 +207,8 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to `embed` and `project`, with the bounds on the methods, so that rustc names scalars.
+/// Expands to `embed` and `project`. The bounds are on the methods, so that errors of rustc name
+/// the scalar.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
@@ -234,7 +237,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
     }
 }
 
-/// Emits the body of `embed`: one binding per operation, in `f64`.
+/// Emits the body of `embed`, with one binding for each operation in `f64`.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let program = &lifted.embedding.program;

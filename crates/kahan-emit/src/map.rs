@@ -1,4 +1,5 @@
-//! `KahanMap`: the prepared step, and the closed forms of N and D within the size budget.
+//! Emits `KahanMap`: the prepared step, and the closed forms of N and D if they are within the size
+//! budget.
 
 use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::{Plan, variables};
@@ -14,7 +15,7 @@ use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
 
-/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`.
+/// Expands to the prepared step and to `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (items, prepared) = match (context.derived.couplings(), context.derived.step()) {
@@ -70,7 +71,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// Emits the step by sparse elimination, and its Jacobian by sparse elimination too.
+/// Emits the step by sparse elimination. Its Jacobian is computed by sparse elimination too.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;
@@ -116,7 +117,8 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Emits the tangent map from x to x̃, called `y`; `None` if the plans have no form for it.
+/// Emits the tangent map from x to its image, which has the name `y`. Returns `None` if the plans
+/// contain no form of it.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.tangent_map()?;
     let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
@@ -148,7 +150,8 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     })
 }
 
-/// Emits det A, (N, D) and the reduced (N, D), all without division by functions of the state.
+/// Emits the closed forms of det A, (N, D) and the reduced (N, D). None of them divides by
+/// functions of the state.
 fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {
@@ -166,7 +169,8 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     quote! { #det_matrix #rational_map #reduced_map }
 }
 
-/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and denominator.
+/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`, which returns the numerators
+/// and the denominator.
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();

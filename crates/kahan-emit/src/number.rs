@@ -1,10 +1,11 @@
-//! Exact constants as Rust.
+//! Emits exact constants as Rust.
 
 use kahan_algebra::rational::Rational;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// Emits a constant: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all digits.
+/// Emits a constant as `__kahan::integer::<T>(3)` or `__kahan::ratio::<T>(1, 2)`, or with all its
+/// digits.
 pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
     if let Some((kind, parts)) = short(value) {
         return quote!(__kahan::#kind::<#scalar>(#parts));

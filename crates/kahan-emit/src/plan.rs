@@ -1,12 +1,13 @@
-//! A plan as Rust: one `let` for each value used more than once; other values are nested.
+//! Emits a plan as Rust. A value that is used more than once gets a `let`; other values are nested.
 //!
 //! ```text
 //! let __t_eps_x = __e_eps.get() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! Operations keep the plan's order. Values with a `let`, and a kernel's states, move on their last
-//! use and are cloned before; other inputs and constants are borrowed and always cloned.
+//! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is moved at
+//! its last use and cloned at earlier ones. Other inputs and constants are borrowed and always
+//! cloned.
 
 use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
@@ -18,10 +19,12 @@ use super::inputs::binding;
 use super::names;
 use super::number::emit_constant;
 
-/// The nesting depth beyond which a value gets a `let`, for readability and rustc's stack.
+/// The nesting depth beyond which a value gets a `let`. The limit keeps the code readable and
+/// protects the stack of rustc.
 const DEEPEST: usize = 24;
 
-/// The Rust of a plan: bindings, then one expression per result, to be used in this order.
+/// The Rust code of a plan: bindings, and one expression for each result. The expressions must be
+/// used in this order.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -44,13 +47,14 @@ impl Expression {
         Expression { tokens, level: Precedence::Atom }
     }
 
-    /// Returns the tokens, in parentheses if the expression binds less tightly than `level`.
+    /// Returns the tokens. They are in parentheses if the precedence of the expression is lower
+    /// than `level`.
     fn grouped(self, level: Precedence) -> TokenStream {
         if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }
 }
 
-/// Puts tokens into parentheses. `quote!` would copy nested tokens at every level.
+/// Puts tokens into parentheses. With `quote!`, nested tokens would be copied at every level.
 fn parenthesised(tokens: TokenStream) -> TokenStream {
     TokenTree::from(Group::new(Delimiter::Parenthesis, tokens)).into()
 }
@@ -73,25 +77,27 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants in a kernel; `None` elsewhere, where scalars handle x/0.
+    /// The names of the prepared constants in a kernel. In other plans it is `None`; there the
+    /// scalars handle x/0.
     constants: Option<&'a [String]>,
-    /// Whether `let`s contain fences against auto-vectorisation.
+    /// Whether each `let` contains a call that prevents auto-vectorisation.
     has_fences: bool,
-    /// For each value, the number of uses not yet written.
+    /// For each value, the number of uses that are not yet written.
     uses: Vec<usize>,
-    /// The nesting depth of each value above its nearest `let`s.
+    /// For each value, the number of nested operations up to the nearest values with a `let`.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
     names: ValueNames,
     bindings: TokenStream,
 }
 
-/// Emits a plan whose inputs [`emit_inputs`](super::inputs::emit_inputs) has bound.
+/// Emits a plan whose inputs were bound by [`emit_inputs`](super::inputs::emit_inputs).
 pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitted {
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step; it returns `None` at a pole. Constants are `__e_` + `constants[k]`.
+/// Emits the kernel of a step. The kernel returns `None` at a pole. Constant k has the name `__e_`
+/// followed by `constants[k]`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -133,7 +139,7 @@ impl<'a> Emitter<'a> {
         Emitted { bindings: self.bindings, results }
     }
 
-    /// Returns the operands to write; a reciprocal omits its numerator 1.
+    /// Returns the operands that are written. In a reciprocal, the numerator 1 is not written.
     fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
         let written = usize::from(self.reciprocal_of(operation).is_some());
         operation.operands().skip(written)
@@ -207,7 +213,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Writes a binary operation; only a right operand of equal precedence needs parentheses.
+    /// Writes a binary operation. Of two operands with equal precedence, only the right one needs
+    /// parentheses.
     fn binary(&mut self, a: Node, b: Node, level: Precedence, operator: char) -> Expression {
         let tighter = if level == Precedence::Sum { Precedence::Product } else { Precedence::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
@@ -219,7 +226,8 @@ impl<'a> Emitter<'a> {
         Expression::atom(call(a, method, infix(b.tokens, ',', c.tokens)))
     }
 
-    /// Writes `a / b`; in a kernel `b.reciprocal()?` or `a.quotient(b)?`, which report a pole.
+    /// Writes `a / b`. In a kernel writes `b.reciprocal()?` or `a.quotient(b)?` instead, which
+    /// report a pole.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
             return self.binary(a, b, Precedence::Product, '/');

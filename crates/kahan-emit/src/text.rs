@@ -1,4 +1,4 @@
-//! The expansion as formatted text.
+//! Formats the expansion of a block as text.
 
 use std::error::Error;
 use std::fmt;
@@ -10,16 +10,16 @@ use super::expand;
 
 const MOST_TOKENS: usize = 500_000;
 
-/// The reason why an expansion has no text.
+/// The error that an expansion cannot be returned as text.
 #[derive(Debug)]
 pub enum ExpansionTextError {
-    /// The block does not consist of Rust tokens; `x²` is an example.
+    /// The block contains text that is not a Rust token, for example `x²`.
     NotRust(LexError),
     /// The expansion has too many tokens to format.
     TooLong {
         /// The number of tokens.
         tokens: usize,
-        /// The maximum number of tokens.
+        /// The largest permitted number of tokens.
         most: usize,
     },
 }
@@ -39,10 +39,12 @@ impl fmt::Display for ExpansionTextError {
 
 impl Error for ExpansionTextError {}
 
-/// Returns the formatted expansion of `kahan! { block }`, in a function if it has no header.
+/// Returns the formatted expansion of `kahan! { block }`. If the block has no header, the expansion
+/// is inside a function.
 ///
 /// # Errors
-/// [`ExpansionTextError`]: the block is not made of Rust tokens, or the expansion is too long.
+/// Returns an [`ExpansionTextError`] if the block does not consist of Rust tokens, or if the
+/// expansion is too long.
 pub fn text(core: &TokenStream, block: &str) -> Result<String, ExpansionTextError> {
     let expansion = expand(core, block.parse().map_err(ExpansionTextError::NotRust)?);
     let tokens = count(&expansion.tokens);

@@ -1,4 +1,5 @@
-//! Flattens compiler tokens, or text, to front-end tokens, each with its compiler span.
+//! Turns the compiler's tokens, or a text, into a flat list of tokens for the front end. Each keeps
+//! its compiler span.
 
 use std::ops::Range;
 
@@ -7,7 +8,7 @@ use kahan_algebra::syntax::WrittenTokens;
 use kahan_algebra::token::{Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
 
-/// The text of included tokens, whose positions the compiler does not know.
+/// The text of an included file. The compiler does not know the positions of its tokens.
 pub(crate) struct Source {
     pub(crate) text: String,
     pub(crate) ranges: Vec<Range<usize>>,
@@ -17,9 +18,10 @@ pub(crate) struct Source {
 pub(crate) struct FlatTokens {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,
-    /// The tree that begins at each token, and the index of its last; `None` at closing brackets.
+    /// For each token, the tree that begins there and the index of the tree's last token. At
+    /// closing brackets it is `None`.
     trees: Vec<Option<(TokenTree, usize)>>,
-    /// The text, if the tokens come from a file.
+    /// The text of the file, if the tokens come from a file.
     pub(crate) source: Option<Source>,
 }
 
@@ -29,7 +31,7 @@ pub(crate) fn of_text(text: String, origin: String, span: Span) -> FlatTokens {
     FlatTokens { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
 }
 
-/// Flattens a token stream with an explicit stack instead of recursion.
+/// Flattens a stream of tokens. An explicit stack replaces recursion.
 pub(crate) fn flatten(stream: TokenStream) -> FlatTokens {
     let mut flat = FlatTokens { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new(), source: None };
     let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<(Group, usize)>)> =
@@ -59,7 +61,8 @@ pub(crate) fn flatten(stream: TokenStream) -> FlatTokens {
     flat
 }
 
-/// Returns a group's brackets; one without, such as a captured `$e:expr`, gets parentheses.
+/// Returns the brackets of a group. A group without brackets, such as a captured `$e:expr`, gets
+/// parentheses.
 fn brackets(group: &Group) -> (char, char) {
     match group.delimiter() {
         Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
@@ -78,7 +81,7 @@ impl FlatTokens {
         }
     }
 
-    /// Returns the compiler's tokens of a span that contains whole groups only.
+    /// Returns the compiler's tokens of a span. The span must contain whole groups only.
     fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
         let mut next = span.first;
         let trees = core::iter::from_fn(|| {

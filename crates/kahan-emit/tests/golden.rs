@@ -1,7 +1,8 @@
-//! Golden expansions: blocks and their Rust, to be reviewed like any code.
+//! Compares the expansions of blocks with golden files, which are reviewed like any code.
 //!
-//! The first file shows a whole expansion; later files omit functions already shown, up to the type
-//! name and dimension. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit` writes the files.
+//! The first file shows a whole expansion. Later files omit functions that equal functions shown
+//! before, up to the type name and the dimension. `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit`
+//! writes the files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -12,13 +13,13 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 
-/// The blocks and the functions that each shows; an empty list means all.
+/// The blocks, with the functions that each file shows. An empty list means all functions.
 const BLOCKS: [(&str, &[&str]); 7] = [
     ("e3", &[]),
     ("parameters", &[]),
     ("anonymous", &["quotients", "prepare", "extend_scalars"]),
     ("broken", &["integrals", "prepare"]),
-    // More than eight variables: sparse elimination.
+    // This field has more than eight variables and uses sparse elimination.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     ("family", &["sizes", "boundary", "constants", "field", "rows", "densities"]),
     ("lifted", &["embed", "project", "field", "E"]),
@@ -28,7 +29,8 @@ const BLOCKS: [(&str, &[&str]); 7] = [
 struct Shown(BTreeSet<String>);
 
 impl Shown {
-    /// Returns the expansion without functions shown earlier, and records those that it shows.
+    /// Returns the expansion without functions that were shown before, and records the functions
+    /// that it shows.
     fn rest(&mut self, block: &str, functions: &[&str]) -> String {
         let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens;
         if let Ok(mut value) = syn::parse2::<Block>(tokens.clone()) {
@@ -41,7 +43,7 @@ impl Shown {
         formatted(&quote!(#(#items)*))
     }
 
-    /// Removes functions shown earlier from the implementations inside the constant.
+    /// Removes functions that were shown before from the implementations inside the constant.
     fn take(&mut self, block: &mut Block, functions: &[&str]) {
         for statement in &mut block.stmts {
             if let Stmt::Item(Item::Const(constant)) = statement
@@ -55,7 +57,8 @@ impl Shown {
         }
     }
 
-    /// Reduces an implementation to its new functions; returns whether any remain.
+    /// Reduces an implementation to the functions that were not shown before. Returns whether there
+    /// are any.
     fn has_news(&mut self, item: &mut ItemImpl, functions: &[&str]) -> bool {
         let name = item.self_ty.to_token_stream().to_string();
         let name = name.split(' ').next().unwrap_or_default().to_owned();
@@ -85,7 +88,7 @@ fn formatted(tokens: &TokenStream) -> String {
     prettyplease::unparse(&syn::parse2(tokens.clone()).expect("what the macro expands to is Rust"))
 }
 
-/// Replaces the dimension in vector and matrix types by n.
+/// Replaces the dimension in the types of vectors and matrices by n.
 fn without_dimension(text: &str) -> String {
     (1..10).fold(text.to_owned(), |text, n| {
         text.replace(&format!("SVector < T , {n} >"), "SVector < T , n >")
@@ -143,7 +146,7 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
     }
 }
 
-/// Beyond the limit rustc would overflow its stack, so every kind of block must report it.
+/// Beyond the limit the stack of rustc would overflow, so every kind of block must report it.
 #[test]
 fn a_block_of_too_many_parameters_is_told_so() {
     for (count, is_refused) in [(2000, false), (2001, true)] {

@@ -1,4 +1,5 @@
-//! The Chinese remainder theorem: polynomials modulo several primes become polynomials over ℤ.
+//! Reconstructs polynomials over ℤ from polynomials modulo several primes, by the Chinese remainder
+//! theorem.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +19,8 @@ pub(super) struct CrtFactors {
 }
 
 impl CrtFactors {
-    /// Adds the factors modulo one more prime; returns whether a coefficient changed.
+    /// Combines the known factors with the factors modulo one more prime. Returns whether a
+    /// coefficient changed.
     pub(super) fn combine(&mut self, field: PrimeField, residues: Vec<Residues>) -> bool {
         let prime = BigInt::from(field.prime());
         if self.factors.is_empty() {

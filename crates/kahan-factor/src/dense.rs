@@ -1,14 +1,16 @@
-//! Dense polynomials in one variable over a prime field: coefficients by exponent.
+//! Dense polynomials in one variable over a prime field. A polynomial is the vector of its
+//! coefficients, ordered by exponent.
 
 use kahan_algebra::prime_field::PrimeField;
 
-/// Coefficients by exponent.
+/// The coefficients of a polynomial, ordered by exponent from 0 on.
 pub type Dense = Vec<u64>;
 
-/// The bound from which sums of products of residues below 2^62 are reduced; they never overflow.
+/// The bound at which a sum of products is reduced modulo the prime. Residues are below 2^62, so no
+/// sum overflows before it is reduced.
 const REDUCE_AT: u128 = 1 << 127;
 
-/// Removes trailing zeros.
+/// Removes the zeros at the end of the vector.
 #[must_use]
 pub fn trimmed(mut a: Dense) -> Dense {
     while a.last() == Some(&0) {
@@ -17,7 +19,8 @@ pub fn trimmed(mut a: Dense) -> Dense {
     a
 }
 
-/// Adds the first `sums.len()` coefficients of a·b to `sums`, which are reduced by the caller.
+/// Adds the first `sums.len()` coefficients of the product a·b to `sums`. The caller must reduce
+/// `sums` modulo the prime afterwards.
 pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
     for (shift, &left) in a.iter().enumerate().take(sums.len()) {
         for (sum, &right) in sums[shift..].iter_mut().zip(b) {
@@ -33,7 +36,7 @@ pub(super) fn reduced(field: PrimeField, sums: &[u128]) -> Dense {
     sums.iter().map(|sum| (sum % u128::from(field.prime())) as u64).collect()
 }
 
-/// Returns the first `len` coefficients of a·b, including trailing zeros.
+/// Returns the first `len` coefficients of the product a·b, and keeps zeros at the end.
 pub(super) fn product_to(field: PrimeField, a: &[u64], b: &[u64], len: usize) -> Dense {
     let mut sums = vec![0; len];
     add_product(field, &mut sums, a, b);
@@ -63,13 +66,13 @@ pub(super) fn difference(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     trimmed((0..a.len().max(b.len())).map(|index| field.sub(at(a, index), at(b, index))).collect())
 }
 
-/// Divides a by its leading coefficient; 0 stays 0.
+/// Divides a polynomial by its leading coefficient. The polynomial 0 stays 0.
 pub(super) fn monic(field: PrimeField, a: &[u64]) -> Dense {
     let inverse = a.last().and_then(|&lead| field.inverse(lead)).unwrap_or(0);
     a.iter().map(|&coefficient| field.mul(coefficient, inverse)).collect()
 }
 
-/// Returns the quotient and the remainder of a divided by b.
+/// Returns the quotient and the remainder of the division of a by b.
 ///
 /// # Panics
 /// If b is 0.
@@ -96,7 +99,7 @@ pub(super) fn rest(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     quotient_and_rest(field, a, b).1
 }
 
-/// Returns the monic greatest common divisor.
+/// Returns the monic greatest common divisor of a and b.
 #[must_use]
 pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     let (mut a, mut b) = (a.to_vec(), b.to_vec());
@@ -106,9 +109,9 @@ pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     monic(field, &a)
 }
 
-/// Returns 1/a modulo `modulus`; `None` unless the two are coprime.
+/// Returns the inverse of a modulo `modulus`; `None` unless both are coprime.
 pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<Dense> {
-    // Each row is (r, s) with r = s·a modulo `modulus`.
+    // Each pair (r, s) satisfies r = s·a modulo `modulus`.
     let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (rest(field, a, modulus), vec![1]));
     while lower.0.len() > 1 {
         let (quotient, rest) = quotient_and_rest(field, &upper.0, &lower.0);
@@ -131,15 +134,15 @@ pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[
     power
 }
 
-/// Returns the derivative.
+/// Returns the derivative of the polynomial.
 #[must_use]
 pub fn derivative(field: PrimeField, a: &[u64]) -> Dense {
     let terms = a.iter().enumerate().skip(1);
     trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
 }
 
-/// Returns for pairwise coprime factors fᵢ the polynomials sᵢ with deg sᵢ < deg fᵢ and Σ sᵢ·∏_{j≠i}
-/// fⱼ = 1; `None` if two factors are not coprime.
+/// Returns the numerators sᵢ of the partial fractions 1/∏fᵢ = Σ sᵢ/fᵢ of the given factors fᵢ,
+/// where deg sᵢ < deg fᵢ. Returns `None` if two factors are not coprime.
 pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
     let cofactor = |skipped: usize, modulus: &Dense| {
         let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);

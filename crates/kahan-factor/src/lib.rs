@@ -1,11 +1,14 @@
-//! Irreducible factors of multivariate polynomials over ℚ, as powers of primitive polynomials.
+//! Factors multivariate polynomials over ℚ into powers of irreducible primitive polynomials.
 //!
-//! The common factors of all terms and of all coefficients in a main variable are divided out
-//! first. Then an image in one variable is factored (`univariate`) and lifted to further variables
-//! (`multivariate`, `sparse`, `series`). Division proves factors; irreducible images prove
-//! irreducibility. Seeded random points only affect speed. A budget of work, never a clock, ends
-//! the search. Multivariate factors are not recombined: other points serve as well (Hilbert's
-//! irreducibility theorem). The crate must not know vector fields or names of variables.
+//! First the common factors of all terms, and those of all coefficients in a main variable, are
+//! divided out. Then an image in one variable is factored (`univariate`), and its factors are
+//! lifted to the other variables (`multivariate`, `sparse`, `series`). A division proves that a
+//! factor is right; an irreducible image proves that a factor is irreducible. Seeded random points
+//! affect only the speed, and a budget of work, never a clock, ends the search.
+//!
+//! Factors of a multivariate polynomial are not recombined, because almost all points give
+//! irreducible images of irreducible polynomials (Hilbert's irreducibility theorem). The crate must
+//! know neither vector fields nor names of variables.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -28,29 +31,33 @@ pub use root::root;
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, degree_bounds};
 use kahan_algebra::rational::Rational;
 
-/// A polynomial as content · ∏ factor^exponent.
+/// A polynomial, written as content · ∏ factor^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Factors {
-    /// The rational factor, with the sign; 0 for the polynomial 0.
+    /// The rational factor, which carries the sign. The polynomial 0 has content 0.
     pub content: Rational,
-    /// Pairwise coprime polynomials with coprime integer coefficients, the leading one positive,
-    /// and their exponents. Sorted by degree, then by number of terms.
+    /// The factors and their exponents, sorted by degree, then by number of terms. Factors are
+    /// pairwise coprime; each has coprime integer coefficients and a positive leading coefficient.
     pub factors: Vec<(Polynomial, u32)>,
     /// Whether every factor is proved irreducible.
     pub is_complete: bool,
 }
 
-/// Limits for the square-free decomposition that follows after the budget ran out.
+/// The most terms of a polynomial that is still decomposed into square-free factors after the
+/// budget ran out.
 const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
-/// Returns the irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
+/// Returns the irreducible factors over ℚ by the methods of Zassenhaus (1969) and, for several
+/// variables, Wang (1978).
 ///
-/// If the budget runs out, `is_complete` is false. The remaining polynomial is then decomposed into
-/// square-free factors, or left whole if their gcds are too expensive; the product is still the
-/// polynomial. An irreducible polynomial costs one pass over its terms for each variable and one
-/// univariate factorisation. Factors of t terms in n variables cost about n·t lifts in two
-/// variables. A budget of ten million lasts a few seconds at most.
+/// If the budget runs out, `is_complete` is false, but the product is still the polynomial. The
+/// part without known factors is then decomposed into square-free factors, or left whole if the
+/// gcds are too expensive.
+///
+/// An irreducible polynomial costs one pass over its terms for each variable and one univariate
+/// factorisation. Factors with t terms in n variables cost about n·t lifts in two variables. A
+/// budget of ten million lasts a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
@@ -71,7 +78,7 @@ pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
 }
 
 impl Factors {
-    /// Returns content · ∏ factor^exponent.
+    /// Multiplies out content · ∏ factor^exponent.
     pub fn product(&self) -> Polynomial {
         self.factors.iter().fold(Polynomial::constant(self.content.clone()), |product, (factor, exponent)| {
             (0..*exponent).fold(product, |product, _| &product * factor)
@@ -81,7 +88,8 @@ impl Factors {
 
 type Powers = Vec<(Polynomial, u32)>;
 
-/// Splits a polynomial into its monomial factors and the primitive remaining polynomial.
+/// Splits a polynomial into powers of variables and a primitive polynomial that no variable
+/// divides.
 fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     let monomial = polynomial.monomial_content();
     let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
@@ -89,7 +97,7 @@ fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
 }
 
-/// Returns the irreducible factors of a primitive polynomial without monomial factors; `None` if
+/// Returns the irreducible factors of a primitive polynomial that no variable divides; `None` if
 /// they are not found.
 fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
     let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
@@ -103,7 +111,8 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// Chooses a variable of degree 1, or else one of low degree with a short leading coefficient.
+/// Chooses the main variable: one of degree 1 if possible, otherwise one of low degree whose
+/// leading coefficient has few terms.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);
@@ -111,8 +120,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// Splits off the factors free of `main`; `None` if the search fails. They divide every
-/// coefficient, so they are among the factors of the shortest one.
+/// Splits off the factors that do not contain `main`; returns `None` if the search fails. Such
+/// factors divide every coefficient, so it suffices to factor the shortest coefficient.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

@@ -1,4 +1,5 @@
-//! Hensel lifting of factors modulo a prime p to factors modulo a power of p, one power at a time.
+//! Lifts factors modulo a prime p to factors modulo a power of p (Hensel's lemma), one power at a
+//! time.
 
 use kahan_algebra::poly::{Budget, OverBudget};
 use kahan_algebra::prime_field::PrimeField;
@@ -10,13 +11,13 @@ use num_traits::{One, Zero};
 use super::dense::{self, Dense};
 use super::univariate::Integers;
 
-/// Monic polynomials whose product is, up to a unit, a given polynomial modulo `modulus`.
+/// Monic polynomials whose product, multiplied by a unit, is a given polynomial modulo `modulus`.
 pub(super) struct Lifted {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,
 }
 
-/// Lifts monic, pairwise coprime factors of `whole` modulo p to a modulus above `bound`.
+/// Lifts monic, pairwise coprime factors of `whole` modulo p to a power of p above `bound`.
 pub(super) fn lift(
     field: PrimeField,
     factors: &[Dense],
@@ -68,7 +69,7 @@ pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers 
     product.iter().map(|coefficient| coefficient.mod_floor(modulus)).collect()
 }
 
-/// Returns the residue of least absolute value.
+/// Returns the residue of `value` modulo `modulus` with the least absolute value.
 pub(super) fn symmetric(value: &BigInt, modulus: &BigInt) -> BigInt {
     let residue = value.mod_floor(modulus);
     if &residue * 2 > *modulus { residue - modulus } else { residue }

@@ -1,9 +1,10 @@
-//! Irreducible factors of a polynomial that is primitive in its main variable.
+//! Factors a polynomial that is primitive in its main variable.
 //!
-//! All other variables are set to small integers. If the image keeps the degree and is irreducible,
-//! so is the polynomial. Otherwise the factors of the image are lifted modulo large primes (Wang,
-//! "An improved multivariate polynomial factoring algorithm", Math. Comp. 32, 1978) until their
-//! product is the polynomial. The lifted factors are irreducible because their images are.
+//! All variables except the main one are set to small integers. If the resulting image keeps the
+//! degree and is irreducible, the polynomial is irreducible too. Otherwise the factors of the image
+//! are lifted modulo large primes until their product is the polynomial (Wang, "An improved
+//! multivariate polynomial factoring algorithm", Math. Comp. 32, 1978). The lifted factors are
+//! irreducible because their images are.
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
@@ -13,9 +14,9 @@ use super::crt_factors::CrtFactors;
 use super::sparse::{self, SparseLiftingProblem};
 use super::{Powers, irreducible, univariate, without_monomial};
 
-/// The most attempts with new points after a failed lift; the range of the points grows each time.
+/// The most attempts with new points. Each attempt draws its points from a larger range.
 const ROUNDS: u32 = 8;
-/// The number of images to compare; the one with the fewest factors is lifted.
+/// The number of images to compare in one attempt. The image with the fewest factors is lifted.
 const IMAGES: usize = 2;
 
 /// Returns the irreducible factors with their exponents; `None` if no image can be lifted.
@@ -54,14 +55,16 @@ pub(super) fn factors(
     Ok(None)
 }
 
-/// The polynomial with integer values for all variables except the main one.
+/// The factors of the polynomial after all variables except the main one were set to the integers
+/// `points`.
 struct Image {
     points: Vec<i64>,
     factors: Powers,
 }
 
 impl Image {
-    /// Factors the image at random points below `size` + 2; `None` if the degree drops.
+    /// Factors the image at random integer points of absolute value below `size` + 2. Returns
+    /// `None` if the image has a smaller degree than the polynomial.
     fn at(
         whole: &Polynomial,
         order: &[Variable],
@@ -94,12 +97,13 @@ impl Image {
         matches!(self.factors.as_slice(), [(_, 1)])
     }
 
-    /// Returns the sort key of an image: fewer repeated factors, then fewer factors.
+    /// Returns a sort key: images with fewer repeated factors come first, then images with fewer
+    /// factors.
     fn key(&self) -> (i64, usize) {
         (-self.factors.iter().map(|(factor, _)| i64::from(factor.degree())).sum::<i64>(), self.factors.len())
     }
 
-    /// Returns the factors of the polynomial with the images `self.factors`, if the lift succeeds.
+    /// Lifts the factors of this image to factors of the polynomial; `None` if the lift fails.
     fn lifted(
         &self,
         whole: &Polynomial,
@@ -131,8 +135,8 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.without_multiplier(candidate, budget)?, *exponent));
                 }
-                // If every factor has the degree of its image and the product is right, each factor
-                // belongs to its image.
+                // If every factor has the degree of its image and the product is the polynomial,
+                // then each factor belongs to its image.
                 let degrees = factors.iter().zip(&self.factors);
                 let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
                     factor.degree_in(order[0]) == image.degree()
@@ -148,7 +152,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime.
+    /// Tests at one point modulo a prime whether lead·∏ candidate^k = whole·∏ multiplier^k, where k
+    /// is the exponent of each factor.
     fn agree(
         &self,
         whole: &Polynomial,
@@ -195,7 +200,7 @@ fn is_product(
     Ok(rest.is_one())
 }
 
-/// The leading coefficient in the main variable, and its factors.
+/// The leading coefficient in the main variable, together with its factors.
 struct LeadingCoefficient {
     whole: Polynomial,
     content: Rational,
@@ -211,7 +216,8 @@ impl LeadingCoefficient {
         Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
-    /// Returns a multiple of the leading coefficient of every factor with this exponent.
+    /// Returns a common multiple of the leading coefficients of all factors that have this
+    /// exponent.
     fn multiplier(&self, exponent: u32, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let mut product = Polynomial::constant(self.content.clone());
         for (factor, own) in &self.factors {
@@ -220,8 +226,8 @@ impl LeadingCoefficient {
         Ok(product)
     }
 
-    /// Divides by factors of the leading coefficient that the multiplier introduced; returns the
-    /// primitive part.
+    /// Divides out the factors of the leading coefficient that the multiplier added, and returns
+    /// the primitive part.
     fn without_multiplier(
         &self,
         polynomial: Polynomial,

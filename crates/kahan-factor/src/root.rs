@@ -1,15 +1,15 @@
-//! A root in a prime field of a polynomial in one variable, by the splitting of Cantor and
+//! Finds a root in a prime field of a polynomial in one variable, by the method of Cantor and
 //! Zassenhaus (Math. Comp. 36, 1981).
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense;
 
-/// Maximal number of random splits; each fails with probability about 1/2.
+/// The most random splits. Each one fails with probability about 1/2.
 const MOST_DRAWS: usize = 64;
 
-/// Returns a root of the polynomial with these coefficients by exponent; `None` if the polynomial
-/// is constant or no root is found. `draw` returns random elements of the field.
+/// Returns a root of the polynomial with these coefficients, ordered by exponent. Returns `None` if
+/// the polynomial is constant or no root is found. `draw` must return random elements of the field.
 pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u64) -> Option<u64> {
     let polynomial = dense::trimmed(coefficients.to_vec());
     if polynomial.is_empty() {
@@ -19,7 +19,8 @@ pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u
         let power = dense::power(field, base, exponent, polynomial);
         dense::gcd(field, polynomial, &dense::difference(field, &power, less))
     };
-    // The product of x − r over the roots r divides xᵖ − x.
+    // In the field with p elements, xᵖ − x is the product of x − r over all elements r. Its gcd
+    // with the polynomial has the polynomial's roots.
     let mut roots = common(&polynomial, &[0, 1], field.prime(), &[0, 1]);
     for _ in 0..MOST_DRAWS {
         match roots.len() {
@@ -27,7 +28,8 @@ pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u
             2 => return Some(field.neg(roots[0])),
             _ => {}
         }
-        // (x + s)^((p−1)/2) is 1 at about half of the roots.
+        // With p elements in the field, (x + s)^((p−1)/2) is 1 at about half of the roots x for a
+        // random s.
         let part = common(&roots, &[draw(), 1], (field.prime() - 1) / 2, &[1]);
         if part.len() > 1 && part.len() < roots.len() {
             roots = part;

@@ -1,28 +1,34 @@
-//! Hensel lifting from factors at y = point to factors in x and y, in F_p[[t]] with t = y − point.
+//! Lifts factors at y = point to factors in x and y (Hensel's lemma), as power series in t = y −
+//! point.
 //!
-//! The lift works on monic polynomials over power series. At the end each factor is multiplied by a
-//! multiple of its leading coefficient, which makes it a polynomial in t (Geddes, Czapor and
-//! Labahn, Algorithms for Computer Algebra, 1992, section 6.6). Powers of a factor are lifted
-//! together and their root is taken at the end, so the polynomial need not be square-free.
+//! The lift works with monic polynomials whose coefficients are power series. At the end each
+//! factor is multiplied by a multiple of its leading coefficient, which turns the series into
+//! polynomials in t (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, section
+//! 6.6). The polynomial need not be square-free: a power of a factor is lifted as a whole, and its
+//! root is taken at the end.
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// A polynomial in x and y (or t): for each power of x, the coefficients by powers of y.
+/// The coefficients of a polynomial in x and y: row i holds the coefficients of xⁱ, ordered by
+/// powers of y. Some functions use t = y − point instead of y.
 pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
 pub(super) struct LiftingProblem<'a> {
-    /// The product, up to a factor without x; all rows have equal length.
+    /// The polynomial to factor, up to a divisor that does not contain x. All rows have equal
+    /// length.
     pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
-    /// For each factor a multiple of its leading coefficient, by powers of y, as long as a row.
+    /// For each factor a multiple of its leading coefficient. Its coefficients are ordered by
+    /// powers of y, and there are as many as in a row of `whole`.
     pub(super) multipliers: &'a [Dense],
     pub(super) point: u64,
 }
 
-/// Lifts the factors, each multiplied by multiplier / leading coefficient. `None` if the leading
-/// coefficient vanishes at the point, or two factors agree there.
+/// Lifts each factor and multiplies it by its multiplier divided by its leading coefficient.
+/// Returns `None` if the leading coefficient of `whole` vanishes at the point, or if two factors
+/// have a common root there.
 pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<Vec<BivariateCoefficients>> {
     let LiftingProblem { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
@@ -48,8 +54,8 @@ pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<V
     Some(results)
 }
 
-/// Lifts monic factors from t = 0; returns for each factor its coefficients by powers of t, which
-/// are polynomials in x.
+/// Lifts monic factors from t = 0. Returns for each factor its coefficients of t⁰, t¹, …, which are
+/// polynomials in x.
 fn lift_monic(
     field: PrimeField,
     whole: &BivariateCoefficients,
@@ -57,7 +63,7 @@ fn lift_monic(
 ) -> Option<Vec<Vec<Dense>>> {
     let by_t = transposed(whole, whole[0].len());
     let inverses = dense::partial_fractions(field, &factors)?;
-    // products[i] is the product of factors 0 … i.
+    // The entry products[i] is the product of the factors 0 to i.
     let mut products: Vec<Vec<Dense>> = Vec::new();
     for factor in &factors {
         let one = vec![1];
@@ -69,7 +75,7 @@ fn lift_monic(
     }
     let mut lifted: Vec<Vec<Dense>> = factors.into_iter().map(|factor| vec![factor]).collect();
     for step in 1..by_t.len() {
-        // Update the products without the new coefficients first;
+        // First update the products without the new coefficients of the factors.
         for index in 0..lifted.len() {
             let mut sums = vec![0; whole.len()];
             if index > 0 {
@@ -81,7 +87,7 @@ fn lift_monic(
             products[index].push(dense::reduced(field, &sums));
         }
         let error = dense::difference(field, &by_t[step], &products[lifted.len() - 1][step]);
-        // then add the new coefficients.
+        // Then add the new coefficients.
         let mut before: Dense = Vec::new();
         for index in 0..lifted.len() {
             let image = lifted[index][0].clone();
@@ -107,10 +113,12 @@ fn transposed(rows: &[Dense], columns: usize) -> BivariateCoefficients {
     (0..columns).map(column).collect()
 }
 
-/// Returns the monic k-th root of a k-th power of a monic polynomial in x, over power series in t.
+/// Returns the monic polynomial in x whose k-th power is `power`, where k is `exponent`.
+/// Coefficients are power series in t.
 ///
-/// Let h(1/x)·x^(kd) be the power and α = 1/k. The series h^α follows from h·(h^α)′ = α·h′·h^α
-/// (Knuth, The Art of Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
+/// Write the power as h(1/x)·x^(kd), where d is the degree of the root, and let α = 1/k. The
+/// coefficients rₘ of the series h^α follow from h·(h^α)′ = α·h′·h^α (Knuth, The Art of Computer
+/// Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
 fn root(
     field: PrimeField,
     power: BivariateCoefficients,
@@ -141,7 +149,7 @@ fn scaled(field: PrimeField, row: &[u64], factor: u64) -> Dense {
     row.iter().map(|&value| field.mul(value, factor)).collect()
 }
 
-/// Returns the coefficients of a(y + by).
+/// Returns the coefficients of the shifted polynomial a(y + by).
 fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     let mut shifted = a.to_vec();
     for done in 0..a.len() {
@@ -152,7 +160,7 @@ fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     shifted
 }
 
-/// Returns 1/a as a power series of equal length; `None` if a(0) = 0.
+/// Returns as many coefficients of the power series 1/a as a has; `None` if a(0) = 0.
 fn reciprocal(field: PrimeField, a: &[u64]) -> Option<Dense> {
     let unit = field.inverse(*a.first()?)?;
     let mut inverse = vec![unit];

@@ -1,11 +1,11 @@
-//! Factors modulo a large prime p, lifted one variable at a time.
+//! Lifts factors modulo a large prime, one variable at a time.
 //!
-//! Each step frees one variable y: it lifts in y ([`series`](super::series)) at several values of
-//! the earlier variables and interpolates on the known monomials of each factor (Zippel,
-//! "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers of one
-//! point, so the linear systems are Vandermonde's (Monagan and Tuncer, CASC 2016; Chen and Monagan,
-//! CASC 2020). A monomial whose coefficient vanishes at the points is missed; the final division
-//! detects this.
+//! Each step frees one variable y. It sets the variables freed earlier to several values, lifts the
+//! factors in y at each value ([`series`](super::series)), and interpolates on the known monomials
+//! of each factor (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The
+//! values are powers of one point, so the matrices of the linear systems are Vandermonde matrices
+//! (Monagan and Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A step misses a monomial if its
+//! coefficient vanishes at the points; the final division detects such an error.
 
 use std::collections::BTreeMap;
 
@@ -17,22 +17,24 @@ use super::dense::{self, Dense};
 use super::series::{self, BivariateCoefficients, LiftingProblem};
 use super::vandermonde;
 
-/// A polynomial over F_p: coefficients by exponents, the main variable first.
+/// The coefficients of a polynomial over a prime field, by the exponents of its variables. The
+/// exponent of the main variable comes first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
-/// A polynomial to factor, with the factors of one of its images.
+/// A polynomial to factor, with the factors of one of its images in the main variable.
 pub(super) struct SparseLiftingProblem<'a> {
     pub(super) whole: &'a Polynomial,
-    /// The variables of the polynomial, the main one first.
+    /// The variables of the polynomial; the main variable comes first.
     pub(super) order: &'a [Variable],
-    /// The values of all variables but the main one.
+    /// The values of all variables except the main one.
     pub(super) points: &'a [i64],
     pub(super) images: &'a [(Polynomial, u32)],
     /// For each factor a multiple of its leading coefficient in the main variable.
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// Lifts the factors modulo p, each times multiplier / leading coefficient; `None` at a bad point.
+/// Lifts each factor modulo the prime and multiplies it by its multiplier divided by its leading
+/// coefficient. Returns `None` if the points do not allow the lift.
 pub(super) fn lift(
     field: PrimeField,
     problem: &SparseLiftingProblem<'_>,
@@ -65,7 +67,8 @@ pub(super) fn lift(
     Ok(Some(factors.into_iter().map(|(factor, _)| factor).collect()))
 }
 
-/// Returns the polynomials with the first 1, 2, … variables free and the others at the points.
+/// Returns the polynomial at several stages: stage k keeps the first k + 1 variables and sets all
+/// others to the points.
 fn stages(field: PrimeField, polynomial: &Polynomial, order: &[Variable], points: &[u64]) -> Vec<Residues> {
     let mut stages = vec![residues(field, polynomial, order)];
     for &point in points.iter().rev() {
@@ -92,7 +95,7 @@ fn residues(field: PrimeField, polynomial: &Polynomial, order: &[Variable]) -> R
         .collect()
 }
 
-/// One lifting step, which frees one more variable.
+/// A lifting step, which frees one more variable.
 struct Step<'a> {
     field: PrimeField,
     whole: &'a Residues,
@@ -155,21 +158,23 @@ fn column(rows: &BivariateCoefficients) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
-/// Returns the value of a monomial in the variables of `base`, without the main variable.
+/// Returns the value at `base` of a monomial without its main variable.
 fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     let powers = exponents[1..].iter().zip(base);
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial that is evaluated at successive powers of a point.
+/// A polynomial that is evaluated at successive powers of a point, while one or two variables stay
+/// free.
 struct PowerEvaluation {
-    /// For each term: exponents of the two free variables, current value, and ratio to the next
-    /// value.
+    /// For each term: the exponents of the two free variables, the current value of the rest, and
+    /// the ratio of the next value to the current one.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
 impl PowerEvaluation {
-    /// Starts at power 0. The main variable and the variable with index `second` stay free.
+    /// Starts at power 0 of the point `base`. The main variable stays free, and so does the
+    /// variable with index `second` if given.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
             let other = second.map_or(0, |place| exponents[place] as usize);
@@ -178,7 +183,8 @@ impl PowerEvaluation {
         Self { terms: polynomial.iter().map(term).collect() }
     }
 
-    /// Returns the coefficients at the next power, by powers of the main and the second variable.
+    /// Goes to the next power of the point. Returns the coefficients by powers of the main variable
+    /// (rows) and of the second variable (columns).
     fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> BivariateCoefficients {
         let mut values = vec![vec![0; columns]; rows];
         for (row, column, value, ratio) in &mut self.terms {
@@ -190,7 +196,7 @@ impl PowerEvaluation {
     }
 }
 
-/// The monomials of a factor by powers of the main variable, and their values.
+/// The monomials of a factor and their values, grouped by the power of the main variable.
 struct FactorSupport {
     groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }

@@ -1,9 +1,10 @@
-//! Square-free decomposition f = ∏ fₖ^k with fₖ square-free and pairwise coprime (Yun, "On
-//! square-free decomposition algorithms", SYMSAC 1976).
+//! Computes the square-free decomposition f = ∏ fₖ^k, where the fₖ are square-free and pairwise
+//! coprime (Yun, "On square-free decomposition algorithms", SYMSAC 1976).
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 
-/// Decomposes a primitive polynomial. If the budget runs out, a factor may remain undecomposed.
+/// Decomposes a primitive polynomial. If the budget runs out, a returned factor may itself have
+/// repeated factors.
 pub(super) fn square_free(polynomial: &Polynomial, budget: &mut Budget) -> Vec<(Polynomial, u32)> {
     let Some(main) = polynomial.variables().into_iter().min_by_key(|v| polynomial.degree_in(*v)) else {
         return Vec::new();
@@ -39,7 +40,8 @@ pub(super) fn yun(
     let quotient = |a: &Polynomial, b: &Polynomial, budget: &mut Budget| {
         Ok(a.div_within(b, budget)?.expect("a common divisor divides"))
     };
-    // In step k: left = ∏_{i≥k} fᵢ and slope = Σ (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
+    // Let fₖ be the square-free factor with exponent k. In step k, left = ∏_{i≥k} fᵢ and slope = Σ
+    // (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
     let mut left = quotient(polynomial, &repeated, budget)?;
     let mut slope = quotient(&derivative, &repeated, budget)?;
     let mut factors = Vec::new();

@@ -6,7 +6,7 @@ use kahan_algebra::rational::Rational;
 
 use super::{Factors, factors};
 
-/// Parses a sum of terms such as `-3/2*x^2*y`; variables are letters.
+/// Parses a sum of terms such as `-3/2*x^2*y`. Each letter is a variable.
 fn p(text: &str) -> Polynomial {
     let text = text.replace(' ', "").replace('-', "+-");
     Polynomial::from_terms(text.split('+').filter(|term| !term.is_empty()).map(|term| {
@@ -77,7 +77,7 @@ fn known_products_come_back() {
     assert_found(&[("a", 3), ("b", 1), ("a^2 + b", 2), ("a + b^2", 3), ("a*b - 1", 1)]);
     assert_eq!(all_factors(&p("x^4 + 4*y^4")).len(), 2);
     assert_eq!(all_factors(&p("x^2 + y^2 + z^2 + 2*x*y + 2*x*z + 2*y*z - 1")).len(), 2);
-    // One factor divides an image of another.
+    // The first factor divides an image of the second.
     assert_found(&[("x^2 + y", 1), ("x^2 + y + z^2 - z*t", 2), ("x^2 + y + z", 1)]);
 }
 
@@ -89,7 +89,7 @@ fn irreducible_ones_stay() {
         "x^4 + 1",
         "x^4 - 10*x^2 + 1",
         "x^4 - 10*x^2*y^2 + y^4",
-        // Reducible at every square y.
+        // The polynomial becomes reducible whenever y is a square.
         "x^2 - y",
         "x^4 - y",
         "x^2 + y^2",
@@ -110,7 +110,7 @@ fn the_determinant_of_unknowns_is_irreducible() {
     let det = "a*e*i + b*f*g + c*d*h - c*e*g - b*d*i - a*f*h";
     assert_irreducible(det);
     assert_found(&[(det, 2), ("a + e + i", 1)]);
-    // A symmetric matrix: no variable off the diagonal is linear.
+    // The determinant of a symmetric matrix is linear in no entry off the diagonal.
     assert_irreducible("a*b*c + 2*x*y*z - a*x^2 - b*y^2 - c*z^2");
     // The determinant of a skew-symmetric matrix is the square of the Pfaffian.
     let pfaffian = p("a*f - b*e + c*d");
@@ -146,14 +146,15 @@ fn leading_coefficients_may_have_several_variables() {
     assert_found(&[("a*x^2 + b", 1), ("c*x^2 + d", 2), ("a*b*x^2 + b^2*c + 1", 1)]);
     assert_found(&[("a*x^2 + a*b + 1", 3), ("6*a^2*x^2 + 5*b^2 + 1", 1), ("10*b*x^2 + a^2", 2)]);
     assert_found(&[("x^2*y^2*z - 1", 1), ("x^2*z^2*y + x + t", 1), ("t^2*x^2 + y^2*z^2 + 7", 1)]);
-    // No main variable has a short leading coefficient.
+    // The leading coefficient is long in every main variable.
     assert_found(&[
         ("x^2*y^2*z^2 + x^2*y^2 + y^2*z^2 + x^2*z^2 + x^2 + 3", 1),
         ("x^2*y^2*z^2 - 2*x^2*y^2 + y^2*z^2 - x^2*z^2 + z^2 + 5*x*y*z", 2),
     ]);
 }
 
-/// Near the origin, where points are tried first, leading coefficients vanish or factors agree.
+/// Points near the origin are tried first. There, leading coefficients vanish or factors have
+/// common roots.
 #[test]
 fn bad_points_are_no_matter() {
     let zeros = (-9..10).fold(Polynomial::one(), |product, root| &product * &p(&format!("y + {root}")));
@@ -164,7 +165,7 @@ fn bad_points_are_no_matter() {
     {
         assert_eq!(all_factors(&(&left * &right)).len(), 2, "{left:?} {right:?}");
     }
-    // The factors agree at each root y.
+    // Both factors agree at each root y of `zeros`.
     let (left, right) = (p("x^2 + z"), &p("x^2 + z") + &zeros);
     assert_eq!(all_factors(&(&left * &right)).len(), 2);
 }

@@ -1,9 +1,10 @@
-//! Irreducible factors of a polynomial in one variable over ℤ.
+//! Factors a polynomial in one variable over ℤ.
 //!
-//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: lifts factors modulo a small
-//! prime p to a power of p above twice the coefficients of any true factor, then tries products of
-//! few of them. Degrees of factors modulo several primes prove most irreducible polynomials
-//! irreducible before any lift.
+//! The method is that of Zassenhaus ("On Hensel factorization I", J. Number Theory 1, 1969).
+//! Factors modulo a small prime p are lifted to a power of p above twice the coefficients of any
+//! true factor. Then products of a few lifted factors are tried as true factors. Before any lift,
+//! the degrees of factors modulo several primes prove that most irreducible polynomials are
+//! irreducible.
 
 use kahan_algebra::poly::{Budget, Monomial, OverBudget, Polynomial, RESIDUES_PER_TERM, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64, is_prime_u64};
@@ -16,12 +17,13 @@ use super::dense::{self, Dense};
 use super::lifted::{self, Lifted};
 use super::{modular, square_free};
 
-/// Coefficients by exponent, the last one positive.
+/// The coefficients of a polynomial, ordered by exponent. The last one is positive.
 pub(super) type Integers = Vec<BigInt>;
 
-/// The number of primes to compare; the one with the fewest factors is lifted.
+/// The number of primes to compare. The factors modulo the prime with the fewest factors are
+/// lifted.
 const PRIMES: usize = 5;
-/// The first prime to try, large enough that factors rarely agree modulo it.
+/// The first prime to try. Two factors rarely have a common root modulo a prime this large.
 const FIRST_PRIME: u64 = 1009;
 
 /// Returns the irreducible factors of a primitive polynomial in `main`, with their exponents.
@@ -44,7 +46,8 @@ pub(super) fn factors(
     Ok(all)
 }
 
-/// Returns the irreducible factors of a primitive square-free polynomial with positive lead.
+/// Returns the irreducible factors of a primitive square-free polynomial with positive leading
+/// coefficient.
 fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let degree = polynomial.len() - 1;
     if degree < 2 {
@@ -78,12 +81,13 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     recombine(polynomial, lifted, budget)
 }
 
-/// Returns the work of separating factors by degree modulo one small prime.
+/// Returns the work that separating factors by degree takes modulo one small prime.
 fn effort(degree: usize) -> u64 {
     (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
 }
 
-/// Returns the monic image modulo a prime, if it keeps the degree and is square-free.
+/// Returns the field of the prime and the monic image of the polynomial modulo the prime. Returns
+/// `None` if the image has a smaller degree or is not square-free.
 fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> {
     let field = PrimeField::new(prime)?;
     let image: Dense =
@@ -125,14 +129,15 @@ impl DegreeSet {
     }
 }
 
-/// Returns a bound on the coefficients of lc(f)/lc(g)·g for all factors g of f: |lc(f)|·2^n·‖f‖₂
-/// (Mignotte, Math. Comp. 28, 1974).
+/// Returns a bound on the coefficients of lc(f)/lc(g)·g for all factors g of f, where lc is the
+/// leading coefficient: |lc(f)|·2^n·‖f‖₂ with n = deg f (Mignotte, Math. Comp. 28, 1974).
 fn coefficient_bound(polynomial: &Integers) -> BigInt {
     let squares: BigInt = polynomial.iter().map(|c| c * c).sum();
     ((squares.sqrt() + 1_u32) << (polynomial.len() - 1)) * polynomial[polynomial.len() - 1].abs()
 }
 
-/// Finds the true factors as products of factors modulo a prime power, small sets first.
+/// Finds the true factors as products of factors modulo a prime power. Products of fewer factors
+/// are tried first.
 fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let Lifted { modulus, mut factors } = lifted;
     let words = modulus.bits() / 64 + 1;
@@ -147,7 +152,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
             for &index in chosen.iter().rev() {
                 factors.remove(index);
             }
-            // Smaller sets were tried before, so begin with sets of this size.
+            // All smaller sets were tried before, so continue with the first set of this size.
             chosen = (0..chosen.len()).collect();
         } else if !advance(&mut chosen, factors.len()) {
             chosen = (0..=chosen.len()).collect();
@@ -159,8 +164,8 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
     Ok(found)
 }
 
-/// Advances to the next subset of equal size in lexicographic order; returns `false` after the
-/// last.
+/// Advances to the next subset of equal size in lexicographic order. Returns `false` after the last
+/// subset.
 fn advance(chosen: &mut [usize], count: usize) -> bool {
     let size = chosen.len();
     let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else {
@@ -173,7 +178,8 @@ fn advance(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// Returns the primitive part of lc(whole)·∏ factors in symmetric residues modulo `modulus`.
+/// Multiplies the chosen factors and the leading coefficient of `whole`, takes residues of least
+/// absolute value modulo `modulus`, and returns the primitive part.
 fn candidate<'a>(
     whole: &Integers,
     factors: impl Iterator<Item = &'a Integers>,

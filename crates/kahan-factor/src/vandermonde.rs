@@ -1,19 +1,19 @@
-//! Linear systems whose rows are powers of given numbers: Σ cᵢ·mᵢ^k = vₖ.
+//! Solves linear systems with Vandermonde matrices: Σᵢ cᵢ·mᵢ^k = vₖ for given numbers mᵢ and vₖ.
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// Returns for each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k ≥ 1, for nodes mᵢ; `None` if a node is 0
-/// or two are equal.
+/// Solves Σᵢ cᵢ·mᵢ^k = vₖ, k ≥ 1, where the mᵢ are the nodes and the vₖ are one column. Returns the
+/// cᵢ for each column; `None` if a node is 0 or two nodes are equal.
 ///
-/// With q = ∏_{j≠i} (z − mⱼ), the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
+/// With q(z) = ∏_{j≠i} (z − mⱼ) = Σ qₖ·zᵏ, the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
 pub(super) fn solutions(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {
     let master = nodes.iter().fold(vec![1], |all, &node| dense::product(field, &all, &[field.neg(node), 1]));
     nodes
         .iter()
         .map(|&node| {
-            // Horner's rule from the top gives the quotient by z − node.
+            // Horner's rule divides the product of all z − mⱼ by z − node.
             let mut quotient = vec![0; nodes.len()];
             let mut carry = 0;
             for place in (0..nodes.len()).rev() {

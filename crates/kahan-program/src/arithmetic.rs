@@ -1,15 +1,17 @@
-//! Arithmetics in which programs run: field operations on values, and function calls.
+//! Arithmetics in which programs run. An arithmetic provides field operations on values, and
+//! function calls.
 
 use core::convert::Infallible;
 
-/// Field operations on values of one type. Divisions may fail; constants too, modulo a prime.
+/// The field operations on values of one type. A division may fail; modulo a prime, a constant may
+/// have no residue.
 pub trait Arithmetic {
     /// The type of values.
     type Value: Clone;
     /// The type of a program's constants.
     type Constant;
 
-    /// Returns the value of a constant; `None` if this arithmetic has no value for it.
+    /// Returns the value of a constant; `None` if the constant is undefined in this arithmetic.
     fn constant(&self, value: &Self::Constant) -> Option<Self::Value>;
     /// Returns a + b.
     fn add(&self, a: &Self::Value, b: &Self::Value) -> Self::Value;
@@ -19,39 +21,42 @@ pub trait Arithmetic {
     fn multiply(&self, a: &Self::Value, b: &Self::Value) -> Self::Value;
     /// Returns −a.
     fn negate(&self, a: &Self::Value) -> Self::Value;
-    /// Returns a / b; `None` if b is zero (floats return an infinity or NaN instead).
+    /// Returns a / b; `None` if b is zero. Floats return an infinity or NaN instead of `None`.
     fn divide(&self, a: &Self::Value, b: &Self::Value) -> Option<Self::Value>;
-    /// Returns a · b + c, rounded twice unless the arithmetic overrides this.
+    /// Returns a · b + c. The result is rounded twice unless the arithmetic overrides this
+    /// function.
     #[inline]
     fn multiply_add(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.add(&self.multiply(a, b), c)
     }
-    /// Returns a · b − c, rounded like [`multiply_add`](Self::multiply_add).
+    /// Returns a · b − c, rounded as often as [`multiply_add`](Self::multiply_add).
     #[inline]
     fn multiply_subtract(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.subtract(&self.multiply(a, b), c)
     }
-    /// Returns a − b · c, rounded like [`multiply_add`](Self::multiply_add).
+    /// Returns a − b · c, rounded as often as [`multiply_add`](Self::multiply_add).
     #[inline]
     fn subtract_product(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.subtract(a, &self.multiply(b, c))
     }
     /// Returns whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether a is a better pivot: larger among floats, nonzero among exact values.
+    /// Returns whether a is a better pivot than the other value. Among floats the larger one is
+    /// better; among exact values any nonzero one is.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }
-    /// Returns whether a float is far enough from 0 and overflow to replace division by a with
-    /// multiplication by 1/a. Exact values return `false`.
+    /// Returns whether division by the float a may be replaced by multiplication by 1/a, because a
+    /// is far enough from 0 and from overflow. Exact values return `false`.
     fn is_moderate(&self, _a: &Self::Value) -> bool {
         false
     }
 }
 
-/// An arithmetic that can call the functions F.
+/// An arithmetic that can call functions of type `F`.
 pub trait Calls<F>: Arithmetic {
-    /// Returns f(a, b), or f(a) for a function of one argument; `None` outside the domain of f.
+    /// Returns f(a, b), or f(a) if f has one argument; `None` if the arguments are outside the
+    /// domain of f.
     fn call(&self, function: &F, a: &Self::Value, b: &Self::Value) -> Option<Self::Value>;
 }
 

@@ -1,5 +1,5 @@
-//! A builder of programs without common subexpressions. It applies simplifications that hold in
-//! every field, such as 0 + a, 1 · a and a − (−b).
+//! Builds programs without common subexpressions. The builder applies simplifications that hold in
+//! every field, such as 0 + a = a, 1 · a = a and a − (−b) = a + b.
 
 use alloc::vec::Vec;
 use core::convert::Infallible;
@@ -8,7 +8,7 @@ use core::hash::Hash;
 use crate::operation::{Function, Node, Operation};
 use crate::{Numbered, Program};
 
-/// Constants that a [`Builder`] can simplify.
+/// A type of constants that a [`Builder`] can simplify.
 pub trait ExactConstant: Clone + Eq + Hash {
     /// Returns the number 1.
     fn one() -> Self;
@@ -19,7 +19,8 @@ pub trait ExactConstant: Clone + Eq + Hash {
     /// Returns −c.
     #[must_use]
     fn negated(&self) -> Self;
-    /// Returns c / d; `None` if the quotient cannot be represented, for example if d = 0.
+    /// Returns c / d for this constant c and the divisor d; `None` if the quotient cannot be
+    /// represented, for example if d = 0.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
 }
 
@@ -41,24 +42,24 @@ where
     C: Clone + Eq + Hash,
     F: Function + Clone + Eq + Hash,
 {
-    /// Returns the program of these outputs, without operations that they do not need.
+    /// Returns the program with these outputs, without operations that no output needs.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Program<Vec<Operation<I, C, F>>> {
         Program::of_results(&self.operations, outputs)
     }
 
-    /// Returns the operations pushed so far.
+    /// Returns all operations of the builder.
     #[must_use]
     pub fn operations(&self) -> &[Operation<I, C, F>] {
         &self.operations
     }
 
-    /// Removes all operations after the first `length`.
+    /// Removes all operations after the first `length` ones.
     pub fn truncate(&mut self, length: usize) {
         self.operations.truncate(length);
     }
 
-    /// Returns the node of an operation, adding it unsimplified if it is new.
+    /// Returns the node of an operation. A new operation is added without simplification.
     ///
     /// # Panics
     /// If an operand is not an operation of this builder.
@@ -77,7 +78,7 @@ where
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns the node of −a without simplifying inside a, for an a that is also needed itself.
+    /// Returns the node of −a without simplifying a. Callers use it if a is also needed itself.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -85,7 +86,7 @@ where
         }
     }
 
-    /// Adds all operations of another program; returns the node of each.
+    /// Adds all operations of another program, and returns the node of each.
     pub fn include_all(&mut self, operations: &[Operation<I, C, F>]) -> Vec<Node> {
         let mut renamed: Vec<Node> = Vec::with_capacity(operations.len());
         for operation in operations {
@@ -95,7 +96,7 @@ where
         renamed
     }
 
-    /// Adds the operations of another program; returns the nodes of its outputs.
+    /// Adds the operations of another program, and returns the nodes of its outputs.
     pub fn include(&mut self, program: &Program<Vec<Operation<I, C, F>>>) -> Vec<Node> {
         let renamed = self.include_all(&program.operations);
         program.outputs.iter().map(|output| renamed[output.0]).collect()
@@ -112,7 +113,7 @@ where
         }
     }
 
-    /// Returns |a| if a is a constant.
+    /// Returns the absolute value of a if a is a constant.
     #[must_use]
     pub fn constant_size(&self, a: Node) -> Option<&C> {
         match *self.operation(a) {
@@ -138,7 +139,8 @@ where
         self.is_constant(node, 0)
     }
 
-    /// Returns the node of a constant; a negative one is a negation, so that signs factor out.
+    /// Returns the node of a constant. A negative constant becomes the negation of a positive one,
+    /// so that signs can be factored out.
     pub fn constant(&mut self, value: &C) -> Node {
         if value.is_negative() {
             let size = self.push(Operation::Constant(value.negated()));
@@ -199,7 +201,8 @@ where
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Joins |a| and |b| and factors out the sign; `None` if neither is a negation.
+    /// Applies `join` to |a| and |b| and factors out the sign; `None` if neither a nor b is a
+    /// negation.
     fn with_sign_outside(
         &mut self,
         a: Node,
@@ -216,7 +219,8 @@ where
         Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
-    /// Returns a / b. Division by the constant 0 stays, and fails when the program runs.
+    /// Returns a / b. A division by the constant 0 is not simplified; it fails when the program
+    /// runs.
     pub fn divide(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 1) {
             return a;
@@ -228,7 +232,7 @@ where
         self.with_sign_outside(a, b, Self::divide).unwrap_or_else(|| self.push(Operation::Divide(a, b)))
     }
 
-    /// Returns a^n by repeated squaring; a^0 is 1.
+    /// Returns a^n, where n is `exponent`, by repeated squaring; a^0 is 1.
     pub fn power(&mut self, a: Node, exponent: u32) -> Node {
         match exponent {
             0 => self.constant(&C::one()),

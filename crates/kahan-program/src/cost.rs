@@ -1,8 +1,10 @@
-//! The cost of a program: its operation counts and critical path. Latencies are cycles of x86-64
-//! cores of the last ten years. They only compare programs and never enter an error bound.
+//! Computes the cost of a program: operation counts and critical path. Latencies are those of
+//! x86-64 cores of the last ten years, in cycles. They serve to compare programs and never enter an
+//! error bound.
 //!
-//! A multiply-add saves one instruction, but takes 4 cycles after its addend instead of 3.
-//! [`Program::fused`] therefore does not fuse if a late addend would lengthen the critical path.
+//! A multiply-add saves one instruction. But its result is ready 4 cycles after its addend, while
+//! an addition takes 3 cycles. [`Program::fused`] therefore does not fuse if a late addend would
+//! lengthen the critical path.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -10,32 +12,34 @@ use core::hash::Hash;
 
 use crate::{Node, Operation, Program};
 
-/// Latency of an addition or subtraction in cycles.
+/// The latency of an addition or subtraction in cycles.
 pub const ADD: u32 = 3;
-/// Latency of a multiplication in cycles.
+/// The latency of a multiplication in cycles.
 pub const MULTIPLY: u32 = 4;
-/// Latency of a multiply-add in cycles.
+/// The latency of a multiply-add in cycles.
 pub const FUSED: u32 = 4;
-/// Latency of a division in cycles.
+/// The latency of a division in cycles.
 pub const DIVIDE: u32 = 14;
 
 /// The operation counts and critical path of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
-    /// Additions, subtractions and negations.
+    /// The number of additions, subtractions and negations.
     pub additions: usize,
-    /// Multiplications.
+    /// The number of multiplications.
     pub multiplications: usize,
-    /// Multiply-adds: one instruction each if the target has it, otherwise two.
+    /// The number of multiply-adds. Each is one instruction if the target has it, otherwise two.
     pub fused: usize,
-    /// Divisions.
+    /// The number of divisions.
     pub divisions: usize,
-    /// Cycles from the inputs to the last output with unlimited parallelism.
+    /// The number of cycles from the inputs to the last output if unlimited operations can run in
+    /// parallel.
     pub critical_path: u32,
 }
 
 impl Cost {
-    /// Returns the number of operations on a target without multiply-add, where each counts twice.
+    /// Returns the number of operations on a target without multiply-add instructions. Each
+    /// multiply-add counts twice.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.additions + self.multiplications + 2 * self.fused + self.divisions
@@ -48,7 +52,7 @@ impl<I, C> Operation<I, C> {
     pub fn latency(&self) -> u32 {
         match self {
             Operation::Input(_) | Operation::Constant(_) => 0,
-            // A negation flips one bit.
+            // A negation flips only the sign bit.
             Operation::Negate(_) => 1,
             Operation::Add(..) | Operation::Subtract(..) => ADD,
             Operation::Multiply(..) => MULTIPLY,
@@ -85,7 +89,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         cost
     }
 
-    /// Returns for each operation the cycle, counted from the inputs, in which its result is ready.
+    /// Returns for each operation the cycle in which its result is ready. The inputs are ready in
+    /// cycle 0.
     #[must_use]
     pub fn ready(&self) -> Vec<u32> {
         let mut ready: Vec<u32> = Vec::with_capacity(self.operations.len());
@@ -96,8 +101,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         ready
     }
 
-    /// Replaces products and sums by multiply-adds where the critical path stays as short. Targets
-    /// without the instruction should run the original program.
+    /// Replaces products and sums by multiply-adds where this does not lengthen the critical path.
+    /// Targets without the instruction should run the original program.
     #[must_use]
     pub fn fused(mut self) -> Self {
         let mut uses = self.uses();
@@ -127,7 +132,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         let at = |node: Node| ready[node.0];
         let candidate = match self.operations[index] {
             Operation::Add(a, b) => {
-                // Fuse the later of two products; the earlier one is ready as the addend.
+                // If both operands are products, fuse the one that is ready later, and take the
+                // earlier one as the addend.
                 let (late, early) = if at(a) > at(b) { (a, b) } else { (b, a) };
                 match (product(late), product(early)) {
                     (Some((x, y)), _) => Some(Operation::MultiplyAdd(x, y, early)),
@@ -148,7 +154,8 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         (fused <= required.max(unfused)).then_some(candidate)
     }
 
-    /// Returns for each operation the latest cycle that does not lengthen the critical path.
+    /// Returns for each operation the latest cycle in which its result may be ready without
+    /// lengthening the critical path.
     #[must_use]
     pub fn required(&self) -> Vec<u32> {
         let critical_path = self.cost().critical_path;

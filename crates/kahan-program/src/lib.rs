@@ -1,8 +1,10 @@
-//! Straight-line programs: operations without branches, each on the results of earlier ones.
+//! Straight-line programs: lists of operations without branches. Each operation reads results of
+//! earlier operations.
 //!
 //! A [`Builder`] eliminates common subexpressions and yields a [`Program`]. A program runs in any
-//! [`Arithmetic`], prints as text, and is the input of compilers. The types of inputs, constants
-//! and functions are parameters; the crate knows nothing of polynomials, vector fields or targets.
+//! [`Arithmetic`], can be printed as text, and is the input of compilers. The types of inputs,
+//! constants and functions are type parameters. The crate knows nothing about polynomials, vector
+//! fields or targets.
 //!
 //! | a program of | inputs `I` | constants `C` | functions `F` |
 //! |---|---|---|---|

@@ -1,7 +1,9 @@
-//! A set of distinct items, numbered in order of insertion and found by value.
+//! A set of distinct items that are numbered in order of insertion. The number of an item is found
+//! by hashing the item.
 //!
-//! Macro expansion looks up plans and polynomials in unoptimised code, where the simple loops below
-//! are several times faster than the standard hash tables. The last items can also be removed.
+//! Macro expansion looks up plans and polynomials, and usually runs unoptimised. The simple loops
+//! below are then several times faster than the standard hash tables. Items inserted last can also
+//! be removed again.
 
 use core::hash::{Hash, Hasher};
 use core::ops::Deref;
@@ -14,14 +16,14 @@ use rustc_hash::FxHasher;
 /// Marks the end of a bucket.
 const NONE: u32 = u32::MAX;
 
-/// Distinct items in order of insertion, with a hash table of their numbers.
+/// A set of distinct items in order of insertion. A hash table finds the number of an item.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Numbered<T> {
     items: Vec<T>,
     keys: Vec<u32>,
-    /// For each item, the previous item in its bucket.
+    /// For each item, the number of the previous item in the same bucket.
     before: Vec<u32>,
-    /// The last item of each bucket; the number of buckets is a power of two.
+    /// The number of the last item in each bucket. The number of buckets is a power of two.
     last: Vec<u32>,
 }
 
@@ -47,7 +49,7 @@ impl<T> Numbered<T> {
 }
 
 impl<T: Hash + PartialEq> Numbered<T> {
-    /// Returns the number of an item, if present.
+    /// Returns the number of an item; `None` if the set does not contain the item.
     pub fn find(&self, item: &T) -> Option<usize> {
         self.with_key(key(item), item)
     }
@@ -65,7 +67,7 @@ impl<T: Hash + PartialEq> Numbered<T> {
         None
     }
 
-    /// Returns the number of an item, adding the item if it is new.
+    /// Returns the number of an item, and adds the item if it is new.
     pub fn number(&mut self, item: T) -> usize {
         let key = key(&item);
         if let Some(known) = self.with_key(key, &item) {
@@ -86,7 +88,7 @@ impl<T: Hash + PartialEq> Numbered<T> {
         number
     }
 
-    /// Removes all items after the first `length`.
+    /// Removes all items after the first `length` ones.
     pub fn truncate(&mut self, length: usize) {
         // The item with the largest number is also the last of its bucket.
         for number in (length..self.items.len()).rev() {

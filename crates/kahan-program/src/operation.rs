@@ -1,53 +1,53 @@
-//! Operations of a straight-line program, and their operands.
+//! The operations of a straight-line program, and their operands.
 
 use core::convert::Infallible;
 
-/// The result of an operation: its index in the program.
+/// The result of an operation, identified by the operation's index in the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Node(pub usize);
 
 /// An operation on the results of earlier operations.
 ///
-/// `I` names inputs, `C` is the type of constants, `F` the type of callable functions
-/// ([`Infallible`] in a program without functions).
+/// `I` is the type of inputs, `C` that of constants, and `F` that of functions to call. A program
+/// without functions has `F` = [`Infallible`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation<I, C, F = Infallible> {
     /// An input of the program.
     Input(I),
     /// A constant embedded in the program.
     Constant(C),
-    /// a + b
+    /// The sum a + b.
     Add(Node, Node),
-    /// a − b
+    /// The difference a − b.
     Subtract(Node, Node),
-    /// a · b
+    /// The product a · b.
     Multiply(Node, Node),
-    /// a / b
+    /// The quotient a / b.
     Divide(Node, Node),
-    /// −a
+    /// The negative −a.
     Negate(Node),
-    /// a · b + c, rounded once if the arithmetic can
+    /// The value a · b + c, rounded once if the arithmetic can do so.
     MultiplyAdd(Node, Node, Node),
-    /// a · b − c, rounded once if the arithmetic can
+    /// The value a · b − c, rounded once if the arithmetic can do so.
     MultiplySubtract(Node, Node, Node),
-    /// a − b · c, rounded once if the arithmetic can
+    /// The value a − b · c, rounded once if the arithmetic can do so.
     SubtractProduct(Node, Node, Node),
-    /// f(a, b); for a function f of one argument, b = a
+    /// The result f(a, b). If the function f has one argument, b = a.
     Call(F, Node, Node),
 }
 
-/// A double as a constant, compared by bits: 0 and −0 differ.
+/// A double as a constant. Constants are compared by their bits, so 0 and −0 differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Float(u64);
 
 impl Float {
-    /// Creates the constant of a double.
+    /// Creates a constant from a double.
     #[must_use]
     pub const fn of(value: f64) -> Self {
         Float(value.to_bits())
     }
 
-    /// Returns the double.
+    /// Returns the value of the constant.
     #[inline]
     #[must_use]
     pub const fn value(self) -> f64 {
@@ -55,7 +55,7 @@ impl Float {
     }
 }
 
-/// Functions that operations can call.
+/// A type whose values are functions that operations can call.
 pub trait Function {
     /// Returns the number of arguments, 1 or 2.
     fn arguments(&self) -> usize;
@@ -68,7 +68,7 @@ impl Function for Infallible {
 }
 
 impl<I, C, F: Function> Operation<I, C, F> {
-    /// Returns the operands in order, at most three.
+    /// Returns the operands in order. There are at most three.
     pub fn operands(&self) -> impl Iterator<Item = Node> + use<I, C, F> {
         let (nodes, count) = match *self {
             Operation::Input(_) | Operation::Constant(_) => ([Node(0); 3], 0),
@@ -87,8 +87,9 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the operation with renamed operands, for a program with other types of inputs,
-    /// constants and functions. `None` for an input, a constant or a call.
+    /// Returns the operation with operands renamed by `rename`, for a program with other types of
+    /// inputs, constants and functions. Returns `None` if the operation is an input, a constant or
+    /// a call.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,
@@ -116,7 +117,7 @@ impl<I, C, F> Operation<I, C, F> {
 }
 
 impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
-    /// Returns the operation with renamed operands.
+    /// Returns the operation with operands renamed by `rename`.
     #[must_use]
     pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
         self.renamed(&mut rename)
@@ -130,7 +131,8 @@ impl<I: Clone, C: Clone, F: Clone> Operation<I, C, F> {
     }
 }
 
-/// Iterates over the operands of an operation; in unoptimised builds faster than adapters.
+/// Iterates over the operands of an operation. In unoptimised builds this is faster than iterator
+/// adapters.
 struct Operands {
     nodes: [Node; 3],
     next: usize,

@@ -7,14 +7,16 @@ use core::ops::{Deref, Range};
 use crate::Builder;
 use crate::operation::{Function, Node, Operation};
 
-/// A straight-line program: a list of operations, some of which are outputs.
+/// A straight-line program: a list of operations, and the outputs among their results.
 ///
-/// `O` holds the operations and `N` the outputs: vectors if owned, slices if borrowed.
+/// `O` is the type of the list of operations, `N` that of the list of outputs. Both are vectors if
+/// the program owns them, and slices if it borrows them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Program<O, N = Vec<Node>> {
-    /// The operations, operands before their uses; a builder never adds one twice.
+    /// The operations. Operands come before the operations that use them; a builder never adds an
+    /// operation twice.
     pub operations: O,
-    /// The outputs.
+    /// The results that the program returns, in order.
     pub outputs: N,
 }
 
@@ -24,7 +26,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns how often each operation occurs as an operand or output.
+    /// Returns for each operation how often it occurs as an operand or an output.
     #[must_use]
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];
@@ -57,8 +59,8 @@ where
         needed
     }
 
-    /// Returns whether every operation reads only earlier ones, every call of a one-argument
-    /// function repeats its operand, and every output exists.
+    /// Returns whether the program is valid: operations read only earlier ones, calls of
+    /// one-argument functions repeat their operand, and all outputs exist.
     #[must_use]
     pub fn is_well_formed(&self) -> bool {
         let operations: &[Operation<I, C, F>] = &self.operations;
@@ -70,7 +72,7 @@ where
             && self.outputs.iter().all(|output| output.0 < operations.len())
     }
 
-    /// Returns the inputs in order, each once if a builder made the program.
+    /// Returns the inputs in order. If a builder made the program, each input occurs once.
     #[must_use]
     pub fn inputs(&self) -> Vec<I>
     where
@@ -87,11 +89,11 @@ where
 }
 
 impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
-    /// Creates the program of these outputs, with only the operations that they need.
+    /// Creates the program with these outputs, keeping only operations that the outputs need.
     #[must_use]
     pub fn of_results(operations: &[Operation<I, C, F>], outputs: &[Node]) -> Self {
         let needed = Program { operations, outputs }.needed();
-        // The new index of an unneeded operation is never read.
+        // An operation that no output needs has no new index; nothing reads its entry.
         let (mut kept, mut places) = (Vec::new(), vec![Node(usize::MAX); operations.len()]);
         for (index, operation) in operations.iter().enumerate() {
             if needed[index] {
@@ -102,7 +104,7 @@ impl<I: Clone, C: Clone, F: Function + Clone> Program<Vec<Operation<I, C, F>>> {
         Program { operations: kept, outputs: outputs.iter().map(|node| places[node.0]).collect() }
     }
 
-    /// Returns the program that computes only a range of the outputs.
+    /// Returns the program that computes only the given range of outputs.
     #[must_use]
     pub fn part(&self, outputs: Range<usize>) -> Self {
         Program::of_results(&self.operations, &self.outputs[outputs])
@@ -115,7 +117,8 @@ where
     C: Clone + core::hash::Hash + Eq,
     F: Function + Clone + core::hash::Hash + Eq,
 {
-    /// Joins programs into one, with all outputs in order and shared operations computed once.
+    /// Joins programs into one with all their outputs in order. Operations that several programs
+    /// share are computed once.
     #[must_use]
     pub fn together<'a>(programs: impl IntoIterator<Item = &'a Self>) -> Self
     where

@@ -1,4 +1,4 @@
-//! Evaluation of programs in an arithmetic.
+//! Evaluates programs in an arithmetic.
 
 use alloc::vec::Vec;
 use core::ops::Deref;
@@ -14,11 +14,13 @@ where
 {
     /// Runs a program whose inputs are indices into `inputs`.
     ///
-    /// Overwrites `workspace` (at least one entry per operation) and `outputs` (one per output),
-    /// and allocates nothing. Returns `None` if a constant, quotient or call has no value.
+    /// Overwrites `workspace` and `outputs`, and allocates nothing. `workspace` needs at least one
+    /// entry for each operation, `outputs` one for each output. Returns `None` if a constant, a
+    /// quotient or a call is undefined.
     ///
     /// # Panics
-    /// If `inputs` or `workspace` is too short. A short `outputs` gets only the first outputs.
+    /// If `inputs` or `workspace` is too short. If `outputs` is too short, the other outputs are
+    /// dropped.
     pub fn run<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -41,7 +43,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Writes inputs and constants into the workspace; `None` if one has no value.
+    /// Writes inputs and constants into the workspace; `None` if a constant is undefined.
     pub fn load<A: Arithmetic<Constant = C>>(
         &self,
         arithmetic: &A,
@@ -58,8 +60,9 @@ where
         Some(())
     }
 
-    /// Computes the operations from index `first` on, in a workspace that holds inputs, constants
-    /// and earlier results. Returns `None` at the first quotient or call without a value.
+    /// Computes the operations from index `first` on. The workspace must already hold inputs,
+    /// constants and results of earlier operations. Returns `None` at the first undefined quotient
+    /// or call.
     #[inline(always)]
     pub fn compute<A: Calls<F, Constant = C>>(
         &self,
@@ -85,8 +88,9 @@ where
         Some(())
     }
 
-    /// Returns each output; `None` if it depends on a missing input, a constant without a value, a
-    /// division by zero, or a call outside its domain. `input` returns the value of an input.
+    /// Evaluates each output separately; `input` returns the value of an input. An output is `None`
+    /// if it depends on a missing input, an undefined constant, a division by zero, or a call
+    /// outside the function's domain.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -104,7 +108,8 @@ where
     }
 }
 
-/// Returns the value of an operation from all earlier values; `None` if it or an operand has none.
+/// Computes the value of an operation from the values of its operands; `None` if the operation or
+/// one of its operands is undefined.
 #[inline(always)]
 fn value<I, F, A: Calls<F>>(
     operation: &Operation<I, A::Constant, F>,

@@ -1,4 +1,4 @@
-//! Programs over exact fractions, residues and floats.
+//! Runs programs over exact fractions, residues and floats.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -181,12 +181,12 @@ fn a_product_that_is_added_once_is_fused() {
     let sum = builder.subtract(z, product);
     let cost = builder.finish(&[sum]).fused().cost();
     assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 2, cost::FUSED));
-    // A product with another use stays.
+    // A product that is also used elsewhere is not fused.
     let cost = builder.finish(&[sum, product]).fused().cost();
     assert_eq!((cost.fused, cost.operations()), (0, 2));
 }
 
-/// The sum waits for the later product.
+/// Of two products, the one that is ready later is fused with the sum.
 #[test]
 fn the_later_of_two_products_is_fused() {
     let mut builder = Builder::<usize, i64>::default();
@@ -199,7 +199,7 @@ fn the_later_of_two_products_is_fused() {
     assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 4, 4 + cost::FUSED));
 }
 
-/// The fused sum, the last result, would be ready a cycle later.
+/// The fused sum would be the last result, and would be ready one cycle later.
 #[test]
 fn a_late_addend_on_the_chain_is_not_fused() {
     let mut builder = Builder::<usize, i64>::default();

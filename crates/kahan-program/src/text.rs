@@ -1,4 +1,4 @@
-//! Programs as text: one line per operation, such as `v2 = x + y`.
+//! Prints programs as text: one line for each operation, such as `v2 = x + y`.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -10,7 +10,8 @@ use crate::Program;
 use crate::operation::{Function, Node, Operation};
 
 impl<I, C, F: Function + Display> Operation<I, C, F> {
-    /// Returns `x*y + z`, with operands named by `name`; `None` for an input or a constant.
+    /// Writes the operation as text such as `x*y + z`, with operands named by `name`; `None` for an
+    /// input or a constant.
     pub fn text<S: Display>(&self, name: impl Fn(Node) -> S) -> Option<String> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) => return None,
@@ -37,7 +38,8 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Returns one line per operation, `vk = …`, with inputs and constants inlined.
+    /// Writes one line for each operation, `vk = …`, where k is a number. Inputs and constants are
+    /// written where they are used.
     pub fn text(&self, input: impl Fn(&I) -> String) -> String {
         let names: Vec<String> = (self.operations.iter().enumerate())
             .map(|(index, operation)| match operation {

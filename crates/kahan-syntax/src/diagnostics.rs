@@ -1,28 +1,29 @@
-//! Mistakes of the user as data: kind, position, message and help.
+//! Represents the user's mistakes as data. Each has a kind, a position, a message and a help text.
 //!
-//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens; the command prints it with
-//! a caret under the text. [`Diagnostics`] collects mistakes and panics if it is dropped unread.
+//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens. The command prints it with
+//! a caret under the text. [`Diagnostics`] collects mistakes, and panics if it is dropped before
+//! they are read.
 
 use std::fmt;
 
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// The broken rule, for tests and tools; messages do not show it.
+/// The rule that a mistake breaks. It serves tests and tools; messages do not show it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
     /// Text or tokens that do not follow the grammar.
     Syntax,
-    /// A literal other than an exact decimal number.
+    /// A number that is not an exact decimal.
     Number,
-    /// An exponent that is not allowed in its context.
+    /// An exponent that is not allowed at its place.
     Exponent,
-    /// A header other than `struct Name;` or `struct Name { a, b }`.
+    /// A header that is neither `struct Name;` nor `struct Name { a, b }`.
     Header,
     /// An identifier without a definition.
     UnknownName,
-    /// A name that is defined twice, reserved or otherwise refused.
+    /// A name that is defined twice, reserved, or not allowed for another reason.
     Name,
     /// An unused parameter.
     UnusedParameter,
@@ -34,7 +35,7 @@ pub enum Kind {
     ZeroDivisor,
     /// A function call, a path or an index.
     NotAPolynomial,
-    /// A size beyond a limit of the language.
+    /// A size that exceeds a limit of the language.
     TooLarge,
     /// A block without equations.
     Empty,
@@ -44,21 +45,21 @@ pub enum Kind {
     FalseClaim,
 }
 
-/// One mistake.
+/// A mistake of the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// The broken rule.
     pub kind: Kind,
-    /// The tokens to change.
+    /// The tokens that should be changed.
     pub span: Span,
-    /// The mistake, in one sentence.
+    /// A description of the mistake, in one sentence.
     pub message: String,
-    /// The text to write instead; may be empty.
+    /// The text that should be written instead. It may be empty.
     pub help: String,
 }
 
 impl Diagnostic {
-    /// Creates a mistake at `span`; [`brief`] shortens message and help.
+    /// Creates a mistake at `span`. Long messages and help texts are shortened by [`brief`].
     #[must_use]
     pub fn new(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Self {
         Diagnostic { kind, span, message: brief(&message.into()), help: brief(&help.into()) }
@@ -77,8 +78,8 @@ impl fmt::Display for Diagnostic {
 
 /// Shortens a message that quotes long words.
 ///
-/// A word of more than 80 characters keeps its first 46 and last 16. A message that then still has
-/// more than 700 characters keeps its first 440 and last 240.
+/// If a word has more than 80 characters, its first 46 and last 16 are kept. If the message then
+/// still has more than 700 characters, its first 440 and last 240 are kept.
 ///
 /// ```
 /// let name = "x".repeat(1_000_000);
@@ -111,7 +112,7 @@ const MOST_MISTAKES: usize = 200;
 /// The mistakes collected so far.
 ///
 /// # Panics
-/// When dropped without [`Diagnostics::finish`].
+/// If it is dropped without a call of [`Diagnostics::finish`].
 #[derive(Debug)]
 pub struct Diagnostics {
     list: Option<Vec<Diagnostic>>,
@@ -124,7 +125,7 @@ impl Default for Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a mistake unless the list is full or contains an equal one.
+    /// Adds a mistake, unless the list is full or contains an equal mistake.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if let Some(list) = &mut self.list
             && list.len() < MOST_MISTAKES
@@ -134,7 +135,7 @@ impl Diagnostics {
         }
     }
 
-    /// Adds a mistake given by its fields, like [`Diagnostics::push`].
+    /// Adds a mistake that is given by its fields, like [`Diagnostics::push`].
     pub fn report(&mut self, kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) {
         self.push(Diagnostic::new(kind, span, message, help));
     }
@@ -145,7 +146,7 @@ impl Diagnostics {
         self.list.as_ref().is_none_or(Vec::is_empty)
     }
 
-    /// Returns whether the list is full; further mistakes are dropped.
+    /// Returns whether the list is full. Further mistakes are then dropped.
     #[must_use]
     pub fn is_full(&self) -> bool {
         self.len() >= MOST_MISTAKES
@@ -157,7 +158,7 @@ impl Diagnostics {
         self.list.as_ref().map_or(0, Vec::len)
     }
 
-    /// Returns the mistakes sorted by position.
+    /// Returns the mistakes, sorted by position.
     #[must_use]
     pub fn finish(mut self) -> Vec<Diagnostic> {
         sorted_by_key(self.list.take().unwrap_or_default(), |diagnostic| diagnostic.span)

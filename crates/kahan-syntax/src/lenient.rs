@@ -1,8 +1,9 @@
-//! Translation of texts in the notation of books and other programs.
+//! Translates texts in the notation of books and other programs into the language of `kahan!`.
 //!
-//! In: a text, such as `x' = y, y' = -x**2`. Out: the tokens of `xdot = y; ydot = -x^2;` with their
-//! positions in the text, values of parameters, initial values of states, and notes. Mistakes stay
-//! in the tokens for the parser to report. A text in the language of `kahan!` keeps its tokens.
+//! For example, the text `x' = y, y' = -x**2` becomes the tokens of `xdot = y; ydot = -x^2;` with
+//! their positions in the text. The result also has values of parameters, initial values of states,
+//! and notes for the user. Mistakes stay in the tokens, and the parser reports them. A text in the
+//! language of `kahan!` keeps its tokens.
 
 mod items;
 mod left_side;
@@ -23,23 +24,24 @@ use crate::token::{Token, TokenKind};
 use items::TextItem;
 use xpp::Function;
 
-/// A text as tokens of the language, with the values that it gives.
+/// A text as tokens of the language, together with the values that the text gives.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
-    /// The tokens of a block; each range is that of the token or of the text it replaces.
+    /// The tokens of a block. The range of each token is that of the text that it stands for.
     pub lexed: Lexed,
-    /// Whether tokens and comments are already those of `kahan!`, so nothing was translated.
+    /// Whether the text was in the language of `kahan!` already, including its comments, so that
+    /// nothing was translated.
     pub is_canonical: bool,
-    /// The parameters that the text gives a value, with these values.
+    /// The parameters to which the text gives a value, with these values.
     pub parameters: Vec<(String, Rational)>,
-    /// The states that the text gives an initial value, with these values.
+    /// The states to which the text gives an initial value, with these values.
     pub start: Vec<(String, Rational)>,
-    /// Notes to the user on unusual interpretations.
+    /// Notes for the user about unusual interpretations.
     pub notes: Vec<String>,
 }
 
 impl Reading {
-    /// Returns the tokens as text in the language of `kahan!`.
+    /// Prints the tokens as text in the language of `kahan!`.
     #[must_use]
     pub fn canonical(&self) -> String {
         let mut text = String::new();
@@ -70,7 +72,7 @@ pub fn read(text: &str) -> Reading {
     let Lexed { tokens, ranges, is_of_others } = lex(text);
     let count = tokens.len();
     let mut reader = Reader { text, given: tokens.into_iter().zip(ranges).collect(), ..Reader::default() };
-    // SymPy and Mathematica write systems of equations as a list in brackets.
+    // SymPy and Mathematica write a system of equations as a list in brackets.
     if matches!((reader.at(0), reader.at(count.saturating_sub(1))), ("[", "]") | ("{", "}")) {
         reader.given = reader.given[1..count - 1].to_vec();
     }
@@ -103,18 +105,19 @@ struct Reader<'a> {
     text: &'a str,
     given: Vec<PlacedToken>,
     names: OnceCell<HashSet<String>>,
-    /// The states, with the names of the derivatives of order 1 to n − 1 in equations of order n.
+    /// The states. If the equation of a state has order n, the entry has the names of its
+    /// derivatives of order 1 to n − 1.
     states: HashMap<String, Vec<String>>,
     has_derivatives: bool,
     /// The formulas of auxiliary quantities, by name.
     quantities: HashMap<String, Vec<PlacedToken>>,
     functions: HashMap<String, Function>,
-    /// The arguments of the innermost call, by name.
+    /// The arguments of the innermost call that is expanded, by name.
     arguments: HashMap<String, Vec<PlacedToken>>,
-    /// The functions whose calls are being expanded, outermost first.
+    /// The functions whose calls are being expanded. The outermost call comes first.
     calls: Vec<String>,
     depth: usize,
-    /// The number of tokens that expansions have added.
+    /// The number of tokens that expansions have added so far.
     added: usize,
     out: Vec<PlacedToken>,
     read: Reading,
@@ -138,7 +141,7 @@ impl Reader<'_> {
         self.names.get_or_init(all).contains(name)
     }
 
-    /// Returns whether the equations define a state or a derivative of this name.
+    /// Returns whether the equations define a state with this name, or a derivative with this name.
     fn is_state(&self, name: &str) -> bool {
         self.states.contains_key(name)
     }
@@ -179,7 +182,7 @@ impl Reader<'_> {
         self.give_pi();
     }
 
-    /// Gives the parameter `pi` its value unless the text defines `pi`.
+    /// Gives the parameter `pi` its value, unless the text defines `pi` itself.
     fn give_pi(&mut self) {
         const PI: &str = "3.141592653589793";
         let is_read = self.is_state("pi") || self.quantities.contains_key("pi") || self.has_header();
@@ -191,7 +194,7 @@ impl Reader<'_> {
         self.read.parameters.push(("pi".to_owned(), value));
     }
 
-    /// Writes an item, or its replacement, followed by `;`.
+    /// Writes an item, or the tokens that replace it, followed by `;`.
     fn write(&mut self, TextItem { tokens, left, is_ended }: &TextItem, instead: Option<Vec<PlacedToken>>) {
         let is_bracket = self.at(tokens.start) == "bracket";
         let written = match (instead, left) {

@@ -1,8 +1,8 @@
-//! The lexer of texts, with Rust's rules for comments, raw identifiers and numbers.
+//! Splits texts into tokens. Comments, raw identifiers and numbers follow the rules of Rust.
 //!
-//! rustc lexes the input of the macro; texts are lexed here. The lexer therefore also accepts signs
-//! that rustc's lexer rejects: `.5`, `**`, `x²`, `−`, `# comments`. An unknown sign, such as the
-//! prime in `x'`, becomes a token with an explanation, which the parser reports.
+//! The input of the macro is split by rustc; texts are split here. The lexer therefore also accepts
+//! text that rustc rejects, such as `.5`, `**`, `x²`, `−` and `# comments`. An unknown sign, such
+//! as the prime in `x'`, becomes a token with an explanation, which the parser reports.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -10,14 +10,15 @@ use std::ops::Range;
 use crate::rational::numeral::Numeral;
 use crate::token::{Token, TokenKind};
 
-/// The tokens of a text and their byte ranges.
+/// The tokens of a text, with their byte ranges.
 #[derive(Clone, Debug, Default)]
 pub struct Lexed {
     /// The tokens.
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// Whether the text has comments or line joins that Rust lacks: `# …`, `" …`, `\`.
+    /// Whether the text has comments or line continuations that Rust does not have, such as `# …`,
+    /// `" …` and `\`.
     pub is_of_others: bool,
 }
 
@@ -43,7 +44,7 @@ impl Lexer<'_> {
         self.text[self.at..].chars().nth(ahead)
     }
 
-    /// Returns the byte length of the longest run from `from` whose characters satisfy `keep`.
+    /// Returns the byte length of the text from `from` on whose characters all satisfy `keep`.
     fn run(&self, from: usize, keep: impl Fn(char) -> bool) -> usize {
         self.text[from..].chars().take_while(|&c| keep(c)).map(char::len_utf8).sum()
     }
@@ -52,7 +53,8 @@ impl Lexer<'_> {
         let text = &self.text[self.at..self.at + length];
         let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
         let text_of_sign = match kind {
-            // Half of a field's tokens are signs; borrowed texts avoid their allocation.
+            // Half of a field's tokens are signs. Borrowed texts avoid an allocation for each of
+            // them.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
                 SIGNS.find(c).map(|place| Cow::Borrowed(&SIGNS[place..=place]))
             }
@@ -62,7 +64,7 @@ impl Lexer<'_> {
         self.at += length;
     }
 
-    /// Adds a token for the next `length` bytes, without advancing.
+    /// Adds a token for the next `length` bytes. The position does not change.
     fn put(&mut self, kind: TokenKind, text: Cow<'static, str>, length: usize) {
         let range = self.at..self.at + length;
         if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
@@ -73,7 +75,8 @@ impl Lexer<'_> {
         self.out.ranges.push(range);
     }
 
-    /// Reads one token, comment or white-space character; returns `false` at the end of the text.
+    /// Reads one token, one comment or one white-space character. Returns `false` at the end of the
+    /// text.
     fn next_token(&mut self) -> bool {
         let Some(c) = self.peek(0) else { return false };
         if c.is_whitespace() {
@@ -145,7 +148,8 @@ impl Lexer<'_> {
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// Translates the next characters to signs of the language, with their length in bytes.
+    /// Translates the next characters to signs of the language. Returns the signs, and the number
+    /// of bytes read.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),
@@ -160,7 +164,8 @@ impl Lexer<'_> {
         Some((signs, c.len_utf8()))
     }
 
-    /// Skips a comment `/* … */`, nested as in Rust; an unclosed one is reported at its start.
+    /// Skips a comment `/* … */`, which may be nested as in Rust. An unclosed comment is reported
+    /// at its start.
     fn block_comment(&mut self) {
         let mut depth = 0;
         let mut end = self.at;
@@ -184,7 +189,8 @@ impl Lexer<'_> {
         self.at = self.text.len();
     }
 
-    /// Returns the length of a number and any letters that touch it: `1.5e-3`, `0x1F`, `2x`.
+    /// Returns the length of a number, including letters that follow it directly, as in `1.5e-3`,
+    /// `0x1F` and `2x`.
     fn number_length(&self) -> usize {
         let length = Numeral::length_in(&self.text[self.at..]);
         length + self.run(self.at + length, continues_identifier)
@@ -207,12 +213,12 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Returns whether `c` may continue a name; combining marks, such as Newton's dot, may.
+/// Returns whether `c` may continue a name. Combining marks such as Newton's dot may do so.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }
 
-/// Returns the derivative order of a prime sign.
+/// Returns the order of the derivative that a prime sign denotes.
 pub(crate) fn primes(c: char) -> Option<usize> {
     match c {
         '\'' | '’' | '′' => Some(1),

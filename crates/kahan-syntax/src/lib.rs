@@ -1,13 +1,13 @@
-//! The language of `kahan!` as text.
+//! Reads the language of `kahan!`.
 //!
-//! In: a text, or the tokens of a macro. Out: the syntax tree of a block or formula, with
-//! positions, exact numbers and mistakes. Names are not resolved, and polynomials are unknown here:
-//! `kahan-algebra` decides which blocks are fields and which claims hold. It also uses the exact
-//! numbers ([`rational`]) and short sorted lists ([`table`]).
+//! The input is a text, or the tokens of a macro. The output is the syntax tree of a block or
+//! formula, with positions, exact numbers and mistakes. Names are not resolved, and polynomials are
+//! unknown here. The crate `kahan-algebra` decides which blocks are fields and which claims hold.
+//! It also uses the exact numbers ([`rational`]) and the short sorted lists ([`table`]).
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// A module uses only modules above it; a test checks the order.
+// A module uses only modules above it. A test checks the order.
 pub mod rational;
 
 pub mod table;

@@ -1,8 +1,10 @@
-//! Exact rational numbers: the literals of the language and the coefficients of polynomials.
+//! Exact rational numbers, which are the numbers of the language and the coefficients of
+//! polynomials.
 //!
-//! In: integers, decimals and floats. Out: sums, products, quotients, and correctly rounded floats.
-//! Values have lowest terms and positive denominators, so equal ones have equal representations.
-//! [`Rational::checked_div`] replaces a division operator, so callers handle division by zero.
+//! Rationals are made from integers, decimals and floats, and are rounded correctly to floats.
+//! Numbers are in lowest terms with positive denominators, so equal numbers have equal
+//! representations. [`Rational::checked_div`] replaces a division operator, so that callers handle
+//! division by zero.
 
 mod arithmetic;
 pub(crate) mod numeral;
@@ -20,14 +22,15 @@ use num_traits::{One, Signed, ToPrimitive};
 
 pub(crate) use text::LARGEST_EXPONENT;
 
-/// An exact rational number p/q in lowest terms, q > 0.
+/// An exact rational number p/q in lowest terms, where q > 0.
 ///
-/// Values whose numerator and denominator fit into 63 bits need no allocation.
+/// Numbers whose numerator and denominator fit into 63 bits need no allocation.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-/// The canonical representation: `Big` only holds values with |p| or q above `i64::MAX`, so derived
-/// equality and hashing are numerical. `i64::MIN` is big, so negating `Small` cannot overflow.
+/// The representation of a number, which is unique. `Big` holds only numbers with |p| or q above
+/// `i64::MAX`, so derived equality and hashing compare values. Since `i64::MIN` is stored in `Big`,
+/// negating a `Small` cannot overflow.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },
@@ -40,7 +43,7 @@ impl Rational {
     /// The number 1.
     pub const ONE: Self = Self(Repr::Small { num: 1, den: 1 });
 
-    /// Returns the fraction `num/den`, reduced.
+    /// Returns the fraction `num/den` in lowest terms.
     ///
     /// # Panics
     /// If `den` is zero.
@@ -57,12 +60,12 @@ impl Rational {
         )
     }
 
-    /// Returns 0.
+    /// Returns the number 0.
     pub fn zero() -> Self {
         Self::ZERO
     }
 
-    /// Returns 1.
+    /// Returns the number 1.
     pub fn one() -> Self {
         Self::ONE
     }
@@ -74,7 +77,7 @@ impl Rational {
         }
         let (bits, sign) = (value.abs().to_bits(), if value < 0.0 { -1 } else { 1 });
         let (exponent, fraction) = ((bits >> 52) as i64, bits & ((1 << 52) - 1));
-        // |value| = significand·2^exponent
+        // The absolute value is significand·2^exponent.
         let significand = if exponent == 0 { fraction } else { fraction | 1 << 52 };
         if significand == 0 {
             return Some(Self::ZERO);
@@ -89,7 +92,7 @@ impl Rational {
         })
     }
 
-    /// Returns |p| and k if the value is ±p/2ᵏ and p fits into 64 bits.
+    /// Returns |p| and k if the number is ±p/2ᵏ and p fits into 64 bits.
     fn dyadic(&self) -> Option<(u64, u64)> {
         match &self.0 {
             Repr::Small { num, den } => {
@@ -103,7 +106,7 @@ impl Rational {
         }
     }
 
-    /// Converts the value to a big rational.
+    /// Converts the number to a big rational.
     pub fn to_big(&self) -> BigRational {
         match &self.0 {
             Repr::Small { num, den } => BigRational::new_raw(BigInt::from(*num), BigInt::from(*den)),
@@ -111,7 +114,7 @@ impl Rational {
         }
     }
 
-    /// Returns the numerator p, with the sign of the number.
+    /// Returns the numerator p, which has the sign of the number.
     pub fn numerator(&self) -> BigInt {
         match &self.0 {
             Repr::Small { num, .. } => BigInt::from(*num),
@@ -119,7 +122,7 @@ impl Rational {
         }
     }
 
-    /// Returns the denominator q > 0.
+    /// Returns the denominator q, which is positive.
     pub fn denominator(&self) -> BigInt {
         match &self.0 {
             Repr::Small { den, .. } => BigInt::from(*den),
@@ -127,7 +130,7 @@ impl Rational {
         }
     }
 
-    /// Returns the value if it is an integer that fits into an `i64`.
+    /// Returns the number as an `i64`, if it is an integer that fits.
     pub fn as_i64(&self) -> Option<i64> {
         match &self.0 {
             Repr::Small { num, den: 1 } => Some(*num),
@@ -137,7 +140,8 @@ impl Rational {
         }
     }
 
-    /// Returns numerator and denominator if both have absolute values up to `i64::MAX`.
+    /// Returns the numerator and the denominator, if the absolute values of both are at most
+    /// `i64::MAX`.
     pub fn as_small_ratio(&self) -> Option<(i64, i64)> {
         match &self.0 {
             Repr::Small { num, den } => Some((*num, *den)),
@@ -145,8 +149,8 @@ impl Rational {
         }
     }
 
-    /// Returns numerator and denominator if both have absolute values up to 2²⁴. Both are then
-    /// exact in `f32`, so a single division is correctly rounded in every float type.
+    /// Returns the numerator and the denominator, if the absolute values of both are at most 2²⁴.
+    /// They are then exact in `f32`, so a single division rounds correctly in every float type.
     pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
         const EXACT_IN_F32: i64 = 1 << 24;
         self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
@@ -170,7 +174,7 @@ impl Rational {
         }
     }
 
-    /// Returns whether the denominator is 1.
+    /// Returns whether the number is an integer.
     pub fn is_integer(&self) -> bool {
         match &self.0 {
             Repr::Small { den, .. } => *den == 1,
@@ -178,7 +182,7 @@ impl Rational {
         }
     }
 
-    /// Returns the bit length of the larger of |p| and q, at least 1.
+    /// Returns the bit length of |p| or of q, whichever is larger. It is at least 1.
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Repr::Small { num, den } => {
@@ -188,7 +192,7 @@ impl Rational {
         }
     }
 
-    /// Wraps a big rational that is in lowest terms with a positive denominator.
+    /// Wraps a big rational that is already in lowest terms with a positive denominator.
     fn from_normal(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {
             (Some(num), Some(den)) if num != i64::MIN => Self(Repr::Small { num, den }),
@@ -205,9 +209,9 @@ impl Rational {
     }
 }
 
-/// Returns the greatest common divisor by Euclid's algorithm; gcd(0, b) = b.
+/// Returns the greatest common divisor by Euclid's algorithm. The gcd of 0 and b is b.
 pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
-    // Fast path: denominators of floats are powers of two.
+    // The denominators of floats are powers of two, for which this is faster.
     if a != 0 && b.is_power_of_two() {
         return b.min(1 << a.trailing_zeros());
     }
@@ -238,7 +242,7 @@ impl From<BigInt> for Rational {
     }
 }
 
-/// Reduces the fraction; its denominator must be nonzero.
+/// The conversion reduces the fraction. Its denominator must be nonzero.
 impl From<BigRational> for Rational {
     fn from(value: BigRational) -> Self {
         Self::from_normal(value.reduced())

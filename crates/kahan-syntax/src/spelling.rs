@@ -1,15 +1,16 @@
-//! Spelling of names: keywords, misspellings, derivative marks, and names that messages propose.
+//! Knows how names are spelt: keywords, misspellings, marks of derivatives, and names that messages
+//! propose.
 
-/// The page on non-quadratic fields, for help texts.
+/// The page about fields that are not quadratic, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
-/// The remedy for non-quadratic fields, for help texts.
+/// The remedy for fields that are not quadratic, for help texts.
 pub const LIFTS: &str = "`kahan lift`, or `lift=True` in Python, makes a quadratic field of it";
 
-/// The page on the notation of texts, for help texts.
+/// The page about the notation of texts, for help texts.
 pub const ON_TEXTS: &str = "docs/how-to/texts.md";
 
-/// Returns whether a name is a strict or reserved keyword of Rust, or `_`.
+/// Returns whether a name is `_`, or a strict or reserved keyword of Rust.
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {
     const KEYWORDS: &str = "_ as async await break const continue crate dyn else enum extern false fn for if \
@@ -18,7 +19,8 @@ pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == name)
 }
 
-/// Returns advice for π, which is irrational and must be a parameter; `None` for other names.
+/// Returns advice for π, which must be a parameter because it is irrational. Returns `None` for
+/// other names.
 #[must_use]
 pub fn number(name: &str) -> Option<String> {
     matches!(name, "pi" | "PI" | "π").then(|| {
@@ -26,10 +28,11 @@ pub fn number(name: &str) -> Option<String> {
     })
 }
 
-/// Returns the known name closest to `name`, if a misspelling is plausible.
+/// Returns the known name that is closest to `name`, if a misspelling is plausible.
 ///
-/// The distance counts changed letters and swapped neighbours, ignoring case. It may be 0 for one
-/// letter, 1 for two to four, and 2 for more. The first of equally close names wins.
+/// The distance counts letters that differ and neighbours that are swapped; case is ignored. It may
+/// be 0 for a name of one letter, 1 for two to four letters, and 2 for more. Among equally close
+/// names, the first one is returned.
 #[must_use]
 pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {
@@ -41,7 +44,8 @@ pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }
 
-/// Returns an unused name: the first unused one of `wanted`, otherwise one with a number appended.
+/// Returns the first name of `wanted` that is not in use. If all are in use, returns one with a
+/// number appended.
 ///
 /// ```
 /// use kahan_syntax::spelling::fresh;
@@ -56,7 +60,8 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// Returns advice on a derivative of `state`: `xdot = …`, or a chain of equations if higher.
+/// Returns advice on how to write a derivative of `state`. It is `xdot = …`, or a chain of
+/// equations if the order is above 1.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
     if order < 2 {
@@ -74,7 +79,8 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
     )
 }
 
-/// Counts and removes Newton's dots: `ẋ` is `x` with one, `ẍ` with two; `None` without dots.
+/// Counts Newton's dots and removes them: `ẋ` is `x` with one dot, `ẍ` with two. Returns `None` if
+/// there are no dots.
 ///
 /// ```
 /// use kahan_syntax::spelling::without_dots;

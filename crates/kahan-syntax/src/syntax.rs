@@ -1,7 +1,8 @@
-//! The syntax tree of a block, item by item, with token spans.
+//! The syntax tree of a block, with the spans of tokens.
 //!
-//! Nothing is checked here: names may be unknown, degrees too high, claims false. `kahan-algebra`
-//! turns a block into a field and claims. Long sums and products are flat, not nested.
+//! The tree is not checked: names may be unknown, degrees too high, and claims false. The crate
+//! `kahan-algebra` turns a block into a field and claims. Long sums and products are flat lists,
+//! not nested trees.
 
 use core::fmt;
 use std::borrow::Cow;
@@ -9,7 +10,7 @@ use std::borrow::Cow;
 use crate::rational::Rational;
 use crate::token::Span;
 
-/// A name and its span.
+/// A name, with its span.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// The identifier, without a leading `r#`.
@@ -18,27 +19,29 @@ pub struct Name {
     pub span: Span,
 }
 
-/// A block: `[header] (const | equation | family | claim)*`.
+/// A block, which has the form `[header] (const | equation | family | claim)*`.
 ///
-/// `X` is the syntax beyond arithmetic in constants and right-hand sides: [`InFamily`], or
-/// [`InFormula`] in a block to be lifted.
+/// `X` is the syntax that constants and right-hand sides may contain beyond arithmetic. It is
+/// [`InFamily`], or [`InFormula`] if the block is to be lifted.
 #[derive(Clone, Debug)]
 pub struct Block<X = InFamily> {
     /// The header, such as `pub struct E7 { xi }`.
     pub header: Option<Header>,
-    /// The keyword `lift`, if the equations are to be lifted.
+    /// The span of the keyword `lift`, if the equations are to be lifted.
     pub lift: Option<Span>,
     /// Constants, such as `const xi = 1/2;`.
     pub constants: Vec<Constant<X>>,
-    /// Equations, such as `xdot = y*z;`. The states of a family are named by its arrays.
+    /// Equations, such as `xdot = y*z;`. In a family, the states are named by its arrays.
     pub equations: Vec<Equation<X>>,
     /// The head of the family, such as `for i in periodic { … }`.
     pub family: Option<FamilyHead>,
-    /// Claims: `integral`, `density`, `bracket`, `drift`.
+    /// The claims, which begin with `integral`, `density`, `bracket` or `drift`.
     pub claims: Vec<Claim>,
-    /// Hamiltonians of a family, `hamiltonian H = sum(…);`, as claims of integrals.
+    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`. They are stored as claims of
+    /// integrals.
     pub hamiltonians: Vec<Claim>,
-    /// Left-hand sides without `dot`. They are already reported, so later mistakes ignore them.
+    /// Left-hand sides without `dot`. They were already reported, so later mistakes about them are
+    /// not.
     pub misspelt_states: Vec<Name>,
 }
 
@@ -57,10 +60,10 @@ impl<X> Default for Block<X> {
     }
 }
 
-/// The boundary condition of a chain.
+/// The boundary condition of a chain of sites.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// Site n is site 0.
+    /// The site after the last one is site 0.
     Periodic,
     /// States beyond the ends are 0.
     Open,
@@ -75,35 +78,35 @@ pub struct FamilyHead {
     pub span: Span,
     /// The number of equations before the family.
     pub equations_before: usize,
-    /// The number of equations before and in the family.
+    /// The number of equations before the family, plus the number of those in the family.
     pub equations_until: usize,
 }
 
-/// A header: `attributes [lift] visibility struct Name (; | { param, … })`.
+/// A header, which has the form `attributes [lift] visibility struct Name (; | { param, … })`.
 #[derive(Clone, Debug)]
 pub struct Header {
-    /// Documentation and attributes.
+    /// The documentation and the attributes of the type.
     pub attributes: WrittenTokens,
-    /// `pub`, `pub(crate)`, or nothing.
+    /// The visibility, which is `pub`, `pub(crate)` or similar, or empty.
     pub visibility: WrittenTokens,
     /// The type's name.
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
-    /// The documentation and attributes of each parameter.
+    /// For each parameter its documentation and attributes.
     pub described: Vec<WrittenTokens>,
 }
 
-/// Tokens that only Rust understands, kept verbatim.
+/// Tokens that only Rust understands. They are kept as written.
 #[derive(Clone, Debug, Default)]
 pub struct WrittenTokens {
-    /// The lines of the text.
+    /// The lines of the tokens as text.
     pub lines: Vec<String>,
-    /// The tokens; `None` for documentation in a text.
+    /// The span of the tokens; `None` for documentation in a text.
     pub span: Option<Span>,
 }
 
-/// A constant: `const NAME = constant expr;`
+/// A constant, `const NAME = expr;`.
 #[derive(Clone, Debug)]
 pub struct Constant<X = InFamily> {
     /// The constant's name.
@@ -112,10 +115,10 @@ pub struct Constant<X = InFamily> {
     pub value: Option<Expr<X>>,
 }
 
-/// An equation: `STATEdot = expr;`
+/// An equation, `STATEdot = expr;`.
 #[derive(Clone, Debug)]
 pub struct Equation<X = InFamily> {
-    /// The state: the left-hand side without `dot`.
+    /// The name of the state, which is the left-hand side without `dot`.
     pub state: Name,
     /// The right-hand side; `None` if it could not be read.
     pub value: Option<Expr<X>>,
@@ -124,13 +127,13 @@ pub struct Equation<X = InFamily> {
 /// The kind of a claim about the map x ↦ x̃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ClaimKind {
-    /// F(x̃) = F(x).
+    /// The claim F(x̃) = F(x) for a function F.
     Integral,
-    /// ρ(x̃) det ∂x̃/∂x = ρ(x).
+    /// The claim ρ(x̃) det ∂x̃/∂x = ρ(x) for a density ρ.
     Density,
-    /// J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, and the Jacobi identity.
+    /// The claim J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, and the Jacobi identity, for a tensor P.
     Bracket,
-    /// F(x̃) is a function of F(x) only.
+    /// The claim that F(x̃) is a given function of F(x).
     Drift,
 }
 
@@ -154,7 +157,7 @@ impl ClaimKind {
     }
 }
 
-/// A claim with optional conditions, in one of four forms:
+/// A claim, which may have conditions. There are four forms:
 ///
 /// `integral NAME = expr;`, `density NAME = expr;`, `drift NAME = expr by expr;`, `bracket NAME {
 /// {x,y} = expr; … }`.
@@ -177,17 +180,17 @@ pub enum ClaimBody {
     Function(Expr),
     /// The entries of a bracket.
     Tensor(Vec<TensorEntry>),
-    /// The two functions of a drift.
+    /// The two expressions of a drift.
     Recurrence {
-        /// F(x).
+        /// The function F(x).
         function: Expr,
-        /// F(x̃) as a formula in which the claim's name stands for F(x).
+        /// The value F(x̃) as a formula, in which the claim's name stands for F(x).
         next: Expr,
     },
 }
 
 impl ClaimBody {
-    /// Returns the expressions of the claim in source order.
+    /// Returns the expressions of the claim in the order of the text.
     #[must_use]
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
@@ -198,18 +201,18 @@ impl ClaimBody {
     }
 }
 
-/// An entry of a bracket: `{x, y} = expr;`
+/// An entry of a bracket, `{x, y} = expr;`.
 #[derive(Clone, Debug)]
 pub struct TensorEntry {
     /// The first state.
     pub row: Name,
     /// The second state.
     pub column: Name,
-    /// Its value.
+    /// The value of the entry.
     pub value: Expr,
 }
 
-/// A condition after `when`: a relation `expr = expr` between parameters and `eps`.
+/// A condition after `when`. It is a relation `expr = expr` between parameters and `eps`.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The left side.
@@ -225,14 +228,14 @@ impl Condition {
         self.left.span.to(self.right.span)
     }
 
-    /// Calls `visit` with each named value of the relation and its span, from left to right.
+    /// Calls `visit` with each name or site in the relation and its span, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         self.left.visit_names(visit);
         self.right.visit_names(visit);
     }
 }
 
-/// An expression with its span; `X` is syntax beyond arithmetic: a family's sites, calls.
+/// An expression with its span. `X` is the syntax that it may contain beyond arithmetic.
 #[derive(Clone, Debug)]
 pub struct Expr<X = InFamily> {
     /// The operation, with its operands.
@@ -242,7 +245,7 @@ pub struct Expr<X = InFamily> {
 }
 
 impl Expr {
-    /// Calls `visit` with each named value of the expression and its span, from left to right.
+    /// Calls `visit` with each name or site in the expression and its span, from left to right.
     pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         match &self.kind {
             ExprKind::Name(name) => visit(Reference::Name(name), self.span),
@@ -253,7 +256,7 @@ impl Expr {
         }
     }
 
-    /// Returns the direct operands, from left to right.
+    /// Returns the operands of the outermost operation, from left to right.
     #[must_use]
     pub fn parts(&self) -> Vec<&Expr> {
         match &self.kind {
@@ -266,7 +269,7 @@ impl Expr {
         }
     }
 
-    /// Substitutes numbers for names. Products that gain numbers combine their numeric factors.
+    /// Replaces names by numbers. In products that gain numbers, the numeric factors are combined.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Special(InFamily::Site { .. }) => {}
@@ -317,7 +320,7 @@ impl Expr {
         }
     }
 
-    /// Combines the numeric factors of a product, unless one of them divides by 0.
+    /// Combines the numeric factors of a product, unless it contains a division by 0.
     fn gather_numbers(&mut self) {
         let ExprKind::Product(factors) = &mut self.kind else { return };
         let mut whole = Rational::one();
@@ -348,54 +351,56 @@ impl ExprKind {
 /// The operation of an expression.
 #[derive(Clone, Debug)]
 pub enum ExprKind<X = InFamily> {
-    /// A literal, as an exact number.
+    /// A number, stored exactly.
     Number(Rational),
-    /// An identifier.
+    /// A name.
     Name(String),
-    /// `a + b − c …`
+    /// A sum `a + b − c …`.
     Sum(Vec<Term<X>>),
-    /// `a * b / c …`
+    /// A product `a * b / c …`.
     Product(Vec<Factor<X>>),
-    /// `−a`
+    /// A negation `−a`.
     Negation(Box<Expr<X>>),
-    /// `a^n`
+    /// A power `a^n`.
     Power(Box<Expr<X>>, i64),
-    /// Syntax beyond arithmetic.
+    /// Syntax that goes beyond arithmetic.
     Special(X),
 }
 
-/// The syntax of a family beyond arithmetic.
+/// The syntax of a family that goes beyond arithmetic.
 #[derive(Clone, Debug)]
 pub enum InFamily {
-    /// A value at a site: `x[i]`, `x[i+1]`, `x[i-2]`.
+    /// A value at a site, such as `x[i]`, `x[i+1]` or `x[i-2]`.
     Site {
-        /// `x`
+        /// The name of the array, such as `x`.
         array: String,
         /// The distance from site i.
         offset: i64,
     },
-    /// `sum(a)` over all sites, only in claims.
+    /// The sum `sum(a)` over all sites. It occurs only in claims.
     OverSites(Box<Expr>),
 }
 
-/// The syntax of formulas beyond arithmetic: calls and general powers.
+/// The syntax of a formula that goes beyond arithmetic: function calls and general powers.
 ///
-/// Blocks of fields exclude it, so fields stay polynomial and claims rational.
+/// Blocks of fields cannot contain it, so fields stay polynomial and claims rational.
 #[derive(Clone, Debug)]
 pub enum InFormula {
-    /// `name(a, …)`; the code that evaluates the formula decides which functions exist.
+    /// A function call `name(a, …)`. The code that evaluates the formula decides which functions
+    /// exist.
     Call {
-        /// `name`
+        /// The name of the function.
         function: String,
-        /// The arguments, at least one.
+        /// The arguments. There is at least one.
         arguments: Vec<Expr<InFormula>>,
     },
-    /// `a^b`, unless b is an integer literal.
+    /// A power `a^b` whose exponent b is not an integer literal.
     Power(Box<[Expr<InFormula>; 2]>),
 }
 
 impl Expr<InFormula> {
-    /// Converts an expression without functions and general powers; `None` for others.
+    /// Converts an expression without functions and general powers. Returns `None` for other
+    /// expressions.
     #[must_use]
     pub fn rational(&self) -> Option<Expr> {
         let boxed = |inner: &Expr<InFormula>| inner.rational().map(Box::new);
@@ -422,14 +427,14 @@ impl Expr<InFormula> {
     }
 }
 
-/// A value named in an expression.
+/// A name or a site that occurs in an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference<'a> {
-    /// `x`
+    /// A name such as `x`.
     Name(&'a str),
-    /// `x[i+1]`
+    /// A site such as `x[i+1]`.
     Site {
-        /// `x`
+        /// The name of the array, such as `x`.
         array: &'a str,
         /// The distance from site i.
         offset: i64,
@@ -437,7 +442,7 @@ pub enum Reference<'a> {
 }
 
 impl<'a> Reference<'a> {
-    /// Returns the text under which symbol tables store the value.
+    /// Returns the text under which tables of symbols store this name or site.
     #[must_use]
     pub fn key(self) -> Cow<'a, str> {
         match self {
@@ -447,7 +452,7 @@ impl<'a> Reference<'a> {
     }
 }
 
-/// Writes the name or the site as in a block.
+/// The name or site is written as in a block.
 impl fmt::Display for Reference<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -458,20 +463,20 @@ impl fmt::Display for Reference<'_> {
     }
 }
 
-/// One term of a sum.
+/// A term of a sum.
 #[derive(Clone, Debug)]
 pub struct Term<X = InFamily> {
     /// Whether `-` precedes the term.
     pub negative: bool,
-    /// The term.
+    /// The expression of the term.
     pub expr: Expr<X>,
 }
 
-/// One factor of a product.
+/// A factor of a product.
 #[derive(Clone, Debug)]
 pub struct Factor<X = InFamily> {
     /// Whether `/` precedes the factor.
     pub divides: bool,
-    /// The factor.
+    /// The expression of the factor.
     pub expr: Expr<X>,
 }

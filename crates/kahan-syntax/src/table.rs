@@ -1,12 +1,13 @@
 //! Sorted lists and maps of a few dozen entries.
 //!
-//! The standard library's sort and maps are compiled anew for every type; they took a third of the
-//! code that each user of the macro compiles. Insertion in order is small and fast enough here.
+//! The sort and the maps of the standard library are compiled anew for every type. They took a
+//! third of the code that each user of the macro compiles. Insertion in order takes little code,
+//! and is fast enough here.
 
 use std::cmp::Ordering;
 use std::ops::Index;
 
-/// Sorts a list stably by insertion.
+/// Sorts a list by insertion. Equal entries keep their order.
 pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) -> Ordering) -> Vec<T> {
     let mut sorted: Vec<T> = Vec::new();
     for item in list {
@@ -20,7 +21,7 @@ pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) 
     sorted
 }
 
-/// Sorts a list stably by a key.
+/// Sorts a list by a key. Entries with equal keys keep their order.
 pub fn sorted_by_key<T, K: Ord>(list: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Vec<T> {
     sorted_by(list, |left, right| key(left).cmp(&key(right)))
 }
@@ -32,7 +33,7 @@ pub fn distinct<T: Ord + Copy>(list: impl IntoIterator<Item = T>) -> Vec<T> {
     sorted
 }
 
-/// A map with entries sorted by key.
+/// A map whose entries are sorted by key.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table<K, V> {
     entries: Vec<(K, V)>,
@@ -45,7 +46,7 @@ impl<K: Ord, V> Table<K, V> {
         Table { entries: Vec::new() }
     }
 
-    /// Creates a map from entries with strictly increasing keys.
+    /// Creates a map from entries. Their keys must be strictly increasing.
     pub fn from_sorted(entries: Vec<(K, V)>) -> Self {
         debug_assert!(entries.is_sorted_by(|(left, _), (right, _)| left < right));
         Table { entries }
@@ -55,7 +56,7 @@ impl<K: Ord, V> Table<K, V> {
         self.entries.binary_search_by(|(known, _)| known.cmp(key))
     }
 
-    /// Returns the value of a key.
+    /// Returns the value of a key, if the map has the key.
     pub fn get(&self, key: &K) -> Option<&V> {
         self.place(key).ok().map(|place| &self.entries[place].1)
     }
@@ -73,7 +74,8 @@ impl<K: Ord, V> Table<K, V> {
         }
     }
 
-    /// Returns the value of a key, first inserting `make(&key)` if the key is absent.
+    /// Returns the value of a key. If the map does not have the key, `make(&key)` is inserted
+    /// first.
     pub fn or_insert_with(&mut self, key: K, make: impl FnOnce(&K) -> V) -> &mut V {
         let place = match self.place(&key) {
             Ok(place) => place,
@@ -86,7 +88,8 @@ impl<K: Ord, V> Table<K, V> {
         &mut self.entries[place].1
     }
 
-    /// Returns the value of a key, first inserting the default if the key is absent.
+    /// Returns the value of a key. If the map does not have the key, the default value is inserted
+    /// first.
     pub fn or_default(&mut self, key: K) -> &mut V
     where
         V: Default,
@@ -116,12 +119,12 @@ impl<K: Ord, V> Table<K, V> {
         self.entries.is_empty()
     }
 
-    /// Returns the entries sorted by key.
+    /// Returns the entries in the order of their keys.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&K, &V)> + ExactSizeIterator {
         self.entries.iter().map(|(key, value)| (key, value))
     }
 
-    /// Returns the values sorted by key.
+    /// Returns the values in the order of their keys.
     pub fn values(&self) -> impl DoubleEndedIterator<Item = &V> + ExactSizeIterator {
         self.entries.iter().map(|(_, value)| value)
     }
@@ -131,7 +134,7 @@ impl<K: Ord, V> Table<K, V> {
         self.entries.into_iter().map(|(key, _)| key)
     }
 
-    /// Returns the values sorted by key.
+    /// Returns the values in the order of their keys.
     pub fn into_values(self) -> impl Iterator<Item = V> {
         self.entries.into_iter().map(|(_, value)| value)
     }

@@ -1,12 +1,14 @@
-//! Tokens, the input of the parser.
+//! Tokens are the input of the parser.
 //!
-//! They come from text ([`crate::lexer`]) or from a macro (`tokens.rs` of `kahan-emit`). Positions
-//! are indices into the token list ([`Span`]); the maker of the list maps them to byte ranges or
-//! compiler spans. One parser and one set of messages therefore serve both.
+//! Tokens come from a text ([`crate::lexer`]) or from a macro (`tokens.rs` of `kahan-emit`).
+//! Positions are indices into the list of tokens ([`Span`]). Whoever makes the list maps them to
+//! byte ranges or to compiler spans. One parser and one set of messages therefore serve both
+//! sources.
 
 use std::borrow::Cow;
 
-/// A range of tokens, from `first` to `last` inclusive, as indices into a block's token list.
+/// A range of tokens from `first` to `last`, both included. The numbers are indices into a block's
+/// list of tokens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// The index of the first token.
@@ -16,7 +18,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// Returns the span of the single token `index`.
+    /// Returns the span of the single token with this index.
     #[must_use]
     pub fn token(index: usize) -> Self {
         Span { first: index, last: index }
@@ -32,17 +34,17 @@ impl Span {
 /// The kind of a token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TokenKind {
-    /// An identifier or keyword.
+    /// An identifier or a keyword.
     Identifier,
     /// A literal of any kind, with its suffix. The parser accepts only numbers.
     Literal,
     /// One punctuation character.
     Punctuation(char),
-    /// `(`, `[` or `{`.
+    /// An opening bracket `(`, `[` or `{`.
     Open(char),
-    /// `)`, `]` or `}`.
+    /// A closing bracket `)`, `]` or `}`.
     Close(char),
-    /// Text that begins no token of the language, with a proposed replacement.
+    /// Text that begins no token of the language, with a replacement to propose.
     Unreadable(Box<UnreadableText>),
 }
 
@@ -63,24 +65,25 @@ impl TokenKind {
     }
 }
 
-/// The mistake in text that begins no token of the language.
+/// A mistake in text that begins no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnreadableText {
-    /// The mistake, in one sentence.
+    /// A description of the mistake, in one sentence.
     pub message: String,
-    /// The text to write instead.
+    /// The text that should be written instead.
     pub help: String,
 }
 
 /// A token.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// The kind.
+    /// The kind of the token.
     pub kind: TokenKind,
-    /// The text as written, without a leading `r#`.
+    /// The text of the token as written, without a leading `r#`.
     pub text: Cow<'static, str>,
-    /// Whether the next token follows without white space, as in `**`.
+    /// Whether the next token follows without white space, as between the two signs of `**`.
     pub touches_next: bool,
-    /// Documentation lines before the token, `/// …`; from rustc they come as attributes.
+    /// The documentation lines `/// …` before the token. In tokens from rustc, documentation
+    /// consists of attributes instead.
     pub docs: Box<[String]>,
 }

@@ -1,4 +1,4 @@
-//! Translations of texts in many notations.
+//! Tests translations of texts in many notations.
 
 use std::fmt::Write;
 use std::fs;
@@ -16,7 +16,7 @@ fn mistakes(tokens: &[Token]) -> Vec<Diagnostic> {
     diagnostics.finish()
 }
 
-/// Returns the translation on one line, between values and initial values.
+/// Returns on one line the values of parameters, the translation, and the initial values.
 fn reading(text: &str) -> String {
     let read = read(text);
     assert_eq!(mistakes(&read.lexed.tokens), [], "{text}");
@@ -31,7 +31,7 @@ fn reading(text: &str) -> String {
 #[test]
 fn texts_of_other_tools_are_read() {
     for (text, expected) in [
-        // Notation written by hand, by programs and in books.
+        // The texts use notation that is written by hand, by programs and in books.
         ("x' = y\ny' = -x - x^2", "xdot = y; ydot = -x - x^2;"),
         ("dx/dt = a*x - b*x*y; dy/dt = -c*y + d*x*y", "xdot = a*x - b*x*y; ydot = -c*y + d*x*y;"),
         (
@@ -229,7 +229,8 @@ fn random_field(draws: &mut Draws) -> Equations {
     states.iter().map(|state| (state.clone(), right(draws))).collect()
 }
 
-/// Splits a block without a family into its text before, its equations, and its text after.
+/// Splits a block without a family into the text before its equations, the equations, and the text
+/// after them.
 fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     let begins = |line: &str| {
         line.trim().split_once("dot = ").is_some_and(|(left, _)| left.chars().all(char::is_alphanumeric))
@@ -394,7 +395,7 @@ const PIECES: &[&str] = &[
     "xy",
 ];
 
-/// Reads random texts without panics; valid ones survive printing and reading.
+/// Random texts cause no panic. Valid ones can be printed and read again.
 #[test]
 fn hostile_texts_are_read() {
     let mut draws = Draws(1);
@@ -418,7 +419,7 @@ fn hostile_texts_are_read() {
     assert!(sound > 100, "{sound}");
 }
 
-/// Reads long texts in time proportional to their length.
+/// Long texts are read in time proportional to their length.
 #[test]
 fn long_texts_are_read() {
     let many = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect::<String>();

@@ -1,11 +1,10 @@
 //! Clebsch's case (1871) of a rigid body in an ideal fluid, with angular momentum m and linear
-//! momentum p; not in the paper. The block states Kirchhoff's equations with the energy `(m.m + w1
-//! p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals, the map four integrals of
-//! higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345); only H is short. `kahan discover`
-//! finds H (up to w3 p.p), the density, a long second integral, and bases for the others. One basis
-//! is 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3, another 1, p2^2, p3^2, m1^2, m3^2, m2 p2, m3 p3: each
-//! satisfies one linear relation along every orbit, and the quotients of its coefficients are
-//! integrals. Degrees of iterates grow quadratically.
+//! momentum p. The block states Kirchhoff's equations with the energy
+//! `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`. The flow has four quadratic integrals, the map four
+//! integrals of higher degree (Petrera, Pfadler and Suris, arXiv:0808.3345). Of these, only H is
+//! short. `kahan discover` finds H (up to w3 p.p), the density and a long second integral. It also
+//! finds lists of functions that satisfy one linear relation along every orbit, and the quotients
+//! of its coefficients are integrals. One list is 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3.
 
 use kahan_core::prelude::*;
 
@@ -92,7 +91,7 @@ kahan! {
         - 2*eps^6*w2*w3^2*p3^6 + eps^6*w3^3*p3^6);
 }
 
-/// The catalog's entry.
+/// The entry of Clebsch's system in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "clebsch",
     "Clebsch",

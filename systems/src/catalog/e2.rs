@@ -1,8 +1,9 @@
-//! E2 (Section 3; Table 1, i = 2), with the Lie-Poisson pair e(1,1), sl(2,R). At eps = 0: `H = x
-//! y`, `K = x z + y^2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table 2, the
-//! density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair of
-//! Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. Solutions depend on time and are
-//! therefore not claimed (Table 5, Theorem 3).
+//! E2 of Hone and Petrera (Section 3; Table 1, i = 2), with the Lie-Poisson brackets of e(1,1) and
+//! sl(2,R). At eps = 0, `H = x y`, `K = x z + y^2` and `c = 1`, and the flow is
+//! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
+//! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
+//! Table 4 divided by c. Solutions (Table 5, Theorem 3) depend on time, so the block does not claim
+//! them.
 
 mod solution;
 
@@ -35,6 +36,6 @@ kahan! {
     }
 }
 
-/// The catalog's entry.
+/// The entry of E2 in the catalog.
 pub const ENTRY: Entry =
     row_of_the_tables!(2, "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions");

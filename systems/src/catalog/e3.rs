@@ -1,9 +1,10 @@
-//! E3 (Section 3; Table 1, i = 3), with the Lie-Poisson pair A(3,3), so(3). At eps = 0: `H = y/x`,
-//! `K = (x^2 + y^2 + z^2)/2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of
-//! Table 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson
-//! pair of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. Table 4 prints z for z^2 in
-//! {y,z} and {z,x} of Q (erratum A1); the printed tensor is Poisson, but not invariant. The map's
-//! numerators and det A share the factor `1 + eps z`, whose zeros are removable poles.
+//! E3 of Hone and Petrera (Section 3; Table 1, i = 3), with the Lie-Poisson brackets of A(3,3) and
+//! so(3). At eps = 0, `H = y/x`, `K = (x^2 + y^2 + z^2)/2` and `c = 1/x^2`, and the flow is
+//! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
+//! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
+//! Table 4 divided by c. Table 4 has z instead of z^2 in {y,z} and {z,x} of Q (erratum A1); that
+//! bracket is not invariant. The numerators of the map and det A share the factor `1 + eps z`,
+//! whose zeros are removable poles.
 
 mod flow;
 mod solution;
@@ -38,7 +39,7 @@ kahan! {
     }
 }
 
-/// The catalog's entry.
+/// The entry of E3 in the catalog.
 pub const ENTRY: Entry = row_of_the_tables!(
     3,
     "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",

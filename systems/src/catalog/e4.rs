@@ -1,9 +1,10 @@
-//! E4 (Section 3; Table 1, i = 4), with the Lie-Poisson pair e(1,1), so(3). At eps = 0: `H = x y`,
-//! `K = (x^2 + y^2 + z^2)/2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table
-//! 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair
-//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions, elliptic functions
-//! of time, are not claimed (Table 5, Theorem 3). In the coordinates x - y, x + y, z the system is
-//! the Euler top with a = (-1, -1, 1).
+//! E4 of Hone and Petrera (Section 3; Table 1, i = 4), with the Lie-Poisson brackets of e(1,1) and
+//! so(3). At eps = 0, `H = x y`, `K = (x^2 + y^2 + z^2)/2` and `c = 1`, and the flow is
+//! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
+//! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
+//! Table 4 divided by c. The solutions (Table 5, Theorem 3) are elliptic functions of time, so the
+//! block does not claim them. In the coordinates x - y, x + y, z the system is the Euler top with
+//! a = (-1, -1, 1).
 
 mod flow;
 mod normal_form;
@@ -40,6 +41,6 @@ kahan! {
     }
 }
 
-/// The catalog's entry.
+/// The entry of E4 in the catalog.
 pub const ENTRY: Entry =
     row_of_the_tables!(4, "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions");

@@ -1,8 +1,9 @@
-//! E5 (Section 3; Table 1, i = 5), with the Lie-Poisson pair e(2), sl(2,R). At eps = 0: `H = (x^2 +
-//! y^2)/2`, `K = x z + y^2`, `c = -1`; the flow is `-P dK = -(1/c) Q dH`. Claims: H and K of Table
-//! 2, the density c/(H K) of Theorem 1 (with c, H, K at eps = 0), and the compatible Poisson pair
-//! of Theorem 2: `P` of Table 3, and `Q` of Table 4 divided by c. The solutions, hyperbolic
-//! functions of time, are not claimed (Table 5, Theorem 3).
+//! E5 of Hone and Petrera (Section 3; Table 1, i = 5), with the Lie-Poisson brackets of e(2) and
+//! sl(2,R). At eps = 0, `H = (x^2 + y^2)/2`, `K = x z + y^2` and `c = -1`, and the flow is
+//! `-P dK = -(1/c) Q dH`. The block claims H and K of Table 2, the density c/(H K) of Theorem 1
+//! (with c, H, K at eps = 0), and two compatible brackets of Theorem 2: `P` of Table 3, and `Q` of
+//! Table 4 divided by c. The solutions (Table 5, Theorem 3) are hyperbolic functions of time, so
+//! the block does not claim them.
 
 mod flow;
 mod solution;
@@ -37,6 +38,6 @@ kahan! {
     }
 }
 
-/// The catalog's entry.
+/// The entry of E5 in the catalog.
 pub const ENTRY: Entry =
     row_of_the_tables!(5, "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions");

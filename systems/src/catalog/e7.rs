@@ -1,10 +1,10 @@
-//! E7 (Section 6, dE7), with a Lie-Poisson structure with parameter xi, and sl(2,R). At xi = 1 the
-//! system is E1, at xi = -1 it is E2. The map has the integral
+//! E7 of Hone and Petrera (Section 6), with the Lie-Poisson bracket of sl(2,R) and one that depends
+//! on xi. At xi = 1 the system is E1, at xi = -1 it is E2. The map has the integral
 //! `(y/x) Gamma(xi/2 + u)/Gamma(1 - xi/2 + u)` with `u = 1/(2 eps x)`. The integral and its bracket
-//! are rational for integer xi; at xi = 1, -1 the bracket is -P of E1, E2. Claims: the density for
-//! every xi; all structures of E1 and E2 at xi = 1, -1; the integral at xi = 2, 3, -2, -3 and the
-//! bracket at xi = 2, 3, up to factors of eps and xi. The transcendental integrals, bracket and
-//! solutions are in the submodules.
+//! are rational for integer xi; at xi = 1 and -1 the bracket is -P of E1 and E2. The block claims
+//! the density for every xi and all structures of E1 and E2. Up to factors of eps and xi, it claims
+//! the integral at xi = 2, 3, -2, -3 and the bracket at xi = 2, 3. The submodules compute the
+//! transcendental integrals, the bracket and the solutions.
 
 mod flow;
 mod integrals;
@@ -74,7 +74,7 @@ kahan! {
     } when xi = 3;
 }
 
-/// The catalog's entry.
+/// The entry of E7 in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "e7",
     "E7",

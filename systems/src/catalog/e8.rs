@@ -1,7 +1,8 @@
-//! E8 (Section 6, dE8), with the Lie-Poisson pair of `H = x e^(-y/x)`, `K = x z + y^2`,
-//! `c = -e^(-y/x)/x` (erratum A2). Claims: the density, which the paper omits. The integral
-//! `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, a second integral (a series) and the solutions
-//! are transcendental; the submodules compute them.
+//! E8 of Hone and Petrera (Section 6), with two Lie-Poisson brackets. At eps = 0, `H = x e^(-y/x)`,
+//! `K = x z + y^2` and `c = -e^(-y/x)/x` (erratum A2). The block claims the density, which the
+//! paper omits. The map has the integral `y/x + digamma(1/2 + u)` with `u = 1/(2 eps x)`, and a
+//! second integral that is a series. The integrals and the solutions are transcendental; the
+//! submodules compute them.
 
 mod flow;
 mod integrals;
@@ -29,7 +30,7 @@ kahan! {
     density rho = 1/(x^2*(1 - eps^2*x^2));
 }
 
-/// The catalog's entry.
+/// The entry of E8 in the catalog.
 pub const ENTRY: Entry =
     Entry::new("e8", "E8", "a Lie-Poisson pair with a digamma-function integral", include_str!("e8.rs"))
         .with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))

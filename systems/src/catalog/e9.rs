@@ -1,9 +1,9 @@
-//! E9 (Section 6.3), with a Lie-Poisson structure with parameter xi, and so(3). At xi = 1 the
-//! system is E3, at xi = -1 it is E4. For other xi the logarithmic heights of orbits triple in each
-//! step (Section 7), so an integral is not expected. Claims: the density for every xi, which the
-//! paper omits, and all structures of E3 and E4 at xi = 1, -1. The flow has the integrals `y
-//! x^(-xi)` and `(x^2 + y^2 + z^2)/2`. The map is reduced for generic xi, so E9 at xi = 1 keeps the
-//! factor `1 + eps z` that E3's map cancels.
+//! E9 of Hone and Petrera (Section 6.3), with the Lie-Poisson bracket of so(3) and one that depends
+//! on xi. At xi = 1 the system is E3, at xi = -1 it is E4. For other xi the logarithmic heights of
+//! orbits triple in each step (Section 7), so an integral is not expected. The block claims the
+//! density for every xi, which the paper omits, and all structures of E3 and E4 at xi = 1 and -1.
+//! The flow has the integrals `y x^(-xi)` and `(x^2 + y^2 + z^2)/2`. The map is reduced for generic
+//! xi. At xi = 1 it therefore keeps the factor `1 + eps z` that cancels in the map of E3.
 
 mod flow;
 mod quadrature;
@@ -58,7 +58,7 @@ kahan! {
     } when xi = -1;
 }
 
-/// The catalog's entry.
+/// The entry of E9 in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "e9",
     "E9",

@@ -1,6 +1,6 @@
-//! The Lagrange top in the body frame, with angular momentum m and direction of gravity p; not in
-//! the paper. With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`,
-//! `w = m1 v1 + m2 v2` and `D1 = 1 + eps^2 d`, the map preserves m3 and
+//! The Lagrange top in the body frame, with the angular momentum m and the direction p of gravity.
+//! With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and
+//! `D1 = 1 + eps^2 d`, the map preserves m3 and
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
 //! - `J = (w - m3 d)/D1`,
@@ -8,9 +8,9 @@
 //!
 //! # Limit
 //!
-//! At eps = 0 these are functions of the energy, m·p, p·p and m3. The density is `1/(D1 F)`, with
-//! the denominator F of C. `kahan discover` prints H with multiples of m3, and 1/(1/C + eps^4)
-//! instead of C.
+//! At eps = 0 the three integrals are functions of the energy, m·p, p·p and m3. The density is
+//! `1/(D1 F)`, where F is the denominator of C. `kahan discover` prints H with multiples of m3
+//! added, and 1/(1/C + eps^4) instead of C.
 
 use kahan_core::prelude::*;
 
@@ -47,7 +47,7 @@ kahan! {
         + eps^2*(m3 + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
 }
 
-/// The catalog's entry.
+/// The entry of the Lagrange top in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "lagrange",
     "LagrangeTop",
@@ -63,5 +63,5 @@ pub const ENTRY: Entry = Entry::new(
     ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
 ]);
 
-/// The source of a formula that `kahan discover` prints in combination with other integrals.
+/// The source of an integral that `kahan discover` prints combined with other integrals.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

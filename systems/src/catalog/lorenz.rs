@@ -1,6 +1,6 @@
-//! The Lorenz system, a negative control; not in the paper. For generic s, r, b, `kahan discover`
-//! finds no integral up to degree 9 and no density 1/P with P up to degree 8. The degrees of
-//! iterates triple. The block claims nothing.
+//! The Lorenz system, a control without structures to preserve. For generic s, r, b,
+//! `kahan discover` finds no integral up to degree 9, and no density 1/P with P up to degree 8. The
+//! degrees of iterates triple in each step. The block claims nothing.
 
 use kahan_core::prelude::*;
 
@@ -22,7 +22,7 @@ kahan! {
     zdot = x*y - b*z;
 }
 
-/// The catalog's entry.
+/// The entry of the Lorenz system in the catalog.
 pub const ENTRY: Entry =
     Entry::new("lorenz", "Lorenz", "the Lorenz system; nothing is conserved", include_str!("lorenz.rs"))
         .with_parameters(&[(10, 1), (28, 1), (11, 4)]);

@@ -1,10 +1,11 @@
-//! The Lotka-Volterra system (Section 1), with prey x and predators y. The flow has the bracket
-//! `{x,y} = x y` and the integral `log(x y) - (x + y)`, which is transcendental and not claimed.
-//! The map preserves the bracket and the area `dx dy/(x y)` for every eps. The map has a rational
-//! integral H only for eps = 1 and eps = -1; these two maps are inverse to each other. For other
-//! eps the logarithmic heights of orbits double in each step (Section 7). At eps = 1 the map is the
-//! recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. H - 2 is the square of `(x - y)(x + y - 2)/(x y)`,
-//! whose sign changes in each step: the map exchanges two conics (erratum B8).
+//! The Lotka-Volterra system (Hone and Petrera, Section 1), with prey x and predators y. The flow
+//! has the bracket `{x,y} = x y`, and the integral `log(x y) - (x + y)`, which is transcendental
+//! and not claimed. The map preserves the bracket and the area `dx dy/(x y)` for every eps. The map
+//! has a rational integral H only for eps = 1 and eps = -1; these two maps are inverse to each
+//! other. For other eps the logarithmic heights of orbits double in each step (Section 7). At eps =
+//! 1 the map is the recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. There H - 2 is the square of
+//! `(x - y)(x + y - 2)/(x y)`, whose sign changes in each step, because the map exchanges two
+//! conics (erratum B8).
 
 use kahan_core::prelude::*;
 
@@ -25,7 +26,7 @@ kahan! {
     integral H_backward = x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y) when eps = -1;
 }
 
-/// The catalog's entry.
+/// The entry of the Lotka-Volterra system in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "lv",
     "LotkaVolterra",

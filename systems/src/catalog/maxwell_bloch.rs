@@ -1,8 +1,9 @@
 //! The Maxwell-Bloch equations of light in a two-level medium, for real amplitudes and without
-//! losses; not in the paper. x is the field, y the polarisation, z the inversion. The flow has the
+//! losses. The variable x is the field, y the polarisation, and z the inversion. The flow has the
 //! integrals `x^2/2 + z` and `y^2 + z^2`, and is Hamiltonian in two ways (David and Holm, 1992).
-//! The map preserves deformations of both and two compatible brackets `{x,y} = rho^-1 I_z`, …: `P`
-//! with I = H/2, `Q` with I = K/2. The degree of the n-th iterate is 2n^2 + 1.
+//! The map preserves deformations of both integrals, and two compatible brackets
+//! `{x,y} = rho^-1 I_z`, …. The bracket `P` has I = H/2, and `Q` has I = K/2. The degree of the
+//! n-th iterate is 2n^2 + 1.
 
 use kahan_core::prelude::*;
 
@@ -31,7 +32,7 @@ kahan! {
     }
 }
 
-/// The catalog's entry.
+/// The entry of the Maxwell-Bloch equations in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "maxwell-bloch",
     "MaxwellBloch",

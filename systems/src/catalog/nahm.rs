@@ -1,7 +1,7 @@
 //! Nahm's equations of magnetic monopoles, reduced by octahedral symmetry (Hitchin, Manton and
-//! Murray); not in the paper. The flow has the integral `y (2x + 3y) (x - y)^2` with elliptic level
-//! curves. The map preserves it over a denominator, and the flow's area
-//! `dx dy/(y (2x + 3y) (x - y))`. Degrees of iterates grow quadratically.
+//! Murray). The flow has the integral `y (2x + 3y) (x - y)^2`, whose level curves are elliptic. The
+//! map preserves this integral divided by a polynomial, and the flow's area
+//! `dx dy/(y (2x + 3y) (x - y))`. The degrees of iterates grow quadratically.
 
 use kahan_core::prelude::*;
 
@@ -22,7 +22,7 @@ kahan! {
     }
 }
 
-/// The catalog's entry.
+/// The entry of Nahm's equations in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "nahm",
     "OctahedralNahm",

@@ -1,7 +1,7 @@
-//! The periodic Volterra lattice with three sites; not in the paper. The map preserves `x + y + z`,
-//! the volume `dx dy dz/(x y z)` and `x y z/D`, where D = det A =
-//! `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))` is even in eps. D cancels at large steps, which tests the
-//! accuracy of steps in floats.
+//! The periodic Volterra lattice with three sites. The map preserves `x + y + z`, the volume
+//! `dx dy dz/(x y z)` and `x y z/D`, where D = det A is `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))`. D
+//! is even in eps. At large steps the terms of D cancel, which tests the accuracy of steps in
+//! floats.
 
 use kahan_core::prelude::*;
 
@@ -20,7 +20,7 @@ kahan! {
     integral K = x*y*z/(1 - eps^2*((x + y + z)^2 - 4*(x*y + y*z + z*x)));
 }
 
-/// The catalog's entry.
+/// The entry of this lattice in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "volterra",
     "VolterraLattice",

@@ -1,7 +1,7 @@
-//! The periodic Volterra lattice with four sites; not in the paper. The flow has the integrals x +
-//! y + z + w, x z and y w. The map preserves the sum, and the products with denominators that
-//! depend on eps. Compositions of higher order therefore preserve only the sum. The map also
-//! preserves the volume dx dy dz dw/(x y z w).
+//! The periodic Volterra lattice with four sites. The flow has the integrals x + y + z + w, x z and
+//! y w. The map preserves the sum, and the two products divided by polynomials that depend on eps.
+//! Compositions of higher order therefore preserve only the sum. The map also preserves the volume
+//! dx dy dz dw/(x y z w).
 
 use kahan_core::prelude::*;
 
@@ -22,7 +22,7 @@ kahan! {
     density rho = 1/(x*y*z*w);
 }
 
-/// The catalog's entry.
+/// The entry of this lattice in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "volterra4",
     "VolterraFour",

@@ -1,7 +1,7 @@
-//! The Weierstrass equation x'' = 6 x^2 - a, solved by the elliptic function with g2 = 2 a; not in
-//! the paper. The flow is Hamiltonian, `f = K grad H` with H at eps = 0 and
-//! `K = [[0, 1], [-1, 0]]`. The map has the modified Hamiltonian H and the density 1/det A.
-//! Compositions of higher order preserve neither.
+//! The Weierstrass equation x'' = 6 x^2 - a, solved by the elliptic function with g2 = 2 a. The
+//! flow is Hamiltonian: the field is `f = K grad H` with H at eps = 0 and `K = [[0, 1], [-1, 0]]`.
+//! The map has the modified Hamiltonian H and the density 1/det A. Compositions of higher order
+//! preserve neither of them.
 
 use kahan_core::prelude::*;
 
@@ -21,7 +21,7 @@ kahan! {
     density rho = 1/(1 - 12*eps^2*x);
 }
 
-/// The catalog's entry.
+/// The entry of the Weierstrass equation in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "weierstrass",
     "Weierstrass",

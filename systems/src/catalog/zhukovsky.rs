@@ -1,7 +1,8 @@
-//! The Zhukovsky-Volterra top, a gyrostat; not in the paper. For generic coefficients
-//! `kahan discover` finds nothing up to degree 9, and the degrees of iterates triple. If one b is
-//! zero the map has an integral, with two zeros two integrals and a density; with three zeros it is
-//! the Euler top. The claims therefore concern special values.
+//! The Zhukovsky-Volterra top, which is a gyrostat. For generic coefficients, `kahan discover`
+//! finds no integral and no density up to degree 9, and the degrees of iterates triple in each
+//! step. If one b is zero, the map has an integral. If two are zero, it has two integrals and a
+//! density. If all three are zero, the system is the Euler top. The claims therefore have
+//! conditions on b.
 
 use kahan_core::prelude::*;
 
@@ -34,7 +35,7 @@ kahan! {
     density rho = 1/((1 - eps^2*a1*a3*y^2)*(1 - eps^2*a1*a2*z^2)) when b3 = 0, b2 = 0;
 }
 
-/// The catalog's entry.
+/// The entry of the Zhukovsky-Volterra top in the catalog.
 pub const ENTRY: Entry = Entry::new(
     "zhukovsky",
     "ZhukovskyVolterra",

@@ -1,6 +1,6 @@
 //! Solutions of systems with ẋ = −x², which Kahan's method solves exactly. Trajectories have x =
-//! 1/T with T = t + α, orbits x = 1/(2εN) with N = n + τ. The flow preserves K = xz + y², the map
-//! K/(1 − ε²x²). Each system defines y and z by a trait.
+//! 1/T with T = t + α, and orbits have x = 1/(2εN) with N = n + τ. The flow preserves K = xz + y²,
+//! and the map preserves K/(1 − ε²x²). Each system defines its y and z by a trait.
 
 use core::marker::PhantomData;
 
@@ -9,23 +9,23 @@ use kahan_core::nalgebra::SVector;
 
 use super::{OutOfDomain, integer, require, shift_and_divisor};
 
-/// A system with ẋ = −x², with the formulas for y and z of its trajectories.
+/// A system with ẋ = −x². The trait gives the formulas for y and z on its trajectories.
 pub trait ReciprocalFlow<T>: Sized {
-    /// Returns β, which is constant along trajectories.
+    /// Returns β, a function of the point that is constant along trajectories.
     fn beta(x: T, y: T) -> T;
 
-    /// Returns the point for T = t + α.
+    /// Returns the point of the trajectory at T = t + α, which is `time`.
     fn point(trajectory: &ReciprocalTrajectory<Self, T>, time: T) -> SVector<T, 3>;
 }
 
-/// A trajectory of the system S with x = 1/T, T = t + α.
+/// A trajectory of the system S, with x = 1/T and T = t + α.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReciprocalTrajectory<S, T> {
-    /// The time shift α = 1/x₀.
+    /// The time shift α = 1/x₀, where x₀ is x at t = 0.
     pub alpha: T,
     /// The constant β of [`ReciprocalFlow::beta`].
     pub beta: T,
-    /// The value γ of K = xz + y².
+    /// The constant γ, which is the value of the integral K = xz + y².
     pub gamma: T,
     system: PhantomData<S>,
 }
@@ -43,33 +43,33 @@ impl<S: ReciprocalFlow<T>, T: Scalar> ReciprocalTrajectory<S, T> {
         })
     }
 
-    /// Returns the point at time t. At the pole t = −α exact scalars panic and floats become
-    /// infinite or NaN. Beyond the pole, rational formulas continue analytically; logarithms are
-    /// undefined.
+    /// Returns the point at time t. At the pole t = −α, exact scalars panic and floats become
+    /// infinite or NaN. Beyond the pole, rational formulas continue analytically, but logarithms
+    /// are undefined.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         S::point(self, t.clone() + self.alpha.clone())
     }
 }
 
-/// A system with ẋ = −x² and rational orbits, with the formulas for y and z.
+/// A system with ẋ = −x² whose map has rational orbits. The trait gives the formulas for y and z.
 pub trait ReciprocalMap<T>: Sized {
-    /// Returns β, the value of the integral Ĥ, from x, y and 1 − ε²x².
+    /// Returns β, which is the value of the integral Ĥ. `divisor` is 1 − ε²x².
     fn integral(x: T, y: T, divisor: T) -> T;
 
-    /// Returns the point for 2N = 2(n + τ).
+    /// Returns the point of the orbit at 2N = 2(n + τ), which is `double`.
     fn point(orbit: ReciprocalOrbit<Self, T>, double: T) -> SVector<T, 3>;
 }
 
-/// An orbit of the system S with x = 1/(2εN), N = n + τ.
+/// An orbit of the map of the system S, with x = 1/(2εN) and N = n + τ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReciprocalOrbit<S, T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// The shift τ = 1/(2εx₀) of n.
+    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
     pub tau: T,
-    /// The value β of the integral Ĥ.
+    /// The constant β, which is the value of the integral Ĥ.
     pub beta: T,
-    /// The value γ of the integral K̂ = (xz + y²)/(1 − ε²x²).
+    /// The constant γ, which is the value of the integral K̂ = (xz + y²)/(1 − ε²x²).
     pub gamma: T,
     system: PhantomData<S>,
 }
@@ -84,8 +84,8 @@ impl<S: ReciprocalMap<T> + Clone, T: Scalar> ReciprocalOrbit<S, T> {
         Ok(Self { eps: eps.clone(), tau, beta, gamma, system: PhantomData })
     }
 
-    /// Returns the point after n steps, also for n < 0. At the pole n = −τ exact scalars panic and
-    /// floats become infinite or NaN.
+    /// Returns the point after n steps; n may be negative. At the pole n = −τ, exact scalars panic
+    /// and floats become infinite or NaN.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         S::point(self.clone(), integer::<T>(2) * (integer::<T>(n) + self.tau.clone()))
     }

@@ -1,38 +1,39 @@
-//! The elliptic modulus with its complement, and elliptic integrals of the first kind.
+//! The modulus of elliptic functions with its complement, and elliptic integrals of the first kind.
 
 use super::Real;
 use super::gamma::not_a_number;
 
 /// A modulus k with 0 ≤ k ≤ 1 and its complement k′ = √(1 − k²), both with full relative precision.
-/// Computing k′ from k near 1 loses digits, so formulas that determine both should supply both.
+/// Computing k′ from k near 1 would lose digits. If a formula yields both k and k′, both should be
+/// given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modulus<T> {
-    /// The modulus k in sn(u, k); not its square.
+    /// The modulus k in sn(u, k). It is not the square of the modulus.
     pub k: T,
-    /// k′ = √(1 − k²).
+    /// The complement k′ = √(1 − k²).
     pub complement: T,
 }
 
 impl<T: Real> Modulus<T> {
-    /// Makes a modulus from 0 ≤ k ≤ 1; for other k the complement is NaN.
+    /// Makes a modulus from k, where 0 ≤ k ≤ 1. For other k the complement is NaN.
     pub fn new(k: T) -> Self {
         let complement = ((T::one() - k) * (T::one() + k)).sqrt();
         Self { k, complement }
     }
 
-    /// Makes a modulus from k² and 1 − k², each computed without cancellation.
+    /// Makes a modulus from k² and 1 − k². Each must be computed without cancellation.
     pub fn from_squares(square: &T, complement_square: &T) -> Self {
         Self { k: square.sqrt(), complement: complement_square.sqrt() }
     }
 
-    /// Exchanges k and k′.
+    /// Returns the modulus in which k and k′ are exchanged.
     pub fn complementary(&self) -> Self {
         Self { k: self.complement, complement: self.k }
     }
 
-    /// Returns the complete integral K(k) = F(π/2, k) = π/(2 agm(1, k′)), a quarter of sn's period;
-    /// NaN at k = 1. In `f64` the error is at most 4 ulp for all k, even near 1, where formulas in
-    /// k² lose digits.
+    /// Returns the complete integral K(k) = F(π/2, k) = π/(2 agm(1, k′)), which is a quarter of
+    /// sn's period. It is NaN for k = 1. In `f64` the error is at most 4 ulp for all k, even near
+    /// 1, where formulas in k² lose digits.
     ///
     /// ```
     /// use kahan_systems::special::Modulus;
@@ -46,8 +47,8 @@ impl<T: Real> Modulus<T> {
         T::pi() * T::half() / arithmetic_geometric_mean(T::one(), self.complement)
     }
 
-    /// Returns the nome q = exp(−π K(k′)/K(k)), 0 ≤ k < 1. Near k = 0 the relative error grows like
-    /// ln(1/q).
+    /// Returns the nome q = exp(−π K(k′)/K(k)), for 0 ≤ k < 1. Near k = 0 the relative error grows
+    /// like ln(1/q).
     pub fn nome(&self) -> T {
         if self.k.is_zero() {
             return T::zero();
@@ -56,14 +57,14 @@ impl<T: Real> Modulus<T> {
         (-(T::pi() * complementary.quarter_period() / self.quarter_period())).exp()
     }
 
-    /// Returns the incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ), for any real φ (|φ| < π/2
-    /// at k = 1). Computed as R_F(cos²φ, 1 − k² sin²φ, 1) sin φ (Carlson) after subtracting
-    /// multiples of π. In `f64` the error is at most 6 ulp for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50,
-    /// even near k = 1.
+    /// Returns the incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ) for any real φ. For k = 1,
+    /// φ must lie between −π/2 and π/2. Multiples of π are subtracted from φ, then the integral is
+    /// R_F(cos²φ, 1 − k² sin²φ, 1) sin φ with Carlson's R_F. In `f64` the error is at most 6 ulp
+    /// for |φ| ≤ π/2 and 8 ulp for |φ| ≤ 50, even near k = 1.
     fn incomplete(&self, phi: &T) -> T {
         let half_turns = (*phi / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
-        // The sine and cosine after subtracting multiples of π, with cosine ≥ 0.
+        // Subtracting multiples of π from φ makes the cosine nonnegative.
         let (sine, cosine) = if cosine.is_negative() { (-sine, -cosine) } else { (sine, cosine) };
         let whole = if half_turns.is_zero() {
             T::zero()
@@ -73,8 +74,8 @@ impl<T: Real> Modulus<T> {
         whole + self.incomplete_of_point(&sine, &cosine)
     }
 
-    /// Returns the u in (−2K, 2K] with these sn u and cn u. Both are required, because sn u does
-    /// not determine u precisely near ±K.
+    /// Returns the u in (−2K, 2K] that has these values of sn u and cn u. Both are required,
+    /// because near ±K the value of sn u does not determine u precisely.
     pub fn inverse(&self, sn: &T, cn: &T) -> T {
         if cn.is_negative() {
             let rest = self.incomplete_of_point(&sn.abs(), &-*cn);
@@ -84,15 +85,15 @@ impl<T: Real> Modulus<T> {
         self.incomplete_of_point(sn, cn)
     }
 
-    /// Returns F(φ, k) from the sine and the nonnegative cosine of φ.
+    /// Returns F(φ, k), given the sine and the nonnegative cosine of φ.
     fn incomplete_of_point(&self, sine: &T, cosine: &T) -> T {
-        // 1 − k² sin²φ = cos²φ + k′² sin²φ, a sum of nonnegative numbers.
+        // Compute 1 − k² sin²φ as cos²φ + k′² sin²φ, a sum of nonnegative numbers.
         let delta = cosine.square() + (self.complement * *sine).square();
         *sine * carlson_rf(cosine.square(), delta, T::one())
     }
 }
 
-/// Returns the incomplete elliptic integral F(φ, k) of the first kind, for the modulus 0 ≤ k < 1.
+/// Returns the incomplete elliptic integral F(φ, k) of the first kind, for a modulus 0 ≤ k < 1.
 ///
 /// ```
 /// use kahan_systems::special::elliptic_f;
@@ -103,14 +104,15 @@ pub fn elliptic_f<T: Real>(phi: &T, k: &T) -> T {
     Modulus::new(*k).incomplete(phi)
 }
 
-/// Returns the complete elliptic integral K(k) of the first kind, for the modulus 0 ≤ k < 1.
+/// Returns the complete elliptic integral K(k) of the first kind, for a modulus 0 ≤ k < 1.
 pub fn elliptic_k<T: Real>(k: &T) -> T {
     Modulus::new(*k).quarter_period()
 }
 
-/// Returns the arithmetic-geometric mean of positive a and b.
+/// Returns the arithmetic-geometric mean of a and b, which must be positive.
 fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
-    // Each pass squares the relative difference, so below √ε the next mean is exact up to rounding.
+    // Each pass squares the relative difference of a and b. When it is below √ε, with ε the
+    // precision, the next mean is exact up to rounding.
     for _ in 0..64 {
         let done = ((a - b) / a).square() < T::epsilon();
         let mean = (a + b) * T::half();
@@ -123,13 +125,13 @@ fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
     a
 }
 
-/// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)) for nonnegative arguments,
-/// at most one of which is zero. The duplication theorem is applied until the arguments are so
-/// close that a series of degree 7 suffices.
+/// Returns Carlson's integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)). The arguments must be
+/// nonnegative, and at most one may be zero. The duplication theorem brings the arguments so close
+/// together that a series of degree 7 suffices.
 fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
-    // The neglected terms have degree 8.
+    // The terms that the series neglects have degree 8.
     let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter;
     loop {
         let mean = (x + y + z) * third;
@@ -143,7 +145,8 @@ fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     }
 }
 
-/// Expands R_F about equal arguments up to degree 7, in E₂ = XY + YZ + ZX, E₃ = XYZ, X + Y + Z = 0.
+/// Computes the expansion of R_F about equal arguments up to degree 7. The relative differences X,
+/// Y, Z have sum 0; the series is in E₂ = XY + YZ + ZX and E₃ = XYZ.
 fn rf_series<T: Real>([dx, dy, dz]: [T; 3]) -> T {
     let e2 = dx * dy - dz.square();
     let e3 = dx * dy * dz;

@@ -1,10 +1,11 @@
-//! Γ and ψ by asymptotic series at a large argument, and recurrences back from there. The series
-//! serve [`Float256`](super::Float256); floats use other crates (see [`Real::gamma`]).
+//! Computes Γ and ψ by asymptotic series at a large argument, and by recurrences back from there.
+//! The series serve [`Float256`](super::Float256). Floats use other crates (see [`Real::gamma`]).
 
 use super::Real;
 
-/// Returns Γ(x); NaN at the poles 0, −1, −2, …. For `f64` (`libm`) the error is at most 8 ulp on
-/// (−30, 171). For [`Float256`](super::Float256) the relative error is below 1e−72 for |x| ≤ 1000.
+/// Returns Γ(x); NaN at the poles 0, −1, −2, …. For `f64` the function is that of `libm`, and its
+/// error is at most 8 ulp on (−30, 171). For [`Float256`](super::Float256) the relative error is
+/// below 1e−72 for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Float256, Real, gamma};
@@ -17,9 +18,9 @@ pub fn gamma<T: Real>(x: &T) -> T {
     x.gamma()
 }
 
-/// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. For `f64` (`special`) the error is at
-/// most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30. For [`Float256`](super::Float256) it is below
-/// 1e−73·max(1, |ψ|) for |x| ≤ 1000.
+/// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. For `f64` the function is that of the
+/// crate `special`, and its error is at most 2⁻⁴⁸ max(1, |ψ|) for x > −30. For
+/// [`Float256`](super::Float256) the error is below 1e−73·max(1, |ψ|) for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Float256, Real, digamma};
@@ -33,40 +34,40 @@ pub fn digamma<T: Real>(x: &T) -> T {
     x.digamma()
 }
 
-/// Says whether x is a pole 0, −1, −2, … of Γ and ψ.
+/// Returns whether x is one of the poles 0, −1, −2, … of Γ and ψ.
 pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// Returns the least argument where Stirling's series reaches full precision (its smallest term is
-/// e^(−2πx)).
+/// Returns the least argument x at which Stirling's series reaches full precision. Its smallest
+/// term is about e^(−2πx).
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }
 
-/// Returns the number of unit steps from x > 0 to an argument of at least `from`.
+/// Returns how many times 1 must be added to x > 0 to reach at least `from`.
 pub(super) fn steps_up<T: Real>(x: &T, from: i64) -> i64 {
     ((T::from_int(from) - *x).to_f64().ceil() as i64).max(0)
 }
 
-/// Returns sin(πx), with exact argument reduction before the multiplication by π.
+/// Returns sin(πx). The argument is reduced exactly before it is multiplied by π.
 pub(super) fn sin_pi<T: Real>(x: &T) -> T {
     let turns = T::from_int(2) * (*x * T::half() + T::half() * T::half()).floor();
-    // Lies in [−1/2, 3/2).
+    // The difference lies in [−1/2, 3/2).
     let rest = *x - turns;
     (T::pi() * rest).sin()
 }
 
-/// Returns cos(πx), with exact argument reduction, so that zeros are exact.
+/// Returns cos(πx). The argument is reduced exactly, so that zeros are exact.
 pub(super) fn cos_pi<T: Real>(x: &T) -> T {
     let two = T::from_int(2);
     let rest = *x - two * (*x * T::half() + T::half()).floor();
-    // Lies in [−1, 1); 1/2 − |rest| is exact where the cosine is small.
+    // The variable `rest` lies in [−1, 1). Where the cosine is small, 1/2 − |rest| is exact.
     (T::pi() * (T::half() - rest.abs())).sin()
 }
 
-/// Returns Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)). Uses the series at x + n
-/// with Γ(x+1) = xΓ(x), and for x < 1/2 Γ(x)Γ(1−x) = π/sin πx.
+/// Returns Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)). The series is used at x +
+/// n, and Γ(x+1) = xΓ(x) leads back to x. For x < 1/2, Γ(x)Γ(1−x) = π/sin πx is used.
 pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();
@@ -85,8 +86,8 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     (T::from_int(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
-/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)). Uses the series at x + n with ψ(x+1) = ψ(x) +
-/// 1/x, and for x < 1/2 ψ(x) = ψ(1−x) − π cot πx.
+/// Returns ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)). The series is used at x + n, and ψ(x+1) =
+/// ψ(x) + 1/x leads back to x. For x < 1/2, ψ(x) = ψ(1−x) − π cot πx is used.
 pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();
@@ -105,12 +106,12 @@ pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     large.ln() - T::half() / large - series - descent
 }
 
-/// Returns Σ_{m≥1} term(m, B₂ₘ) x^(−2m) to the precision of T.
+/// Returns the sum Σ_{m≥1} term(m, B₂ₘ) x^(−2m) to the precision of T.
 fn stirling_sum<T: Real>(x: &T, term: impl Fn(i64, T) -> T) -> T {
     sum_in_inverse_squares(x, (1..).zip(T::bernoulli()).map(|(m, bernoulli)| term(m, *bernoulli)))
 }
 
-/// Returns Σ_{m≥1} cₘ x^(−2m) to the precision of T.
+/// Returns the sum Σ_{m≥1} cₘ x^(−2m) of terms with these coefficients cₘ, to the precision of T.
 pub(super) fn sum_in_inverse_squares<T: Real>(x: &T, coefficients: impl Iterator<Item = T>) -> T {
     let inverse_square = T::one() / x.square();
     let mut power = T::one();

@@ -1,15 +1,15 @@
-//! Ratios of Γ and differences of ψ at neighbouring arguments, without cancellation. All use the
-//! centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), whose logarithm has an asymptotic series
-//! in even powers of 1/w with Bernoulli polynomials (odd in σ):
-//!   ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)).
+//! Computes ratios of Γ and differences of ψ at neighbouring arguments, without cancellation. All
+//! functions use the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ). Its logarithm has an
+//! asymptotic series in even powers of 1/w, whose coefficients are Bernoulli polynomials B_{2m+1}:
+//! ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)).
 
 use super::Real;
 use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up, sum_in_inverse_squares};
 
-/// Returns Γ(x + a)/Γ(x + b) for real x, a, b, with full relative precision for all sizes of x.
-/// Zero if only the denominator has a pole, NaN if only the numerator has one, the limit if both
-/// have. The quotient is computed from (a + b − 1)/2 and (a − b)/2, which are rounded;
-/// [`centered_gamma_ratio`] takes them directly.
+/// Returns Γ(x + a)/Γ(x + b) for real x, a, b, with full relative precision for all sizes of x. If
+/// only the denominator has a pole, the result is zero; if only the numerator has one, NaN; if both
+/// have one, the limit. The quotient is computed from (a + b − 1)/2 and (a − b)/2, which are
+/// rounded. [`centered_gamma_ratio`] takes these two numbers directly.
 ///
 /// ```
 /// use kahan_systems::special::gamma_ratio;
@@ -22,12 +22,14 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
     centered_gamma_ratio(&(*x + middle), &((*a - *b) * T::half()))
 }
 
-/// Returns R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) for real w and σ.
+/// Returns the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ) for real w and σ.
 ///
-/// For integer 2σ up to ±64, evaluates the polynomial R or its reciprocal. Otherwise uses the
-/// series at a large w and at most about 12 + 2|σ| factors in `f64`, 40 + 2|σ| in
-/// [`Float256`](super::Float256), and reflection for w < −|σ| − 1/2. In `f64`, for |σ| ≤ 3, the error
-/// is at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20, and 64 ulp for −20 ≤ w < 0 off the poles.
+/// If 2σ is an integer up to ±64, R or its reciprocal is a polynomial, which is evaluated.
+/// Otherwise the series is used at a large w, with at most about 12 + 2|σ| factors in `f64` and
+/// 40 + 2|σ| in [`Float256`](super::Float256). For w < −|σ| − 1/2, the reflection is used.
+///
+/// In `f64`, for |σ| ≤ 3, the error is at most 4 ulp for w ≥ 20, and 40 ulp for 0 ≤ w ≤ 20. For −20
+/// ≤ w < 0 it is at most 64 ulp away from the poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     if let Some(n) = small_integer(&(T::from_int(2) * *sigma)) {
         return rational_ratio(w, n);
@@ -48,9 +50,9 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     large.power_real(&(T::from_int(2) * *sigma)) * (-series).exp() * (numerator / denominator)
 }
 
-/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the derivative of ln [`centered_gamma_ratio`] in w, for
-/// real w and σ off the poles. The relative precision is full even where both terms are nearly
-/// equal.
+/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ) for real w and σ away from the poles. This is the
+/// derivative of ln [`centered_gamma_ratio`] by w. The relative precision is full even where both
+/// terms are nearly equal.
 ///
 /// ```
 /// use kahan_systems::special::centered_digamma_difference;
@@ -61,8 +63,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = T::from_int(2);
     if is_reflected(w, sigma) {
-        // The logarithmic derivative of the reflection is π tan π(σ−f) + π tan π(σ+f), which equals
-        // π sin 2πσ/(cos π(σ−f) cos π(σ+f)).
+        // With f = w minus the nearest integer, the logarithmic derivative of the reflection is π
+        // tan π(σ−f) + π tan π(σ+f) = π sin 2πσ/(cos π(σ−f) cos π(σ+f)).
         let fold = fold(w);
         let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
         let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;
@@ -79,8 +81,8 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     two * (*sigma / large + series + *sigma * descent)
 }
 
-/// Returns whether w is negative enough for reflection. For −|σ| − 1/2 ≤ w < 0 the recurrence is
-/// used instead, because reflection might multiply a pole by a zero.
+/// Returns whether w is so negative that the reflection is used. For −|σ| − 1/2 ≤ w < 0 the
+/// recurrence is used instead, because the reflection might multiply a pole by a zero.
 fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
     *w < -(sigma.abs() + T::half())
 }
@@ -89,8 +91,8 @@ fn fold<T: Real>(w: &T) -> T {
     *w - (*w + T::half()).floor()
 }
 
-/// Returns R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f), where f is w minus the nearest integer;
-/// from Γ(z)Γ(1−z) = π/sin πz.
+/// Returns the quotient R(w, σ)/R(−w, σ) of centred ratios. It is cos π(σ − f)/cos π(σ + f), where
+/// f is w minus the nearest integer. This follows from Γ(z)Γ(1−z) = π/sin πz.
 fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     let fold = fold(w);
     cos_pi(&(*sigma - fold)) / cos_pi(&(*sigma + fold))
@@ -101,23 +103,25 @@ fn small_integer<T: Real>(x: &T) -> Option<i64> {
     (n.abs() <= 64.0 && x.floor() == *x).then_some(n as i64)
 }
 
-/// Returns R(w, n/2): for n ≥ 0 the product of w + (1−n)/2 + j over 0 ≤ j < n, for n < 0 the
-/// reciprocal of R(w, −n/2).
+/// Returns the centred ratio R(w, n/2). For n ≥ 0 it is the product of w + (1−n)/2 + j over 0 ≤ j <
+/// n; for n < 0 it is the reciprocal of R(w, −n/2).
 fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
     let product =
         (0..n.abs()).fold(T::one(), |product, j| product * (*w + T::from_ratio(1 - n.abs() + 2 * j, 2)));
     if n < 0 { T::one() / product } else { product }
 }
 
-/// Returns Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) to the precision of T, from B_n(1/2 + σ) =
-/// Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) − 1) B_k, nonzero for even k only.
+/// Returns the sum Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) to the precision of T. The Bernoulli
+/// polynomials follow from B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) =
+/// (2^(1−k) − 1) B_k, which is nonzero for even k only.
 fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T {
     let middle = middle_values::<T>();
     let terms = 1..=T::bernoulli().len() as i64;
     sum_in_inverse_squares(w, terms.map(|m| term(m, binomial_sum(2 * m + 1, sigma, &middle))))
 }
 
-/// Returns Σ C(n, k) vₖ σ^(n−k) over even k < n, for odd n, from v₀, v₂, v₄, …, by Horner's scheme.
+/// Returns the sum of C(n, k) vₖ σ^(n−k) over even k < n, for odd n. `values` are v₀, v₂, v₄, ….
+/// The method is Horner's scheme.
 pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     let square = sigma.square();
     let mut binomial = T::one();
@@ -129,7 +133,7 @@ pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     sum * *sigma
 }
 
-/// Returns B₀(1/2), B₂(1/2), B₄(1/2), ….
+/// Returns the values B₀(1/2), B₂(1/2), B₄(1/2), … of Bernoulli polynomials.
 pub(super) fn middle_values<T: Real>() -> Vec<T> {
     let mut power = T::from_int(2);
     let quarter = T::from_ratio(1, 4);

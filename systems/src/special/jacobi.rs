@@ -1,4 +1,4 @@
-//! Jacobi's elliptic functions sn, cn and dn of a real argument.
+//! Computes Jacobi's elliptic functions sn, cn and dn of a real argument.
 
 use super::gamma::not_a_number;
 use super::{Modulus, Real};
@@ -6,19 +6,19 @@ use super::{Modulus, Real};
 /// The values of sn, cn and dn at one argument.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jacobi<T> {
-    /// sn(u, k), the sine of the amplitude.
+    /// The value sn(u, k), which is the sine of the amplitude.
     pub sn: T,
-    /// cn(u, k), the cosine of the amplitude.
+    /// The value cn(u, k), which is the cosine of the amplitude.
     pub cn: T,
-    /// dn(u, k) = √(1 − k² sn²) ≥ 0.
+    /// The value dn(u, k) = √(1 − k² sn²) ≥ 0.
     pub dn: T,
 }
 
-/// Returns sn u, cn u and dn u for real u and a modulus 0 ≤ k ≤ 1. Subtracts half periods 2K, then
-/// applies Landen's descending transformation until sine and cosine suffice; all its sums have
-/// positive terms. In `f64` the errors are at most 8 units of 2⁻⁵² for |u| ≤ 2K and k ≤ 0.999, and
-/// 64 units for larger k < 1. For larger u the rounding of u adds to them. (The port of Cephes in
-/// `spec_math` 0.1 errs by 51 units, and gives wrong values near k = 1.)
+/// Returns sn u, cn u and dn u for real u and a modulus 0 ≤ k ≤ 1. Half periods 2K are subtracted
+/// from u. Then Landen's descending transformation is applied until sine and cosine suffice; all
+/// its sums have positive terms. In `f64` the errors are at most 8 units of 2⁻⁵² for |u| ≤ 2K and k
+/// ≤ 0.999, and 64 units for larger k < 1. For larger u, the rounding of u adds to the error. (The
+/// functions of `spec_math` 0.1, from Cephes, have errors of 51 units, and are wrong near k = 1.)
 ///
 /// ```
 /// use kahan_systems::special::{Modulus, jacobi};
@@ -42,26 +42,27 @@ pub fn jacobi<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     if odd { Jacobi { sn: -sn, cn: -cn, dn } } else { Jacobi { sn, cn, dn } }
 }
 
-/// Applies one step of Landen's transformation with k₁ = (1 − k′)/(1 + k′) and k₁′ = 2√k′/(1 + k′):
+/// Applies one step of Landen's transformation. With k₁ = (1 − k′)/(1 + k′) and k₁′ = 2√k′/(1 +
+/// k′), the values for the modulus k are
 ///
 ///   sn = (1 + k₁)s/(1 + k₁s²), cn = cd/(1 + k₁s²), dn = (1 − k₁ + k₁c²)/(1 + k₁s²),
 ///
-/// with s, c, d at u/(1 + k₁) and k₁.
+/// where s, c and d are sn, cn and dn at u/(1 + k₁) for the modulus k₁.
 fn descend<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
-    // sn u = sin u + O(k²) and dn = 1 − O(k²).
+    // For small k, sn u = sin u + O(k²) and dn u = 1 − O(k²).
     if modulus.k.square() < T::epsilon() * T::from_ratio(1, 16) {
         let (sn, cn) = u.sin_cos();
         return Jacobi { sn, cn, dn: T::one() };
     }
     let sum = T::one() + modulus.complement;
-    // 1 − k′ = k²/(1 + k′), without cancellation.
+    // Compute 1 − k′ as k²/(1 + k′), without cancellation.
     let lower = Modulus {
         k: (modulus.k / sum).square(),
         complement: T::from_int(2) * modulus.complement.sqrt() / sum,
     };
     let Jacobi { sn: s, cn: c, dn: d } = descend(&(*u * sum * T::half()), &lower);
     let divisor = T::one() + lower.k * s.square();
-    // 1 − k₁ = 2k′/(1 + k′) and 1 + k₁ = 2/(1 + k′).
+    // Use 1 − k₁ = 2k′/(1 + k′) and 1 + k₁ = 2/(1 + k′).
     let two = T::from_int(2);
     Jacobi {
         sn: two * s / (sum * divisor),

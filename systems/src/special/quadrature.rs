@@ -1,22 +1,22 @@
-//! Numerical integration over a finite interval, to the precision of the number type.
+//! Integrates functions numerically over a finite interval, to the precision of the number type.
 
 use super::Real;
 
 /// The result of a numerical integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integral<T> {
-    /// The value.
+    /// The value of the integral.
     pub value: T,
     /// The difference of the last two sums. Convergence is quadratic, so the value is usually much
-    /// more accurate. If f is not smooth enough, the difference stays large.
+    /// more accurate than this. If the integrand is not smooth enough, the difference stays large.
     pub change: T,
 }
 
-/// Integrates f over [from, to] by the substitution x = tanh(½π sinh u) (Takahasi and Mori). f must
-/// be analytic inside; integrable singularities at the ends are allowed, and never evaluated. The
-/// step in u is halved, at most 10 times, until two sums agree to 2⁸ ulp or differ only by rounding
-/// errors of f. Smooth functions take about 60 evaluations in `f64`, 400 in
-/// [`Float256`](super::Float256).
+/// Integrates f over [from, to] by the substitution x = tanh(½π sinh u) (Takahasi and Mori). The
+/// function f must be analytic inside the interval. It may have integrable singularities at the
+/// ends, where it is never evaluated. The step in u is halved, at most 10 times, until two sums
+/// agree to 2⁸ ulp or differ only by rounding errors of f. Smooth functions take about 60
+/// evaluations in `f64`, and 400 in [`Float256`](super::Float256).
 ///
 /// ```
 /// use kahan_systems::special::integrate;
@@ -28,24 +28,25 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     if half_width.is_zero() {
         return Integral { value: T::zero(), change: T::zero() };
     }
-    // At this u the weight is negligible: cosh u e^(−π sinh u) < ε².
+    // At this u the weight cosh u e^(−π sinh u) is below the square of the precision, and thus
+    // negligible.
     let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = libm::log(reach + (reach * reach + 1.0).sqrt()) + 0.2;
     let quarter_turn = T::pi() * T::half();
-    // Returns the sum of weight·f at the nodes ±u. Nodes are computed by their distance to the
-    // ends, 1 − tanh s = 2/(e^{2s} + 1).
+    // Returns the sum of weight·f at the nodes ±u. The nodes are computed from their distance to
+    // the ends, which is 1 − tanh s = 2/(e^{2s} + 1).
     let pair = |u: &T| {
         let rise = u.exp_m1();
         let fall = rise / (rise + T::one());
         let (twice_sine, twice_cosine) = (rise + fall, T::from_int(2) + rise - fall);
-        // e^(2s) with s = ½π sinh u
+        // The variable `power` is e^(2s) with s = ½π sinh u.
         let power = (quarter_turn * twice_sine).exp();
         let sum = power + T::one();
         let distance = half_width * T::from_int(2) / sum;
-        // cosh u/cosh² s
+        // The weight is cosh u/cosh² s with s = ½π sinh u.
         let weight = twice_cosine * T::from_int(2) * power / sum.square();
         let (left, right) = (*from + distance, *to - distance);
-        // A node rounded to an end of the interval has negligible weight.
+        // If a node is rounded to an end of the interval, its weight is negligible.
         let value = |x: &T, end: &T| if x == end { T::zero() } else { f(x) };
         weight * (value(&left, from) + value(&right, to))
     };
@@ -69,7 +70,8 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     Integral { value: estimate * scale, change: change * scale.abs() }
 }
 
-/// Returns Σ pair(j·step) over j = first, first + stride, … up to `reach`.
+/// Returns the sum of pair(j·step) over j = first, first + stride, …, while j·step is at most
+/// `reach`.
 fn sum_of<T: Real>(first: i64, stride: usize, step: f64, reach: f64, pair: &impl Fn(&T) -> T) -> T {
     let last = (reach / step).floor() as i64;
     (first..=last).step_by(stride).fold(T::zero(), |sum, j| sum + pair(&T::from(j as f64 * step)))

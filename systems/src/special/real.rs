@@ -1,27 +1,28 @@
-//! The real numbers of closed solutions.
+//! The trait of real numbers in closed solutions.
 
 use kahan_core::Pivot;
 use kahan_core::num_rational::BigRational;
 
-/// A real number of finite precision with elementary functions, Γ and ψ. Implemented for `f64` and
-/// [`Float256`](super::Float256). Results without a real value (0/0, ln(−1), a pole of Γ) are NaN:
-/// comparisons are false, and [`is_finite_number`](Pivot::is_finite_number) is false. Methods take
-/// references, the operators of [`Scalar`](kahan_core::Scalar) values. Conversions from `f64` are
-/// exact.
+/// A real number of finite precision with elementary functions, Γ and ψ. The trait is implemented
+/// for `f64` and [`Float256`](super::Float256). If there is no real value (0/0, ln(−1), a pole of
+/// Γ), the result is NaN. Comparisons with NaN are false, and its
+/// [`is_finite_number`](Pivot::is_finite_number) is false. Methods take references; the operators
+/// of [`Scalar`](kahan_core::Scalar) take values. Conversions from `f64` are exact.
 pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
-    /// The number of decimal digits: 15 for `f64`, 76 for [`Float256`](super::Float256).
+    /// The number of decimal digits, which is 15 for `f64` and 76 for
+    /// [`Float256`](super::Float256).
     const DIGITS: usize;
 
-    /// Returns the distance from 1 to the next larger number, twice the unit roundoff.
+    /// Returns the distance from 1 to the next larger number, which is twice the unit roundoff.
     fn epsilon() -> Self;
 
-    /// Converts an integer, rounding to nearest if necessary.
+    /// Converts an integer, which is rounded to nearest if necessary.
     fn from_int(n: i64) -> Self;
 
     /// Rounds a rational to the nearest number.
     fn from_rational(q: &BigRational) -> Self;
 
-    /// Returns p/q, NaN for q = 0.
+    /// Returns p/q; NaN if q = 0.
     fn from_ratio(p: i64, q: i64) -> Self {
         Self::from_int(p) / Self::from_int(q)
     }
@@ -37,7 +38,7 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns |x|.
     fn abs(&self) -> Self;
 
-    /// Returns √x; NaN for x < 0.
+    /// Returns √x; NaN if x < 0.
     fn sqrt(&self) -> Self;
 
     /// Returns eˣ.
@@ -55,7 +56,7 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns (sin x, cos x) for x in radians.
     fn sin_cos(&self) -> (Self, Self);
 
-    /// Returns the angle of the point (x, `self`) in (−π, π]; 0 at the origin.
+    /// Returns the angle of the point (x, `self`), in (−π, π]. At the origin it is 0.
     fn atan2(&self, x: &Self) -> Self;
 
     /// Returns (sinh x, cosh x).
@@ -64,19 +65,21 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns tanh x.
     fn tanh(&self) -> Self;
 
-    /// Returns artanh x for −1 < x < 1.
+    /// Returns artanh x, for −1 < x < 1.
     fn atanh(&self) -> Self;
 
     /// Returns the largest integer ≤ x.
     fn floor(&self) -> Self;
 
-    /// Returns Γ(x), see [`gamma`](super::gamma); NaN at the poles 0, −1, −2, ….
+    /// Returns Γ(x); NaN at the poles 0, −1, −2, …. The errors are documented at
+    /// [`gamma`](super::gamma).
     fn gamma(&self) -> Self;
 
-    /// Returns ψ(x) = Γ′(x)/Γ(x), see [`digamma`](super::digamma); NaN at the poles 0, −1, −2, ….
+    /// Returns ψ(x) = Γ′(x)/Γ(x); NaN at the poles 0, −1, −2, …. The errors are documented at
+    /// [`digamma`](super::digamma).
     fn digamma(&self) -> Self;
 
-    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈, computed once.
+    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈. They are computed once.
     fn bernoulli() -> &'static [Self];
 
     /// Returns 1/2.
@@ -111,14 +114,14 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
 
     /// Returns arsinh x, without cancellation near 0.
     fn asinh(&self) -> Self {
-        // For x ≥ 0, eʸ − 1 = x + x²/(1 + √(1 + x²)); arsinh is odd.
+        // For x ≥ 0, y = arsinh x satisfies eʸ − 1 = x + x²/(1 + √(1 + x²)). The function is odd.
         let x = self.abs();
         let root = (Self::one() + x.square()).sqrt();
         let value = (x + x.square() / (Self::one() + root)).ln_1p();
         if self.is_negative() { -value } else { value }
     }
 
-    /// Returns 1 for x ≥ 0, −1 for x < 0.
+    /// Returns 1 for x ≥ 0, and −1 for x < 0.
     fn sign(&self) -> Self {
         if self.is_negative() { -Self::one() } else { Self::one() }
     }
@@ -128,7 +131,7 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
         *self * *self
     }
 
-    /// Returns xⁿ for any integer n; x⁰ = 1.
+    /// Returns xⁿ for any integer n, where x⁰ = 1.
     fn power(&self, n: i64) -> Self {
         let mut result = Self::one();
         let mut square = *self;
@@ -146,12 +149,12 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Returns x^y = e^(y ln x) for x > 0.
     fn power_real(&self, y: &Self) -> Self;
 
-    /// Says whether x > 0.
+    /// Returns whether x > 0.
     fn is_positive(&self) -> bool {
         *self > Self::zero()
     }
 
-    /// Says whether x < 0.
+    /// Returns whether x < 0.
     fn is_negative(&self) -> bool {
         *self < Self::zero()
     }

@@ -1,32 +1,31 @@
-//! The tails of the series of K̂₇ and K̂₈, by asymptotic expansions.
+//! Sums the tails of the series for the integrals K̂₇ and K̂₈, by asymptotic expansions.
 //!
-//! The terms at w = N + j + 1/2, j ≥ 0, expand as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w). The
-//! midpoint form of the Euler–Maclaurin formula sums each power:
-//!   Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))].
-//! Derivatives in s yield the logarithms; they are computed by jets in s + η.
+//! With w = N + j + 1/2, j ≥ 0, a term of the series expands as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i
+//! ln² w). The midpoint form of the Euler–Maclaurin formula sums each power: Σ_j w_j^(−s) = N^(1−s)
+//! [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives by s yield the
+//! logarithms. They are computed by jets, which are polynomials in η for the exponent s + η.
 
 use super::Real;
 use super::gamma::asymptotic_from;
 use super::gamma_ratio::{binomial_sum, middle_values};
 
-/// A jet z₀ + z₁η + z₂η² with η³ = 0.
+/// A jet z₀ + z₁η + z₂η², where η³ = 0.
 type Jet<T> = [T; 3];
 
-/// Returns the least N for which the expansions have full precision, for parameters of at most this
-/// size.
+/// Returns the least N for which the expansions have full precision. `size` bounds the parameters.
 pub(crate) fn asymptotic_start<T: Real>(size: &T) -> i64 {
     2 * asymptotic_from::<T>() + 4 * size.abs().to_f64().ceil() as i64
 }
 
-/// Returns the number of powers needed from [`asymptotic_start`] on.
+/// Returns the number of powers that are needed from [`asymptotic_start`] on.
 fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }
 
 /// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) without the factor h², where Y_j =
 /// h/R(N + j, σ) with the centred ratio R of Γ and ξ = 2σ + 1. Requires ξ > 0 and N ≥
-/// [`asymptotic_start`]. For w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
-/// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)), where p_n(σ) is the Bernoulli polynomial without its term of
+/// [`asymptotic_start`]. With w = N + j + 1/2, the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
+/// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)). Here p_n(σ) is the Bernoulli polynomial without its term of
 /// degree n − 1.
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (*xi - T::one()) * T::half();
@@ -40,8 +39,8 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
 }
 
 /// Returns Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N +
-/// j + 1/2). Requires N ≥ [`asymptotic_start`]. For w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) = h +
-/// Σ B₂ₘ/(2m w^(2m)) − ln w the term is (D + D² − 1/(4w²))/(2w(w² − 1)).
+/// j + 1/2). Requires N ≥ [`asymptotic_start`]. With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) =
+/// h + Σ B₂ₘ/(2m w^(2m)) − ln w, the term is (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     let even: Vec<T> = core::iter::once(*h)
         .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / T::from_int(2 * m)))
@@ -62,12 +61,13 @@ pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     T::half() * tail(n, &T::from_int(3), &terms)
 }
 
-/// Returns Σ_{j≥0} Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w) at w = N + 1/2 + j.
+/// Returns Σ_{j≥0} Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w), where w = N + 1/2 + j. `coefficients`
+/// are the a_i, b_i and c_i.
 fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
     let middle = middle_values::<T>();
     let inverse_square = T::one() / n.square();
     let logarithm = n.ln();
-    // N^(1−s−η) = N^(1−s)(1 − η ln N + η² ln² N/2)
+    // With η³ = 0, N^(1−s−η) = N^(1−s)(1 − η ln N + η² ln² N/2).
     let power: Jet<T> = [T::one(), -logarithm, logarithm.square() * T::half()];
     let mut scale = T::one();
     let mut sum = T::zero();
@@ -75,14 +75,15 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
         let exponent = *s + T::from_int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
         let [z0, z1, z2] = multiply(power, series);
-        // −d/ds of w^(−s) multiplies it by ln w.
+        // The operator −d/ds multiplies w^(−s) by ln w.
         sum += scale * (*a * z0 - *b * z1 + T::from_int(2) * *c * z2);
         scale *= inverse_square;
     }
     sum * n.power_real(&(T::one() - *s))
 }
 
-/// Returns 1/(s+η−1) + Σ_{k≥1} B₂ₖ(1/2) (s+η)…(s+η+2k−2)/(2k)! · v^k as a jet in η, v = N^(−2).
+/// Returns 1/(s+η−1) + Σ_{k≥1} B₂ₖ(1/2) (s+η)…(s+η+2k−2)/(2k)! · v^k as a jet in η, where v =
+/// N^(−2).
 fn power_sum<T: Real>(s: &T, v: &T, middle: &[T]) -> Jet<T> {
     let inverse = T::one() / (*s - T::one());
     let mut sum = [inverse, -inverse.square(), inverse.power(3)];
@@ -102,12 +103,13 @@ fn multiply<T: Real>([a0, a1, a2]: Jet<T>, [b0, b1, b2]: Jet<T>) -> Jet<T> {
     [a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0]
 }
 
-/// Multiplies power series, truncated to the length of the first.
+/// Multiplies two power series. The result has as many terms as the first one.
 fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
     (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }
 
-/// Returns the exponential of a power series without constant term, by n eₙ = Σ m cₘ eₙ₋ₘ.
+/// Returns the exponential of a power series Σ cₘ vᵐ without constant term. Its coefficients eₙ
+/// follow from n eₙ = Σ m cₘ eₙ₋ₘ.
 fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     let mut result = vec![T::one()];
     for n in 1..series.len() {

@@ -1,25 +1,25 @@
-//! The theta functions ϑ₁, ϑ₂, ϑ₃, ϑ₄ of a real argument, by series in the nome.
+//! Computes the theta functions ϑ₁, ϑ₂, ϑ₃ and ϑ₄ of a real argument, by series in the nome.
 
 use super::Real;
 use super::gamma::not_a_number;
 
-/// The values of ϑ₁ to ϑ₄ at one argument z and nome q.
+/// The values of ϑ₁ to ϑ₄ at one argument z, for one nome q.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theta<T> {
-    /// ϑ₁ = 2Σ_{n≥0} (−1)ⁿ q^((n+1/2)²) sin (2n+1)z.
+    /// The value ϑ₁ = 2Σ_{n≥0} (−1)ⁿ q^((n+1/2)²) sin (2n+1)z.
     pub one: T,
-    /// ϑ₂ = 2Σ_{n≥0} q^((n+1/2)²) cos (2n+1)z.
+    /// The value ϑ₂ = 2Σ_{n≥0} q^((n+1/2)²) cos (2n+1)z.
     pub two: T,
-    /// ϑ₃ = 1 + 2Σ_{n≥1} q^(n²) cos 2nz.
+    /// The value ϑ₃ = 1 + 2Σ_{n≥1} q^(n²) cos 2nz.
     pub three: T,
-    /// ϑ₄ = 1 + 2Σ_{n≥1} (−1)ⁿ q^(n²) cos 2nz.
+    /// The value ϑ₄ = 1 + 2Σ_{n≥1} (−1)ⁿ q^(n²) cos 2nz.
     pub four: T,
 }
 
-/// Returns the four theta functions at z (period 2π in z) for the nome 0 ≤ q < 1; NaN for other q.
-/// For D digits there are √(D ln 10/ln(1/q)) terms: 4 for q = 0.1 in `f64`, 40 for q = 0.9 in
-/// [`Float256`](super::Float256). In `f64`, for q ≤ 0.9 and |z| ≤ 10, the error is at most 10 units
-/// of 2⁻⁵² max(1, |ϑ|).
+/// Returns the four theta functions at z, which have the period 2π, for the nome 0 ≤ q < 1. For
+/// other q they are NaN. A precision of D digits takes √(D ln 10/ln(1/q)) terms: 4 for q = 0.1 in
+/// `f64`, and 40 for q = 0.9 in [`Float256`](super::Float256). In `f64`, for q ≤ 0.9 and |z| ≤ 10,
+/// the error is at most 10 units of 2⁻⁵² max(1, |ϑ|).
 ///
 /// ```
 /// use kahan_systems::special::theta;
@@ -39,11 +39,11 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // Rotates the angle step by step; Chebyshev's recurrence for sin jz would lose digits near z =
+    // Rotate the angle step by step. Chebyshev's recurrence for sin jz would lose digits near z =
     // 0.
     let (mut s, mut c) = (T::zero(), T::one());
     let quarter = q.sqrt().sqrt();
-    // q^(j²/4) for j = 0, 1, 2, …; the ratio of neighbours is q^((2j+1)/4).
+    // The powers are q^(j²/4) for j = 0, 1, 2, …. The ratio of neighbours is q^((2j+1)/4).
     let (mut power, mut ratio) = (T::one(), quarter);
     let root = q.sqrt();
     for j in 1.. {
@@ -59,8 +59,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
             sum.three += term * c;
             sum.four += alternating(term * c);
         }
-        // The bound is relative to the first term of ϑ₁ and ϑ₂, so that they stay precise for small
-        // q.
+        // The bound is relative to the first term of ϑ₁ and ϑ₂, so that these stay precise for
+        // small q.
         if term < T::epsilon() * T::half() * quarter {
             break;
         }

@@ -1,4 +1,5 @@
-//! Tests of all entries: every block is valid with proved claims, and every claim has a source.
+//! Tests that every block of the catalog is valid, that its claims are proved, and that every claim
+//! has a source.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read;
@@ -25,7 +26,7 @@ fn every_claim_of_every_block_is_proved() {
     for entry in all() {
         let reading = reading(entry);
         assert_eq!(reading.name(), entry.type_name);
-        // Lorenz is a negative control without claims.
+        // Lorenz is a control without claims.
         assert_eq!(reading.claims.is_empty(), entry.command == "lorenz", "{}", entry.command);
     }
 }

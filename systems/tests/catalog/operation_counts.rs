@@ -1,8 +1,7 @@
-//! Operation counts of steps, for the catalog and other well-known fields.
+//! Tests the operation counts of steps, for the catalog and other well-known fields.
 //!
 //! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` rewrites the table, so
-//! that changes of the planner are visible in the diff. Counts must not exceed those of careful
-//! manual code.
+//! that the diff shows changes of the planner. Counts must not exceed those of careful manual code.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -15,7 +14,7 @@ use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_systems::registry::{SYSTEMS, find};
 
-/// Catalog systems that are not in the paper, and fields outside the catalog.
+/// Further fields: systems of the catalog that are not in the paper.
 const FURTHER: [&str; 2] = ["lorenz", "clebsch"];
 const OTHERS: [(&str, &str); 4] = [
     (
@@ -47,7 +46,7 @@ fn catalog(name: &str) -> System {
     system(find(name).expect("a system of the catalog").text())
 }
 
-/// Returns the number of prepared constants, and the cost of one step.
+/// Returns the number of prepared constants of a step, and its cost.
 fn step_cost(field: &Field) -> Option<(usize, Cost)> {
     let step = StepPlan::of(field)?;
     Some((step.constants.outputs.len(), step.next(&field.symbols).cost()))
@@ -95,36 +94,40 @@ fn the_table_of_operation_counts_is_the_committed_one() {
     );
 }
 
-/// The operations of careful manual code with the shortest critical path and one reciprocal (E5:
-/// two). Products of ε and parameters are prepared; common subexpressions are computed once. e = ε,
-/// d = 2ε, X = e·x and so on, i = 1/D; increments are numerators times i. Each comment lists the
-/// code and the numbers of additions, multiplications and divisions.
+/// The number of operations of careful manual code with the shortest critical path and one
+/// reciprocal (two for E5). Products of ε and parameters are prepared, and common subexpressions
+/// are computed once.
+///
+/// Each comment lists the code and its operations. In it, e = ε, d = 2ε, X = e·x, Y = e·y, Z = e·z,
+/// and i = 1/D for the denominator D. The increments of the variables are the numerators n (or n,
+/// m; n₁, n₂, n₃) multiplied by i.
 const BY_HAND: [(&str, usize); 8] = [
-    // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13, 9, 1
+    // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13 additions, 9
+    // multiplications, 1 division.
     ("lv", 23),
     // p, q, r = e·aᵢ. D = ((1 − pz·(q z)) − (qx·(r x) + ry·(p y))) − (qx·ry)·(pz+pz), n₁ =
-    // 2p·(y+qx·z)·(z+ry·x), …: 11, 23, 1
+    // 2p·(y+qx·z)·(z+ry·x), …: 11 additions, 23 multiplications, 1 division.
     ("euler", 35),
-    // D = (1+dx)(1−X), n₁ = x·(dx·(1−X)), n₂ = y·(dx·(1−X)), n₃ = d·y·(y+y) + z·(dx·(1+X)): 8, 13,
-    // 1
+    // D = (1+dx)(1−X), n₁ = x·(dx·(1−X)), n₂ = y·(dx·(1−X)), n₃ = d·y·(y+y) + z·(dx·(1+X)): 8
+    // additions, 13 multiplications, 1 division.
     ("e1", 22),
     // R = X·(d x) + Y·(d y), D = (1+Z)+R, h = d·z + R, n₁ = x·h, n₂ = y·h, n₃ = (x·(d x) + y·(d
-    // y))·(1−Z): 9, 16, 1
+    // y))·(1−Z): 9 additions, 16 multiplications, 1 division.
     ("e3", 26),
-    // v = 1−Y, u = 1+Y, i = 1/(v + X·(d x)), j = 1/u, P = d(y − X·x); (x·P)i, −(d x·(x·u))i,
-    // ((P·((x+x) − z·v))j)i: 9, 15, 2
+    // v = 1−Y, u = 1+Y, i = 1/(v + X·(d x)), j = 1/u, P = d(y − X·x). The increments are (x·P)i,
+    // −(d x·(x·u))i, ((P·((x+x) − z·v))j)i: 9 additions, 15 multiplications, 2 divisions.
     ("e5", 26),
     // T = 3Y, u = 1+T, v = 1−T, D = ((1 + T·Y) − 4X·(d z)) + ((X·(d x))u + (Z·(d z))v), s = x+z, δ
-    // = x−z, a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ; a·((z+z) − x·u), d·b·c, a·(z·v − (x+x)):
-    // 19, 26, 1
+    // = x−z, a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ. The numerators are a·((z+z) − x·u),
+    // d·b·c, a·(z·v − (x+x)): 19 additions, 26 multiplications, 1 division.
     ("e6", 46),
     // σ, ρ, β = e·parameter, k = 1+σ, b₁ = 1+β. D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x + σy), R
     // = ρ−Z, T = t₀ + σZ, n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y − β(X·z)),
-    // n₃ = q(R·X + Y) − (2σ·X·Y + 2β·z·T): 19, 29, 1
+    // n₃ = q(R·X + Y) − (2σ·X·Y + 2β·z·T): 19 additions, 29 multiplications, 1 division.
     ("lorenz", 49),
     // c = (w₃−w₂, …), P = e·p, fᵢ = e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ, aᵢ = e·mᵢ + fᵢ·Pₖ, dᵢ = 1 + (Pₖ·fⱼ' −
     // …), s = Σ dᵢaᵢ², q = Σ dᵢaᵢpᵢ, D = d₁d₂d₃ + s, n = 2(d₂d₃, …)∘(p×a) + (2q·a − 2s·p), p̃ = p +
-    // n/D, m̃₁ = m₁ + (f₁·p̃₃ + g₁·p̃₂), …: 37, 59, 1
+    // n/D, m̃₁ = m₁ + (f₁·p̃₃ + g₁·p̃₂), …: 37 additions, 59 multiplications, 1 division.
     ("clebsch", 97),
 ];
 
@@ -146,7 +149,8 @@ fn no_step_takes_more_operations_than_careful_code_by_hand() {
 mod folding {
     use super::*;
 
-    /// Returns the step plan of a catalog system, reduced after ξ = 1 is substituted.
+    /// Returns the step plan of a catalog system at ξ = 1. The map is reduced after ξ is
+    /// substituted.
     fn at_xi_1(name: &str) -> Option<StepPlan> {
         let special =
             catalog(name).specialise(&[(0, Rational::one())]).expect("the field has a value at ξ = 1");

@@ -1,4 +1,4 @@
-//! Tests of families: equality with plain systems of the catalog, and conserved sums.
+//! Tests of families. Chains must equal plain systems of the catalog, and sums must be conserved.
 
 use std::ops::Range;
 

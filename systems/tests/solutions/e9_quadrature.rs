@@ -1,4 +1,4 @@
-//! E9 by quadrature, compared with its closed cases and the differential equation.
+//! Compares the quadrature of E9 with its closed cases and with the differential equation.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -16,7 +16,7 @@ fn start() -> Point<Float256> {
 fn integrals_of_known_value() {
     let one = Float256::from_int(1);
     assert_close(&integrate(&Float256::zero(), &one, Real::exp).value, &one.exp_m1(), 74, "exp");
-    // A singularity at the left end, and a reversed interval.
+    // The integrand has a singularity at the left end. The second interval is reversed.
     let root = integrate(&Float256::zero(), &one, |x: &Float256| one / x.sqrt()).value;
     assert_close(&root, &Float256::from_int(2), 37, "inverse root");
     let back = integrate(&one, &Float256::zero(), Real::exp).value;
@@ -50,7 +50,7 @@ fn the_quadrature_is_the_time_of_the_closed_cases() {
 
 #[test]
 fn the_period_of_e4_is_four_quarter_periods() {
-    // For ξ = −1 E9 is E4, and x = (λ/2)(dn + k cn) has the period 4K/λ.
+    // For ξ = −1, E9 is E4, and x = (λ/2)(dn + k cn) has the period 4K/λ.
     let quadrature = e9::Quadrature::through(&Float256::from_int(-1), &start()).unwrap();
     let e9::FlowSolution::MinusOne(closed) =
         e9::FlowSolution::through(&Float256::from_int(-1), &start()).unwrap()
@@ -65,7 +65,8 @@ fn the_period_of_e4_is_four_quarter_periods() {
 
 #[test]
 fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
-    // dt/dx = −1/(xz) by a central difference of order 2 with two steps; the error is O(h²).
+    // Central differences of order 2 with two steps h approximate dt/dx = −1/(xz). Their error is
+    // O(h²).
     for xi in ["-1/2", "3/2", "-7/3", "5"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
         let x = start()[0];
@@ -78,7 +79,7 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
         let h = ten_to_minus(16);
         let coarse = slope(&(Float256::from_int(2) * h));
         let fine = slope(&h);
-        // Richardson's extrapolation has order 4: its error 10^(−64) is below the rounding error
+        // Richardson's extrapolation has order 4. Its error 10^(−64) is below the rounding error
         // 10^(−60).
         let extrapolated = fine + (fine - coarse) / Float256::from_int(3);
         assert_close(&(extrapolated * field[0]), &Float256::from_int(1), 50, "dt/dx");
@@ -101,7 +102,8 @@ fn fixed_points_are_fixed_and_on_the_sphere() {
 
 #[test]
 fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
-    // Near (√(−ξ) a, a, 0) the linearised field has the frequency ω² = 2(1−ξ)(−ξ)a².
+    // Near the fixed point (√(−ξ) a, a, 0), the linearised field has the frequency ω with ω² =
+    // 2(1−ξ)(−ξ)a².
     let xi = number("-1/2");
     let fixed = &e9::fixed_points(&xi, &number("1"))[2];
     let mut near = *fixed;

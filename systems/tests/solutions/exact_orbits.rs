@@ -1,4 +1,4 @@
-//! Exact orbits: rational points mapped by the generated maps.
+//! Exact orbits of rational points under the generated maps.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Float256, Real};
@@ -12,7 +12,7 @@ pub(crate) fn rational(text: &str) -> Rational {
     text.parse().unwrap_or_else(|_| panic!("{text} is not a rational"))
 }
 
-/// A case of the reference tables: parameters, ε and initial point.
+/// A case of the reference tables: parameters, ε and an initial point.
 pub(crate) struct Case {
     pub(crate) parameters: Vec<Rational>,
     pub(crate) eps: Rational,
@@ -33,8 +33,8 @@ pub(crate) fn cases(system: &str) -> Vec<Case> {
     data["cases"].as_array().expect("cases").iter().map(read).collect()
 }
 
-/// Returns the points with −back ≤ n ≤ forward, up to the first pole in each direction, with their
-/// n.
+/// Returns the points with −back ≤ n ≤ forward and their n. In each direction the orbit ends at the
+/// first pole.
 pub(crate) fn orbit<M, T>(
     map: M,
     start: &Point<T>,
@@ -66,8 +66,8 @@ pub(crate) fn norm(point: &Point<Float256>) -> Float256 {
         .fold(Float256::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
 }
 
-/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm;
-/// returns the number of points.
+/// Asserts that a solution agrees with the exact orbit to `digits` digits of each point's norm.
+/// Returns the number of points.
 pub(crate) fn assert_on_orbit(
     exact: &[(i64, Point<Rational>)],
     at: impl Fn(i64) -> Point<Float256>,
@@ -78,7 +78,7 @@ pub(crate) fn assert_on_orbit(
         let (value, expected) = (at(*n), precise(point));
         let size = norm(&expected);
         for i in 0..3 {
-            // The floor admits the fixed point 0.
+            // A lower bound on the size allows the point 0, which is fixed.
             let floor = if size > ten_to_minus(200) { size } else { ten_to_minus(200) };
             assert_close_above(&value[i], &expected[i], digits, &floor, &format!("{what}, n = {n}"));
         }
@@ -101,12 +101,13 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// Returns the largest error of an `f64` solution in units of 2⁻⁵² of the point's norm times the
-/// condition. Compares 8 backward and 12 forward steps with the map in 256 bits from the same
-/// point.
+/// Returns the largest error of an `f64` solution, in units of 2⁻⁵² of the point's norm multiplied
+/// by the condition. The solution is compared with 8 backward and 12 forward steps of the map in
+/// 256 bits from the same point.
 ///
-/// The condition is (1 + |argument|) max(1, |ε| rate norm): the argument (T, v or N) of a solution
-/// is rounded, and large points are near poles. The rate is 1 for systems without coefficients.
+/// The condition is (1 + |argument|) max(1, |ε| rate norm). The first factor occurs because the
+/// argument (T, v or N) of a solution is rounded, the second because large points are near poles.
+/// The rate is 1 for systems without coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,
@@ -119,7 +120,7 @@ where
 {
     let (mut worst, mut compared) = (0.0_f64, 0);
     for (n, expected) in orbit(map, &case.start.map(Float256::from), &Float256::from(case.eps), [8, 12]) {
-        // Skips points beyond a pole.
+        // Skip points beyond a pole.
         if expected.iter().any(|value| !value.is_defined()) {
             continue;
         }

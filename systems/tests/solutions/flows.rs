@@ -1,6 +1,6 @@
 //! Tests that the solutions of Table 5 and related ones satisfy the differential equations to 40
 //! digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6). Its error
-//! is about h¹², and its rounding error 10^(−71).
+//! is about h¹², and its rounding error is 10^(−71).
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -12,7 +12,8 @@ use kahan_systems::{
 use crate::solutions::exact_orbits::{Point, norm};
 use crate::solutions::measure::{number, ten_to_minus};
 
-/// f′(t) ≈ (1/h) Σ_{k=1}^{6} (−1)^{k+1} (6!)²/(k (6−k)! (6+k)!) (f(t+kh) − f(t−kh)).
+/// Returns f′(t) ≈ (1/h) Σ_{k=1}^{6} (−1)^{k+1} (6!)²/(k (6−k)! (6+k)!) (f(t+kh) − f(t−kh)), where
+/// f is `at`.
 fn derivative(at: &impl Fn(&Float256) -> Point<Float256>, t: &Float256) -> Point<Float256> {
     let h = ten_to_minus(6);
     let mut weight = Float256::from_int(-1);
@@ -27,7 +28,8 @@ fn derivative(at: &impl Fn(&Float256) -> Point<Float256>, t: &Float256) -> Point
     sum
 }
 
-/// Asserts the initial point, and that the derivative equals the field at several times.
+/// Asserts that the trajectory begins at the given point, and that its derivative equals the field
+/// at several times.
 fn assert_solves(
     field: &impl QuadraticField<Float256, 3>,
     start: &Point<Float256>,
@@ -44,7 +46,7 @@ fn assert_solves(
     }
 }
 
-/// Points in all octants and of several sizes, with poles away from the tested times.
+/// Returns points in all octants and of several sizes. No pole is near the times that are tested.
 fn points() -> Vec<Point<Float256>> {
     let coordinates = [["3/7", "11/13", "23/47"], ["7/3", "11/13", "8/5"], ["5/3", "1/9", "17/6"]];
     (0..8)

@@ -1,4 +1,5 @@
-//! The transcendental integrals of dE7 and dE8, their special cases, and the digamma bracket.
+//! Tests the transcendental integrals of the maps of E7 and E8, their special cases, and the
+//! digamma bracket.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Float256, Real};
@@ -11,7 +12,7 @@ fn paper() -> (Point<Float256>, Float256) {
     (Point::from(["3/7", "11/13", "23/47"].map(number)), number("1/2"))
 }
 
-/// Points whose orbits stay at x > 0, and one whose orbit passes from x < 0 to x > 0.
+/// Returns points whose orbits stay at x > 0, and one whose orbit passes from x < 0 to x > 0.
 fn starts() -> Vec<(Point<BigRational>, BigRational)> {
     [("1/2", ["3/7", "11/13", "23/47"]), ("1/5", ["2/3", "-5/4", "7/9"]), ("1/3", ["-5/13", "2/5", "1"])]
         .map(|(eps, point)| (Point::from(point.map(rational)), rational(eps)))
@@ -20,8 +21,9 @@ fn starts() -> Vec<(Point<BigRational>, BigRational)> {
 
 #[test]
 fn values_at_the_point_of_the_paper() {
-    // Values of mpmath 1.3 at 80 digits: `gamma`, `digamma`; K7 by `hyper` (the 4F3 at 1); K8 by
-    // 200 terms of the series and the Abel-Plana formula for the others (`quad`).
+    // The values are from mpmath 1.3 at 80 digits: the integrals H by `gamma` and `digamma`, and K7
+    // by `hyper` (the 4F3 at 1). K8 is the sum of 200 terms of its series, and of the other terms
+    // by the Abel-Plana formula (`quad`).
     let (start, eps) = paper();
     let xi = number("19/17");
     let h = e7::integral_h(&xi, &start, &eps);
@@ -40,7 +42,7 @@ fn values_at_the_point_of_the_paper() {
 
 #[test]
 fn integrals_agree_with_the_tables_of_the_map() {
-    // H_eps_decimal of tests/data, 40 digits or more.
+    // The values are H_eps_decimal of tests/data, with 40 digits or more.
     for system in ["e7", "e8"] {
         let path = format!("{}/../tests/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
         let data: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
@@ -105,7 +107,7 @@ fn special_cases_are_the_integrals_of_e1_and_e2() {
         let scaled = int(4) * eps.square() * two[0];
         assert_close(&e7::integral_h(&int(-1), &start, &eps), &scaled, 74, "H2");
         assert!(e7::integral_k(&int(-1), &start, &eps).is_err());
-        // The bracket at ξ = ±1 is minus P of dE1, dE2.
+        // At ξ = 1 and ξ = −1 the bracket is −P of the maps of E1 and E2.
         let negated = E1.bracket_P(&start, eps).map(|value| -value);
         assert_same(&e7::bracket_of_h(&int(1), &start, &eps), &negated);
         let negated = E2.bracket_P(&start, eps).map(|value| -value);
@@ -130,7 +132,8 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
             let moved = jacobian * e7::bracket_of_h(&xi, &start, &eps) * jacobian.transpose();
             let next = map.step(&start, eps);
             assert_same(&e7::bracket_of_h(&xi, &next, &eps), &moved);
-            // P dH = 0, with the gradient by central differences and one extrapolation.
+            // The bracket must satisfy P dH = 0. The gradient is computed by central differences
+            // and one extrapolation.
             let gradient = Point::from([0, 1, 2].map(|i| {
                 let slope = |h: Float256| {
                     let along = |sign: i64| {
@@ -152,7 +155,8 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
 
 #[test]
 fn floats_reach_their_precision() {
-    // Relative errors in units of 2⁻⁵², compared with 256 bits at the same floats.
+    // The errors are relative, in units of 2⁻⁵². The reference is 256-bit arithmetic at the same
+    // floats.
     let (mut worst_h, mut worst_k) = (0.0_f64, 0.0_f64);
     for (start, eps) in starts() {
         let float = start.map(|value| <f64 as Real>::from_rational(&value));

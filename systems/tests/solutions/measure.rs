@@ -1,4 +1,4 @@
-//! Numbers from text, and distances between numbers.
+//! Reads numbers from text, and measures distances between numbers.
 
 use kahan_core::num_traits::Zero;
 use kahan_systems::special::{Float256, Real};
@@ -11,7 +11,7 @@ pub(crate) fn ten_to_minus(digits: i64) -> Float256 {
     Float256::from_int(10).power(-digits)
 }
 
-/// Asserts |value − expected| ≤ 10^(−digits) max(|expected|, floor).
+/// Asserts that |value − expected| ≤ 10^(−digits) max(|expected|, floor).
 #[track_caller]
 pub(crate) fn assert_close_above(
     value: &Float256,
@@ -25,7 +25,7 @@ pub(crate) fn assert_close_above(
     assert!(error <= ten_to_minus(digits) * size, "{what}: {value} where {expected} is expected");
 }
 
-/// Asserts a relative error of at most 10^(−digits).
+/// Asserts that the relative error is at most 10^(−digits).
 #[track_caller]
 pub(crate) fn assert_close(value: &Float256, expected: &Float256, digits: i64, what: &str) {
     assert_close_above(value, expected, digits, &Float256::zero(), what);

@@ -1,4 +1,4 @@
-//! The elliptic solutions of dE4, dE6 and the Euler top, compared with exact orbits.
+//! Compares the elliptic solutions of the maps of E4, E6 and the Euler top with exact orbits.
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
@@ -10,7 +10,7 @@ use crate::solutions::exact_orbits::{
 };
 use crate::solutions::measure::assert_close;
 
-/// Returns cases with all signs on both branches, some with xy = 0 or near |εz| = 1.
+/// Returns cases with all signs on both branches. Some have xy = 0, and some are near |εz| = 1.
 fn more() -> Vec<Case> {
     let mut all = Vec::new();
     let coordinates =
@@ -49,7 +49,7 @@ fn more() -> Vec<Case> {
     all
 }
 
-/// v = 2δn + κ.
+/// Returns the argument v = 2δn + κ of the elliptic functions after n steps.
 fn argument(solution: &e4::Solution<f64>, n: i64) -> f64 {
     2.0 * solution.delta * n as f64 + solution.kappa
 }

@@ -1,4 +1,4 @@
-//! The solutions of dE7 and dE8 by Γ and ψ, compared with exact orbits.
+//! Compares the solutions of the maps of E7 and E8 by Γ and ψ with exact orbits.
 
 use kahan_systems::special::Float256;
 use kahan_systems::{E7, E8, e7, e8};

@@ -1,4 +1,4 @@
-//! The hyperbolic solutions of dE3 and dE5 on both branches, compared with exact orbits.
+//! Compares the hyperbolic solutions of the maps of E3 and E5 on both branches with exact orbits.
 
 use kahan_core::prelude::*;
 use kahan_systems::solution::{Branch, OutOfDomain};
@@ -11,7 +11,8 @@ use crate::solutions::exact_orbits::{
 use crate::solutions::measure::assert_close;
 
 fn more() -> Vec<Case> {
-    // Both branches, all signs, both signs of ε, and points near the border of the branches.
+    // The points cover both branches, all signs, both signs of ε, and the border between the
+    // branches.
     let points = [
         ("1/2", ["3/2", "1/3", "5/2"]),
         ("1/2", ["3/2", "-1/3", "-5/2"]),
@@ -31,14 +32,14 @@ fn more() -> Vec<Case> {
     points.map(build).into()
 }
 
-/// T = 2δn + κ.
+/// Returns the argument T = 2δn + κ of the hyperbolic functions after n steps.
 fn argument(delta: f64, kappa: f64, n: i64) -> f64 {
     2.0 * delta * n as f64 + kappa
 }
 
 type Exact = Vec<(i64, Point<Rational>)>;
 
-/// Checks a solution in 256 bits (50 digits); returns the largest error in `f64`, in ulp.
+/// Checks a solution in 256 bits to 50 digits. Returns the largest error in `f64`, in ulp.
 fn run(
     system: &str,
     exact: impl Fn(&Case) -> Exact,

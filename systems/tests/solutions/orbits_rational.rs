@@ -1,4 +1,4 @@
-//! The rational solutions, compared exactly with orbits and equations.
+//! Compares the rational solutions exactly with orbits and equations.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Integrals, KahanMap};

@@ -1,4 +1,4 @@
-//! The 256-bit number type: rounding, text, undefined values and elementary functions.
+//! Tests the 256-bit number type: rounding, text, undefined values and elementary functions.
 
 use kahan_core::Pivot;
 use kahan_core::num_traits::Zero;
@@ -14,12 +14,12 @@ fn power_of_two(n: usize) -> BigRational {
 
 #[test]
 fn rationals_are_rounded_once_to_nearest_with_ties_to_even() {
-    // 2²⁵⁶ + 1 and 2²⁵⁶ + 3 are ties, which round to even.
+    // The numbers 2²⁵⁶ + 1 and 2²⁵⁶ + 3 are midway between two floats, and round to the even one.
     let of = |offset: &str| Float256::from_rational(&(power_of_two(256) + rational(offset)));
     assert_eq!(of("1"), of("0"));
     assert_eq!(of("3"), of("4"));
     assert_ne!(of("2"), of("0"));
-    // The smallest excess over a tie decides.
+    // If a number is slightly above the middle between two floats, it rounds up.
     assert_eq!(of("1000000000000000001/1000000000000000000"), of("2"));
     assert_eq!(of("999999999999999999/1000000000000000000"), of("0"));
     assert_eq!(of("-1/2").to_digits(20), of("0").to_digits(20));
@@ -51,7 +51,7 @@ fn text_is_read_and_written() {
     assert_eq!(written("0", 9), "0");
     assert_eq!(written("5", 1), "5");
     assert_eq!(format!("{:.4} {:?}", number("1/3"), Float256::UNDEFINED), "0.3333 undefined");
-    // A number written with all its digits reads back exactly.
+    // A number that is written with all its digits can be read back exactly.
     for text in ["1/3", "-17e40", "123/457"] {
         assert_eq!(number(&number(text).to_digits(80)), number(text));
     }
@@ -99,7 +99,7 @@ type Function = fn(&Float256) -> Float256;
 
 #[test]
 fn elementary_functions_have_all_digits() {
-    // From mpmath 1.3 at 90 digits, by nstr(…, 78).
+    // The values are from mpmath 1.3 at 90 digits, printed by nstr(…, 78).
     let table: [(Function, &str, &str); 19] = [
         (
             Real::exp,

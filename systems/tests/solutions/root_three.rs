@@ -1,4 +1,4 @@
-//! E6 and E4 as one system in two coordinate systems, proved at exact points over ℚ(√3).
+//! Proves at exact points over ℚ(√3) that E6 and E4 are one system in two coordinate systems.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -55,7 +55,7 @@ impl Mul for RootThree {
 impl Div for RootThree {
     type Output = Self;
 
-    // 1/(a + b√3) = (a − b√3)/(a² − 3b²)
+    // Use 1/(a + b√3) = (a − b√3)/(a² − 3b²).
     fn div(self, other: Self) -> Self {
         let norm = &other.a * &other.a - rational("3") * &other.b * &other.b;
         let product = self * Self { a: other.a, b: -other.b };

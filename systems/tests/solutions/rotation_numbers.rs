@@ -1,5 +1,6 @@
-//! Observed rotation numbers, compared with closed elliptic solutions. On an orbit of dE4, and so
-//! of the Euler top, v increases by 2δ in each step. sn and cn have the period 4K, dn has 2K.
+//! Compares observed rotation numbers with those of closed elliptic solutions. On an orbit of the
+//! map of E4, and hence of the Euler top, the argument v increases by 2δ in each step. The
+//! functions sn and cn have the period 4K, and dn has 2K.
 
 use kahan_core::observe::{Extrema, Extremes, Rotation};
 use kahan_core::prelude::*;
@@ -10,7 +11,7 @@ use kahan_systems::{E4, EulerTop, e4, euler};
 const STEPS: u64 = 100_000;
 const EPS: f64 = 0.0625;
 
-/// Returns each variable's extremes, its rotations per step, and their estimated error.
+/// Returns for each variable its extremes, its rotations per step, and their estimated error.
 fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<f64>, f64, f64); 3] {
     let orbit = || map.orbit(start, EPS).compensated();
     let velocity = |x: &[f64]| map.field(&vector![x[0], x[1], x[2]]);
@@ -23,7 +24,7 @@ fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<
     std::array::from_fn(|i| (extremes[i][0], turns[i].value, turns[i].error))
 }
 
-/// Returns δ/2K, if the orbit has at least a hundred rotations and a modulus of at most 0.99.
+/// Returns δ/2K, if the orbit has at least a hundred rotations and if the modulus is at most 0.99.
 fn half_turn(solution: &e4::Solution<Float256>) -> Option<f64> {
     let quarter = solution.modulus.quarter_period();
     let turns = (solution.delta / (quarter + quarter)).to_f64().abs();
@@ -35,7 +36,7 @@ fn precise(x: SVector<f64, 3>) -> SVector<Float256, 3> {
     x.map(Float256::from)
 }
 
-/// Returns the distance of two rotation numbers modulo 1 and up to sign.
+/// Returns the distance of two rotation numbers, which are equal up to integers and up to sign.
 fn distance(a: f64, b: f64) -> f64 {
     let apart = |d: f64| (d - d.round()).abs();
     apart(a - b).min(apart(a + b))
@@ -77,8 +78,8 @@ fn variables_of_e4_turn_as_their_elliptic_functions() {
     for start in starts(10) {
         let solution = e4::Solution::through(&precise(start), &Float256::from(EPS)).expect("no fixed point");
         let Some(turns) = half_turn(&solution) else { continue };
-        // x and y are half the sum and difference of two elliptic functions, z is one elliptic
-        // function.
+        // The coordinates x and y are half the sum and half the difference of two elliptic
+        // functions; z is a single one.
         for (_, found, error) in observed(&E4, start) {
             assert!(distance(found, turns) < 1e-12, "{start} {found} {turns} {error}");
             compared += 1;

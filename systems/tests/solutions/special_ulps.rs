@@ -1,4 +1,5 @@
-//! The documented `f64` error bounds, measured against 256 bits at seeded random arguments.
+//! Measures errors in `f64` against 256 bits at seeded random arguments, and compares them with the
+//! documented bounds.
 
 use kahan_systems::special::{
     Float256, Jacobi, Modulus, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,
@@ -24,7 +25,8 @@ impl Random {
     }
 }
 
-/// Asserts errors of at most `bound` units of 2⁻⁵² of the value, or of `floor` if larger.
+/// Asserts that each error is at most `bound` units of 2⁻⁵² of the value, or of `floor` if that is
+/// larger.
 fn assert_bounded<A: Copy + core::fmt::Debug>(
     what: &str,
     bound: f64,
@@ -85,7 +87,7 @@ fn ratios_of_gamma_are_within_64_ulp() {
     );
 }
 
-/// Draws a modulus from [0, 1), uniformly or close to 1.
+/// Draws a modulus from [0, 1). It is uniform, or close to 1 if `near_one`.
 fn modulus(random: &mut Random, near_one: bool) -> f64 {
     if near_one { 1.0 - 10.0_f64.powf(random.between(-15.0, -1.0)) } else { random.between(0.0, 0.999) }
 }

@@ -1,10 +1,11 @@
-//! Dual numbers over any arithmetic: a value and its gradient in n directions.
+//! Dual numbers over any arithmetic. A dual number is a value with its derivatives in n directions.
 
 use kahan_syntax::rational::Rational;
 
 use super::{Arithmetic, OverRationals};
 
-/// The arithmetic of dual numbers in `directions` directions over `base`.
+/// The arithmetic of dual numbers. `base` is the arithmetic of values and derivatives, `directions`
+/// the number of derivatives.
 #[derive(Debug)]
 pub struct Dual<'a, A> {
     /// The arithmetic of values and derivatives.
@@ -18,17 +19,18 @@ pub struct Dual<'a, A> {
 pub struct DualNumber<V> {
     /// The value.
     pub value: V,
-    /// The derivatives; empty for constants and parameters.
+    /// The derivatives. The list is empty for constants and parameters.
     pub gradient: Vec<V>,
 }
 
 impl<A: OverRationals> Dual<'_, A> {
-    /// Returns a constant.
+    /// Returns a dual number whose derivatives are zero.
     pub fn fixed(&self, value: A::Value) -> DualNumber<A::Value> {
         DualNumber { value, gradient: Vec::new() }
     }
 
-    /// Returns the coordinate of a direction; `None` if the arithmetic lacks 0 or 1.
+    /// Returns the variable of a direction: a dual number with derivative 1 in this direction and 0
+    /// in all others. Returns `None` if the arithmetic has no 0 or 1.
     pub fn coordinate(&self, value: A::Value, direction: usize) -> Option<DualNumber<A::Value>> {
         let mut gradient = vec![self.base.constant(&Rational::zero())?; self.directions];
         gradient[direction] = self.base.constant(&Rational::one())?;
@@ -79,7 +81,7 @@ impl<A: OverRationals> Arithmetic for Dual<'_, A> {
     }
 
     fn divide(&self, a: &Self::Value, b: &Self::Value) -> Option<Self::Value> {
-        // d(a/b) = (1/b) da − (a/b²) db
+        // The derivative of a quotient is d(a/b) = (1/b) da − (a/b²) db.
         let one = self.base.constant(&Rational::one())?;
         let inverse = self.base.divide(&one, &b.value)?;
         let value = self.base.multiply(&a.value, &inverse);

@@ -1,4 +1,5 @@
-//! Rationals, residues modulo a prime, and binary floats, for which division by zero is infinite.
+//! Arithmetics of rationals, of residues modulo a prime, and of binary floats. Floats divide by
+//! zero without an error; the result is infinite or NaN.
 
 use kahan_syntax::rational::Rational;
 
@@ -29,7 +30,7 @@ macro_rules! operators {
     };
 }
 
-/// The rationals ℚ.
+/// The arithmetic of rationals ℚ.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact;
 
@@ -49,7 +50,7 @@ impl Arithmetic for Exact {
     }
 }
 
-/// The prime field F_p.
+/// The arithmetic of residues in a prime field.
 #[derive(Clone, Copy, Debug)]
 pub struct Modular(pub PrimeField);
 
@@ -103,7 +104,8 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// The range that generated code uses.
+            /// Uses the range in which generated code, too, multiplies by reciprocals instead of
+            /// dividing.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

@@ -1,7 +1,7 @@
 //! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! A value is zero exactly if its numerator has no terms. Fractions need not be in lowest terms: no
-//! gcd is computed. Once the budget is spent, every further operation returns `None`.
+//! A function is zero exactly if its numerator has no terms. Fractions need not be in lowest terms,
+//! because no gcd is computed. When the budget is spent, all further operations return `None`.
 
 use std::cell::RefCell;
 
@@ -11,12 +11,12 @@ use crate::poly::{Budget, Polynomial};
 
 use super::Arithmetic;
 
-/// numerator / ∏ factorᵏ
+/// The rational function numerator / ∏ factor^exponent.
 #[derive(Clone, Debug)]
 pub struct Function {
     /// The expanded numerator.
     pub numerator: Polynomial,
-    /// Distinct non-constant primitive polynomials with their exponents.
+    /// The factors and their exponents. Factors are distinct non-constant primitive polynomials.
     pub denominator: Vec<(Polynomial, u32)>,
 }
 
@@ -26,14 +26,14 @@ impl From<Polynomial> for Function {
     }
 }
 
-/// The field of rational functions with a budget of work.
+/// The field of rational functions. All operations share one budget of work.
 #[derive(Debug)]
 pub struct Functions {
     budget: RefCell<Budget>,
 }
 
 impl Functions {
-    /// Returns the field with a budget for all its operations.
+    /// Creates the field with this budget for all its operations.
     #[must_use]
     pub fn new(budget: Budget) -> Self {
         Functions { budget: RefCell::new(budget) }
@@ -47,7 +47,7 @@ impl Functions {
         a.pow_within(exponent, &mut self.budget.borrow_mut()).ok()
     }
 
-    /// Multiplies `numerator` by the factors of `target` that `have` lacks.
+    /// Multiplies `numerator` by those factors of `target` that `have` does not contain.
     fn expand_to(
         &self,
         numerator: &Polynomial,
@@ -83,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Cancels factors of `below` that divide `numerator` and have as many terms; appends all other
-    /// factors of `below` to `denominator`.
+    /// Cancels factors of `below` that divide `numerator`, if they have as many terms. Appends all
+    /// other factors of `below` to `denominator`.
     fn cancel(
         &self,
         numerator: &mut Polynomial,
@@ -155,7 +155,7 @@ impl Arithmetic for Functions {
         if self.is_zero(b) {
             return None;
         }
-        // (a/A) / (b/B) without the common factors of A and B
+        // Compute (a/A) / (b/B) without the common factors of the denominators A and B.
         let without = |own: &[(Polynomial, u32)], other: &[(Polynomial, u32)]| -> Vec<(Polynomial, u32)> {
             let left = own
                 .iter()

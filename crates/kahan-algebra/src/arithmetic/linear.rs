@@ -1,15 +1,15 @@
-//! Solves linear systems in any arithmetic, by elimination with the best pivot of each column.
+//! Solves linear systems in any arithmetic. Elimination uses the best pivot of each column.
 
 use kahan_syntax::rational::Rational;
 
 use super::OverRationals;
 
-/// The solution of a linear system, and the determinant of its matrix.
+/// The solution X of a linear system M X = R, and the determinant of M.
 #[derive(Clone, Debug)]
 pub struct Solved<V> {
     /// The rows of X.
     pub solution: Vec<Vec<V>>,
-    /// det M
+    /// The determinant det M.
     pub determinant: V,
 }
 
@@ -55,7 +55,7 @@ pub fn solve<A: OverRationals>(
     Some(Solved { solution, determinant })
 }
 
-/// Returns det M.
+/// Returns the determinant of a square matrix.
 pub fn determinant<A: OverRationals>(arithmetic: &A, matrix: &[Vec<A::Value>]) -> Option<A::Value> {
     let nothing = vec![Vec::new(); matrix.len()];
     match solve(arithmetic, matrix, &nothing) {

@@ -1,18 +1,21 @@
-//! Degrees and coefficient sizes of fractions, for the prover's bound on its error probability.
+//! Bounds degrees and coefficients of fractions. The prover derives its error probability from
+//! them.
 //!
-//! Every value of a plan is a fraction N/M of integer polynomials, formed without cancellation. A
-//! [`FractionSize`] bounds their degrees and the logarithms of their 1-norms; bounds saturate.
+//! Every value of a plan is a fraction N/M of integer polynomials that is formed without
+//! cancellation. A [`FractionSize`] bounds the degrees of N and M and the logarithms of their
+//! 1-norms. Additions of bounds saturate instead of overflowing.
 
 use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 
-/// Bounds on an integer polynomial.
+/// Bounds on the degree and the coefficients of an integer polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct PolynomialSize {
     /// The total degree.
     pub degree: u64,
-    /// log₂ of the 1-norm (the sum of absolute values of coefficients), rounded up.
+    /// The logarithm log₂ of the 1-norm, rounded up. The 1-norm is the sum of the absolute values
+    /// of the coefficients.
     pub bits: u64,
 }
 
@@ -31,20 +34,20 @@ impl PolynomialSize {
         PolynomialSize { degree, bits: self.bits.saturating_add(other.bits) }
     }
 
-    /// Returns a bound on both polynomials.
+    /// Returns a bound that holds for both polynomials.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         PolynomialSize { degree: self.degree.max(other.degree), bits: self.bits.max(other.bits) }
     }
 
-    /// Returns a bound on the sum of 2^`bits` polynomials within this bound.
+    /// Returns a bound on a sum of 2^`bits` polynomials if this bound holds for each of them.
     fn summed(self, bits: u64) -> Self {
         self.times(PolynomialSize { degree: 0, bits })
     }
 }
 
 impl FractionSize {
-    /// Returns the size of a variable: degree 1, norm 1.
+    /// Returns the size of a variable, which has degree 1 and 1-norm 1.
     #[must_use]
     pub fn variable() -> Self {
         FractionSize { above: PolynomialSize { degree: 1, bits: 0 }, ..FractionSize::default() }
@@ -58,15 +61,15 @@ impl FractionSize {
     }
 }
 
-/// The arithmetic of sizes.
+/// The arithmetic that computes with sizes instead of values.
 #[derive(Clone, Copy, Debug)]
 pub struct SizeArithmetic;
 
 impl SizeArithmetic {
-    /// Returns a bound on every n×n determinant whose columns are among those of `rows`.
+    /// Bounds every n×n determinant whose columns are among the columns of `rows`.
     ///
-    /// `rows` has n rows of at least n entries. The common denominator is the product of all
-    /// denominators; each of the n! terms takes one numerator from each row.
+    /// `rows` has n rows with at least n entries each. The common denominator is the product of all
+    /// denominators. Each of the n! terms contains one numerator from each row.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<FractionSize>]) -> FractionSize {
         let product = |lengths: &mut dyn Iterator<Item = PolynomialSize>| {

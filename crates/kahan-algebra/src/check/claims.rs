@@ -1,4 +1,4 @@
-//! Compiles claims to plans, with names resolved and bracket entries in order.
+//! Compiles claims to plans. Names are resolved, and the entries of brackets are put in order.
 
 use rustc_hash::FxHashMap;
 
@@ -16,7 +16,8 @@ use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{NameMeaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order. A claim with a mistake is dropped; the stand-in still declares it.
+/// Compiles the claims in order. A claim with a mistake is dropped, but the stand-in for the block
+/// still declares its name.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],
@@ -38,7 +39,7 @@ pub(super) fn compile_all(
             .body
             .as_ref()
             .filter(|body| {
-                // Resolves all expressions before compiling any, so that all unknown names are
+                // Resolve all expressions before any is compiled, so that all unknown names are
                 // reported.
                 let mut resolve = |expr: &Expr| compiler.scope.resolve(expr, true, diagnostics);
                 match body {
@@ -66,7 +67,8 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // The mistake is already reported; claims that use this one are dropped silently.
+            // The mistake in this claim is already reported. Claims that use this one are dropped
+            // without a further report.
             None => compiler.scope.poison(&claim.name.text),
         }
         if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
@@ -82,8 +84,8 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports names that G in `drift F by G` must not contain: unknown names, states and densities.
-/// The claim's own name stands for F(x), and G gives F(x̃).
+/// Reports names that G in `drift F by G` must not contain: unknown names, states and densities. In
+/// G, the name of the claim stands for F(x); the value of G is F(x̃).
 fn resolve_next(
     next: &Expr,
     claim: &syntax::Claim,

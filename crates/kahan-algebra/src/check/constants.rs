@@ -1,4 +1,5 @@
-//! Constants `const c = 1/2;`: expressions over numbers and earlier constants.
+//! Evaluates constants such as `const c = 1/2;`. Their expressions contain numbers and earlier
+//! constants.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;

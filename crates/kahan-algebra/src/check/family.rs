@@ -1,4 +1,5 @@
-//! Checks a family: arrays, parameters of the chain and of sites, equations, sums.
+//! Checks a family: its arrays, the parameters of the chain and of sites, its equations and its
+//! sums.
 
 use rustc_hash::FxHashSet;
 
@@ -114,7 +115,7 @@ struct Names {
 }
 
 impl Names {
-    /// Collects names; parameters written with an index are those of sites.
+    /// Collects the names of a family. Parameters that are written with an index belong to sites.
     fn of(block: &Block, declared: &Symbols) -> Self {
         let (mut reach, mut at_sites) = (1, FxHashSet::default());
         for (reference, _) in references(block) {
@@ -194,7 +195,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// Returns the summand of a claim: `sum` is linear, so it is removed from each term.
+/// Returns the summand of a claim. Because `sum` is linear, it is removed from each term.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
@@ -256,8 +257,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. A term is exempt if it
-/// contains a state at the parameter's site or farther out, because that state is 0.
+/// Reports site parameters that are undefined beyond an end of the chain. A term may contain such a
+/// parameter if it also contains a state at that site or farther out, because that state is 0.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

@@ -1,8 +1,9 @@
-//! Lowers expressions: the only walk over [`Expr`] that gives operations a meaning.
+//! Lowers expressions to fractions or plans. No other module gives the operations of an [`Expr`] a
+//! meaning.
 //!
-//! Equations, constants and relations become fractions ([`expand`](super::expand)), claims become
-//! plans ([`claims`](super::claims)). [`lower`] refuses zero divisors, invalid negative exponents,
-//! and misplaced `sum(…)`. Each target limits sizes itself.
+//! Equations, constants and relations become fractions ([`expand`](super::expand)); claims become
+//! plans ([`claims`](super::claims)). [`lower`] reports zero divisors, invalid negative exponents,
+//! and misplaced `sum(…)`. Each target limits the sizes of its values.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -11,24 +12,25 @@ use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
 
-/// The largest exponent: of a parameter in an equation, of all but short numbers in a claim.
+/// The largest exponent of a parameter in an equation. In a claim it limits the exponents of
+/// everything but short numbers.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
 pub(super) const MOST_BITS: u64 = 1 << 16;
 
-/// A representation to which expressions are lowered.
+/// A representation into which expressions are lowered.
 pub(super) trait Target {
     type Value;
 
     fn number(&mut self, value: &Rational) -> Self::Value;
     fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn negate(&mut self, a: Self::Value) -> Self::Value;
-    /// Returns the sum of all terms; the flag marks those to subtract.
+    /// Returns the sum of all terms. The flag of a term is true if the term is subtracted.
     fn sum(&mut self, terms: Vec<(bool, Self::Value)>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn multiply(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
     fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
     fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether negative exponents are allowed.
+    /// Returns whether expressions may contain negative exponents.
     fn inverts(&self) -> bool;
 }
 

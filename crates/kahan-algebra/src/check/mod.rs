@@ -1,8 +1,8 @@
-//! Checks syntax and returns a system or a family, with one function for each rule.
+//! Checks a syntax tree and returns a system or a family. Each rule has one function.
 //!
-//! Names are checked first, then constants, equations and claims. A mistake is reported once; later
-//! stages see a harmless replacement such as a zero right-hand side. A block with a mistake is
-//! [`Broken`]: it has no field, only a [`StandIn`] that declares its type.
+//! Names are checked first, then constants, equations and claims. Each mistake is reported once,
+//! because later stages see a harmless replacement such as a zero right-hand side. A block with a
+//! mistake is [`Broken`]. It has no field, only a [`StandIn`] that declares its type.
 
 mod claims;
 mod conditions;
@@ -31,12 +31,12 @@ pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 const MOST_EQUATIONS: usize = 10_000;
-/// The most names of a block: states, parameters, constants and claims. In a family an array counts
-/// once for each site of the stencil.
+/// The most states, parameters, constants and claims of a block, counted together. In a family, an
+/// array counts once for each site of the stencil.
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
-/// Returns the error for a family where a plain system is required.
+/// Returns the error for a family that is used where a plain system is required.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";
@@ -44,13 +44,13 @@ pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     Diagnostic::new(Kind::Empty, span, message, help)
 }
 
-/// A checked block.
+/// A block after the check.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "there is one, and it is handed on once")]
 pub enum Checked {
-    /// Equations without a mistake.
+    /// A system of plain equations without mistakes.
     System(System),
-    /// A family without a mistake.
+    /// A family without mistakes.
     Family(Family),
     /// A block with mistakes.
     Broken(Broken),
@@ -67,7 +67,7 @@ impl Checked {
         }
     }
 
-    /// Returns the mistakes in order of their places.
+    /// Returns the mistakes, ordered by their places in the text.
     #[must_use]
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
@@ -76,10 +76,10 @@ impl Checked {
         }
     }
 
-    /// Returns the system.
+    /// Returns the system of a block with plain equations.
     ///
     /// # Errors
-    /// Returns the mistakes; for a family, that the number of sites is required.
+    /// Returns the mistakes. For a family, the error says that the number of sites is required.
     pub fn system(self) -> Result<System, Vec<Diagnostic>> {
         match self {
             Checked::System(system) => Ok(system),
@@ -133,8 +133,8 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
     true
 }
 
-/// Compiles further claims about the field of a system, without proving them. Claims may use
-/// earlier ones of `tokens`, but not those of the system.
+/// Compiles further claims about the field of a system, without proving them. A claim may use
+/// earlier claims of `tokens`, but none of the system.
 ///
 /// # Errors
 /// Returns the mistakes.
@@ -149,7 +149,7 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks plain equations; returns a stand-in, and the system if there is no mistake.
+/// Checks plain equations. Returns a stand-in, and the system if there is no mistake.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);
@@ -172,11 +172,12 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    // Odd powers of ε in kept factors cancel in the expanded form, but the step needs powers of ε².
+    // Odd powers of ε may occur in factors as written although they cancel in the expanded form.
+    // The step needs powers of ε².
     let kept = if kept.has_odd_powers_of_eps() { FieldWithSubexpressions::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();
-    // Without a field there is nothing to claim.
+    // If there are no equations, there is no field to make claims about.
     let claims = if block.equations.is_empty() {
         Vec::new()
     } else {

@@ -1,5 +1,5 @@
-//! A stand-in for a block with mistakes: its header and names, without equations. rustc checks the
-//! rest of the program against this type.
+//! A stand-in for a block with mistakes. It has the header and the names of the block, but no
+//! equations. With the stand-in, rustc can check the rest of the program.
 
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
@@ -15,33 +15,33 @@ use crate::system::{Claim, Condition, System};
 /// A block with mistakes.
 #[derive(Clone, Debug)]
 pub struct Broken {
-    /// At least one mistake, in order of places.
+    /// The mistakes, ordered by their places. There is at least one.
     pub diagnostics: Vec<Diagnostic>,
-    /// The stand-in for the block.
+    /// The stand-in for the block with mistakes.
     pub stand_in: StandIn,
 }
 
-/// Header and names of a block with mistakes.
+/// The header and the names of a block with mistakes.
 #[derive(Clone, Debug)]
 pub struct StandIn {
     /// The header, if the block has one.
     pub header: Option<Header>,
-    /// States and parameters; of a family, the parameters of the chain.
+    /// The names of states and parameters. In a family, these parameters are those of the chain.
     pub symbols: Symbols,
     /// The parameters of each site of a family.
     pub site_parameters: Vec<String>,
-    /// The claims, each with a flag for unconditional ones.
+    /// The claims with their kinds and names. The flag is true for unconditional claims.
     claims: Vec<(ClaimKind, Name, bool)>,
 }
 
 impl StandIn {
-    /// Returns a type without equations.
+    /// Returns a stand-in that has a header but no names.
     #[must_use]
     pub fn of_type(header: Option<Header>) -> Self {
         StandIn { header, symbols: Symbols::default(), site_parameters: Vec::new(), claims: Vec::new() }
     }
 
-    /// Returns the names of a system.
+    /// Returns a stand-in with the names of a system.
     #[must_use]
     pub fn of_system(system: &System) -> Self {
         let claims =
@@ -54,7 +54,7 @@ impl StandIn {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// Returns a system with these names, the zero field, and claims equal to 0.
+    /// Returns a system with these names. Its field is zero, and its claims equal 0.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
@@ -74,7 +74,8 @@ impl StandIn {
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
-        // Generated methods depend only on whether a claim is conditional, so any condition serves.
+        // Generated methods depend on whether a claim is conditional, but not on the condition. Any
+        // condition serves here.
         let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
         Claim {
             kind: *kind,

@@ -1,4 +1,5 @@
-//! The plans of one site of a family: field, rows of A(x,ε), and summands of the claims.
+//! Derives the plans of one site of a family: the field, the rows of A(x,ε), and the summands of
+//! claims.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
@@ -14,39 +15,41 @@ use crate::family::{Family, Role, SiteSum};
 
 use super::names::constant_names;
 
-/// The position of an entry of A in the rows of a site.
+/// The position of an entry of A(x,ε) in the rows that belong to one site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryPosition {
-    /// The array of the row.
+    /// The index of the array to which the row belongs.
     pub row: usize,
-    /// The column among the values of the stencil: site by site, arrays interleaved.
+    /// The column, which is an index among the states of the stencil. These are ordered by site,
+    /// then by array.
     pub column: usize,
 }
 
 /// The plans of a family.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    /// The inputs of `constants`: the parameters of the chain.
+    /// The inputs of `constants`, which are the parameters of the chain.
     pub given: Symbols,
-    /// The inputs of `rows` and `sums`. States are the arrays, then the site parameters, of the
-    /// sites −reach … reach. Parameters are the prepared constants.
+    /// The inputs of `rows` and `sums`. The states are the values of arrays and site parameters at
+    /// the sites −reach to reach. The parameters are the prepared constants.
     pub symbols: Symbols,
-    /// The prepared constants, computed from ε and the parameters of the chain.
+    /// The plan that computes the prepared constants from ε and the parameters of the chain.
     pub constants: Plan,
-    /// The field, one output for each array, then the entries of A at [`entries`](Self::entries).
+    /// The plan of the field and of the entries of A. It has an output for each array, followed by
+    /// an output for each of the [`entries`](Self::entries).
     pub rows: Plan,
-    /// The summands of claims: integrals, then the Hamiltonian.
+    /// The plan of the summands of claims. The integrals come first, then the Hamiltonian.
     pub sums: Plan,
-    /// The entries of A that are not identically zero.
+    /// The positions of the entries of A that are not identically zero.
     pub entries: Vec<EntryPosition>,
-    /// The lower bandwidth of A in unknowns.
+    /// The lower bandwidth of A, counted in unknowns.
     pub lower: usize,
-    /// The upper bandwidth of A in unknowns.
+    /// The upper bandwidth of A, counted in unknowns.
     pub upper: usize,
 }
 
 impl Family {
-    /// Derives the plans of a site. Cost: about as many operations as the equations have.
+    /// Derives the plans of a site. Deriving costs about as many operations as the equations have.
     #[must_use]
     pub fn lines(&self) -> Lines {
         let given = self.line_symbols();
@@ -119,7 +122,7 @@ impl Family {
         }
     }
 
-    /// Returns the claimed sums: integrals, then the Hamiltonian.
+    /// Returns the sums in claims. The integrals come first, then the Hamiltonian.
     pub fn sums(&self) -> impl Iterator<Item = &SiteSum> {
         self.integrals.iter().chain(&self.hamiltonian)
     }
@@ -133,7 +136,8 @@ impl Family {
         places
     }
 
-    /// Returns the values of the stencil, site parameters included, as states named by identifiers.
+    /// Returns symbols for the values of the stencil. All values are states, site parameters
+    /// included, and are named by identifiers.
     fn line_symbols(&self) -> Symbols {
         let reach = self.reach as i64;
         let identifier = |array: &String, offset: i64| match offset {
@@ -191,8 +195,9 @@ impl LineWriter<'_> {
         self.multiple(None, component.numerator(), component.denominator())
     }
 
-    /// Writes p/q, or ε·p/q, as Σ cₖ·pₖ with prepared coefficients cₖ and integer polynomials pₖ in
-    /// the values of the stencil. If q depends on the site, divides the whole sum by q.
+    /// Writes p/q, or ε·p/q, as Σ cₖ·pₖ. The cₖ are prepared coefficients, the pₖ integer
+    /// polynomials in the values of the stencil. If q depends on the site, the whole sum is divided
+    /// by q.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();
@@ -212,7 +217,7 @@ impl LineWriter<'_> {
             let term = self.builder.multiply(factor, values);
             sum = self.builder.add(sum, term);
         }
-        // One reciprocal serves all entries of a row.
+        // All entries of a row share one reciprocal.
         let [one, outside] = [&one, outside].map(|of| self.polynomial(of));
         let reciprocal = self.builder.divide(one, outside);
         self.builder.multiply(sum, reciprocal)
@@ -222,7 +227,8 @@ impl LineWriter<'_> {
         self.symbols.is_state(self.renamed(variable))
     }
 
-    /// Writes a polynomial as Σ cₖ·pₖ with coefficients cₖ in parameters, no two proportional.
+    /// Splits a polynomial into terms cₖ·pₖ of its sum. The coefficients cₖ contain only
+    /// parameters, and no two of them are proportional.
     fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {
@@ -236,10 +242,10 @@ impl LineWriter<'_> {
         terms
     }
 
-    /// Writes δᵢⱼ − ε ∂fᵢ/∂xⱼ.
+    /// Writes the entry δᵢⱼ − ε ∂fᵢ/∂xⱼ of A, where `slope` / `below` is ∂fᵢ/∂xⱼ.
     fn entry(&mut self, slope: &Polynomial, below: &Polynomial, is_diagonal: bool) -> Node {
         let eps = self.builder.input(self.symbols.epsilon());
-        // −ε·p is written as ε·(−p): negating the coefficients of p costs nothing.
+        // Write −ε·p as ε·(−p), because negating the coefficients of p costs nothing.
         let scaled = self.multiple(Some(eps), &-slope, below);
         if !is_diagonal {
             return scaled;

@@ -1,30 +1,31 @@
-//! The plan of a step as text, one line for each operation in order of computation.
+//! Prints the plan of a step as text. Each operation has one line, in order of computation.
 
 use crate::plan::{Node, Operation, Plan, StepPlan};
 use crate::symbols::Symbols;
 
 use super::names::{constant_names, listed_constants, listed_kernel};
 
-/// A step's plan in lines `name = left + right`; a line with a product and a sum is one
+/// The plan of a step as lines `name = left + right`. A line with a product and a sum is one
 /// multiply-add.
 ///
-/// `eps` is half the time step ε; a power of two over a denominator is named `reciprocal_1`, ….
+/// In the lines, `eps` is half the time step. A power of two divided by a denominator is named
+/// `reciprocal_1`, `reciprocal_2` and so on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepListing {
-    /// The prepared constants; a name without a formula is ε or a parameter.
+    /// The names and formulas of prepared constants. A name without a formula is ε or a parameter.
     pub constants: Vec<String>,
-    /// The operations from a state to numerators and reciprocals.
+    /// The operations that compute numerators and reciprocals from a state.
     pub kernel: Vec<String>,
-    /// For each component the name of its reciprocal; `None` without a division.
+    /// For each component the name of its reciprocal; `None` if the component needs no division.
     pub reciprocals: Vec<Option<String>>,
-    /// x̃ from x, one line for each component.
+    /// The formulas of x̃, with one line for each component.
     pub next: Vec<String>,
-    /// [`StepPlan::holds_to`].
+    /// The value of [`StepPlan::holds_to`].
     pub holds_to: u32,
 }
 
 impl StepListing {
-    /// Returns the listing of a step; `symbols` are those of its field.
+    /// Prints the plan of a step. `symbols` are the symbols of the step's field.
     #[must_use]
     pub fn of(step: &StepPlan, symbols: &Symbols) -> Self {
         let plan = &step.kernel.plan;
@@ -56,7 +57,7 @@ impl StepListing {
             });
             reciprocals.push(reciprocal);
         }
-        // Prepared constants equal to ε or a parameter are listed by name only.
+        // If a prepared constant equals ε or a parameter, only its name is listed.
         let is_kept = |output: &&Node| matches!(step.constants.operations[output.0], Operation::Input(_));
         let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
         let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();

@@ -1,8 +1,8 @@
-//! The field, the map and the claims of a system as straight-line plans.
+//! Derives the field, the map and the claims of a system as straight-line plans.
 //!
-//! Code generators, run-time maps and printers all read their plans from [`Derived`], so they
-//! compute equal operations in equal order. Plans for one site of a family are in [`Lines`]. The
-//! check makes the plans of claims, `kahan-runtime` those of exact heights.
+//! Code generators, maps at run time and printers all read their plans from [`Derived`], so all of
+//! them compute equal operations in equal order. [`Lines`] has the plans for one site of a family.
+//! The check makes the plans of claims; `kahan-runtime` makes those of exact heights.
 
 mod lines;
 mod listing;
@@ -27,33 +27,39 @@ use crate::subexpressions::{Subexpressions, WithConstants};
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
 
-/// The plans of a system. Inputs are states, parameters and ε, half the time step.
+/// The plans of a system. Their inputs are the states, the parameters and ε, which is half the time
+/// step.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// The system.
+    /// The system from which the plans are derived.
     pub system: System,
-    /// The divisors of the field, free of states; the field is undefined where one is zero.
+    /// The plan of the field's divisors, which are free of states. The field is undefined where a
+    /// divisor is zero.
     pub divisors: Plan,
-    /// The map as polynomials; `None` beyond the budget of terms.
+    /// The map as polynomials; `None` if it exceeds the budget of terms.
     pub map: Option<RationalMap>,
-    /// det A(x,ε), expanded; `None` beyond the budget.
+    /// The plan of det A(x,ε) from its expansion; `None` if it exceeds the budget.
     pub det_matrix: Option<Plan>,
-    /// (N, D): numerators, then the denominator, unreduced; `None` beyond the budget.
+    /// The plan of the map without cancellation: the numerators N, then the common denominator D.
+    /// `None` if it exceeds the budget.
     pub rational_map: Option<Plan>,
-    /// Numerators and denominator of the reduced map; `None` if no state-dependent factor was
-    /// divided out. Then (N, D) is the reduced map up to a factor without poles.
+    /// The plan of the reduced map: its numerators, then their denominator. `None` if no factor
+    /// that depends on states was divided out. In that case the reduced map is N/D, up to a factor
+    /// without poles.
     pub reduced_map: Option<Plan>,
-    /// The unconditional integrals in one plan.
+    /// The plan of all unconditional integrals.
     pub integrals: Plan,
-    /// The names of the integrals, in order.
+    /// The names of the unconditional integrals, in order.
     pub integral_names: Vec<String>,
-    /// The unconditional density.
+    /// The plan of the unconditional density.
     pub density: Option<Plan>,
-    /// The unconditional brackets: name, and the entries above the diagonal row by row.
+    /// The unconditional brackets. Each has a name and the plan of the entries above the diagonal,
+    /// row by row.
     pub brackets: Vec<(String, Plan)>,
-    /// The unconditional drifts: name, and F(x) with F(x̃).
+    /// The unconditional drifts. Each has a name and the plan of F(x) and F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The conditional claims in order, with the values that their conditions are solved for.
+    /// The plans of the conditional claims, in order. Each also computes the values for which the
+    /// conditions are solved.
     pub conditional: Vec<Plan>,
     made: LazyPlans,
 }
@@ -75,9 +81,10 @@ struct LazyPlans {
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
-/// Derives the plans of a system. Plans behind methods are made on first use.
+/// Derives the plans of a system. Plans that methods return are made when first used.
 ///
-/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog.
+/// This costs as much as [`RationalMap::of`], which takes some milliseconds for a system of the
+/// catalog.
 #[must_use]
 pub fn derive(system: &System) -> Derived {
     let System { field, kept, .. } = system;
@@ -114,14 +121,14 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Returns the field with named constants, or the plain field if naming them hides a factor
-    /// that `map` divides out.
+    /// Returns the field with named constants. Returns the plain field instead if the names hide a
+    /// factor that `map` divides out.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return PlannedField { with_constants: with, map: map.cloned() };
         };
-        // With named constants ε² is a parameter, so degrees in ε cannot be compared.
+        // In the field with named constants, ε² is a parameter, so degrees in ε cannot be compared.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -148,7 +155,7 @@ impl PlannedField {
 }
 
 impl Derived {
-    /// Returns the plans of the field at ε = 0, which the map approximates.
+    /// Returns the plans of the field at ε = 0. The map approximates the flow of this field.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
             true => self.made.at_eps_zero.get_or_init(|| {
@@ -159,7 +166,7 @@ impl Derived {
         }
     }
 
-    /// Returns the plan of f(x), one output for each component. Coefficients may depend on ε.
+    /// Returns the plan of f(x), with one output for each component. Coefficients may depend on ε.
     pub fn field(&self) -> &Plan {
         self.made.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
@@ -168,25 +175,26 @@ impl Derived {
     }
 
     /// Returns the plan that computes the coefficients of a dense field from its parameters; `None`
-    /// for other fields. Each component lists its constant, the coefficients of the variables, and
-    /// those of the products xⱼxₖ with j ≤ k, row by row of the triangle.
+    /// if the field is not dense. Each component lists its constant cᵢ, the coefficients bᵢⱼ of the
+    /// variables, and the coefficients qᵢⱼₖ of the products xⱼxₖ with j ≤ k, row by row of the
+    /// triangle:
     ///
     /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
     ///
-    /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where k = j counts twice.
+    /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where the term k = j counts twice.
     ///
-    /// Plans add in this order and skip zero coefficients.
+    /// Plans of f and its derivatives add the terms in this order and skip zero coefficients.
     pub fn coefficients(&self) -> Option<&Plan> {
         let coefficients = || Some(self.dense()?.coefficients());
         self.made.coefficients.get_or_init(coefficients).as_ref()
     }
 
-    /// Returns whether the field has [coefficients](Self::coefficients).
+    /// Returns whether the field is dense, so that it has [coefficients](Self::coefficients).
     pub fn is_dense(&self) -> bool {
         self.dense().is_some()
     }
 
-    /// Returns the [coefficients](Self::coefficients) if all are numbers.
+    /// Returns the [coefficients](Self::coefficients) if all of them are numbers.
     pub fn numbers(&self) -> Option<Vec<&Rational>> {
         self.dense()?.numbers()
     }
@@ -196,7 +204,7 @@ impl Derived {
         self.made.dense.get_or_init(|| DenseField::of(kept, &field.symbols)).as_ref()
     }
 
-    /// Returns the plan of f′(x), row by row.
+    /// Returns the plan of the Jacobian f′(x), row by row.
     pub fn field_jacobian(&self) -> &Plan {
         self.made.field_jacobian.get_or_init(|| match self.dense() {
             Some(dense) => dense.slopes(dense.entries()),
@@ -207,7 +215,7 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of A(x,ε), row by row.
+    /// Returns the plan of the matrix A(x,ε), row by row.
     pub fn matrix(&self) -> &Plan {
         self.made.matrix.get_or_init(|| {
             let (values, slopes) = self.slopes();
@@ -217,17 +225,19 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of Q(x,y), one output for each component; y are the second states.
+    /// Returns the plan of the bilinear form Q(x,y), with one output for each component. The second
+    /// states of the plan are y.
     pub fn bilinear(&self) -> &Plan {
         self.made.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
     }
 
-    /// Returns the plan of Q(x,y) + ½B(x+y) + c, one output for each component.
+    /// Returns the plan of Q(x,y) + ½B(x+y) + c, with one output for each component. The second
+    /// states of the plan are y.
     pub fn polarized(&self) -> &Plan {
         self.made.polarized.get_or_init(|| self.over_divisors(polarization))
     }
 
-    /// Returns the plan of b(x,ε), one output for each component.
+    /// Returns the plan of the right-hand side b(x,ε), with one output for each component.
     pub fn rhs(&self) -> &Plan {
         self.made.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
     }
@@ -247,9 +257,9 @@ impl Derived {
         with.put_into(&quotients(polynomials.iter().zip(with.field.denominators())))
     }
 
-    /// Returns the straight-line step; `None` if every step eliminates.
+    /// Returns the straight-line plan of the step; `None` if every step eliminates.
     ///
-    /// Cost: the first call plans it, some milliseconds for a system of the catalog.
+    /// The first call makes the plan, which takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
         let plan = || {
             let PlannedField { with_constants: with, map } = self.planned();
@@ -260,9 +270,9 @@ impl Derived {
         self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
     }
 
-    /// Returns the elimination of A(x,ε) for a step without straight-line plan.
+    /// Returns the elimination of A(x,ε), if the step has no straight-line plan.
     ///
-    /// Cost: the first call plans the [`step`](Self::step), then searches an order of elimination.
+    /// The first call plans the [`step`](Self::step), then searches for an order of elimination.
     pub fn couplings(&self) -> Option<&Couplings> {
         let found = || {
             let (values, slopes) = match self.dense() {
@@ -274,13 +284,14 @@ impl Derived {
         self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
-    /// Returns the plan of v ↦ (∂x̃/∂x)·v from x, v and x̃, one output for each component. `None`
-    /// if the reduced map is defined at zeros of det A, or if every short form loses digits.
+    /// Returns the plan that maps a tangent vector v to (∂x̃/∂x)·v, given x, v and x̃. It has one
+    /// output for each component. Returns `None` if the reduced map is defined at zeros of det A,
+    /// or if every short form loses digits.
     ///
-    /// The symbols are those of the [variational](System::variational) field: x and v are its
-    /// states, x̃ is the first half of its second states.
+    /// The symbols are those of the [variational](System::variational) field. Its states are x and
+    /// v, and the first half of its second states are x̃.
     ///
-    /// Cost: the first call plans it like a step.
+    /// The first call makes the plan, at about the cost of planning a step.
     pub fn tangent_map(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();
@@ -309,8 +320,8 @@ impl Derived {
         divisors.iter().all(|value| value.as_ref().is_some_and(|value| !arithmetic.is_zero(value)))
     }
 
-    /// Returns the plan of each function in generated code with its description, such as `det A` or
-    /// `bracket P`. `None` marks elimination in a loop.
+    /// Returns each function of the generated code with its plan and a description such as `det A`
+    /// or `bracket P`. The plan is `None` if the code eliminates in a loop.
     #[must_use]
     pub fn functions(&self) -> Vec<(String, Option<Plan>)> {
         let symbols = &self.system.field.symbols;

@@ -1,5 +1,6 @@
-//! Names for the values of a plan after their formulas: `two_eps`, `eps_a1`, `one_plus_eps_x`.
-//! Generated code and listings share the names. Values with long formulas are numbered.
+//! Names the values of a plan after their formulas, such as `two_eps`, `eps_a1` and
+//! `one_plus_eps_x`. Values with long formulas get numbers. Generated code and listings share the
+//! names.
 
 use rustc_hash::FxHashSet;
 
@@ -8,16 +9,16 @@ use kahan_syntax::table::Table;
 use crate::plan::{Input, Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
 
-/// The name of a value.
+/// The name of a value in a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ValueName {
-    /// A description of the formula.
+    /// A name that describes the formula.
     Described(String),
-    /// A kind, such as `sum` or `product`, with a number.
+    /// A name that consists of a kind, such as `sum` or `product`, and a number.
     Numbered(&'static str, usize),
 }
 
-/// The names given so far in one plan, all distinct.
+/// The names given so far in one plan. All of them are distinct.
 #[derive(Clone, Debug)]
 pub struct ValueNames {
     descriptions: Vec<Option<String>>,
@@ -27,7 +28,7 @@ pub struct ValueNames {
 }
 
 impl ValueNames {
-    /// Prepares names for a plan; `prepared` names its prepared constants.
+    /// Prepares the naming of a plan's values. `prepared` has the names of the prepared constants.
     #[must_use]
     pub fn of(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Self {
         ValueNames {
@@ -38,13 +39,13 @@ impl ValueNames {
         }
     }
 
-    /// Excludes the names in `taken`.
+    /// Reserves the names in `taken`, so that no value gets one of them.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
         ValueNames { taken: taken.into_iter().collect(), ..self }
     }
 
-    /// Names a value; a repeated description becomes a number.
+    /// Names a value. If its description is already in use, the value gets a number.
     pub fn name(&mut self, value: Node) -> ValueName {
         self.name_as(value, self.kinds[value.0])
     }
@@ -74,7 +75,7 @@ impl std::fmt::Display for ValueName {
     }
 }
 
-/// Returns distinct names of the prepared constants; ε and parameters keep their own.
+/// Returns distinct names for the prepared constants. ε and parameters keep their names.
 #[must_use]
 pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     let mut names = ValueNames::of(constants, symbols, &[]).without(symbol_names(symbols));
@@ -85,7 +86,8 @@ pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     constants.outputs.iter().map(name).collect()
 }
 
-/// Names each value of the plan of prepared constants; outputs get the names in `prepared`.
+/// Names each value of the plan that computes the prepared constants. The outputs get the names in
+/// `prepared`.
 pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<String> {
     let taken = symbol_names(symbols).chain(prepared.iter().cloned());
     let values = ValueNames::of(plan, symbols, &[]).without(taken);
@@ -93,7 +95,7 @@ pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[Strin
     listed(plan, symbols, values, |value| place(value).map(|place| prepared[place].clone()))
 }
 
-/// Names each value of a kernel; the names in `constants` must not be used again.
+/// Names each value of a kernel without using the names in `constants` again.
 pub(super) fn listed_kernel(
     plan: &Plan,
     symbols: &Symbols,

@@ -1,9 +1,10 @@
-//! Sparse elimination of A(x,ε): an elimination order and its fill-in, found once for all states.
+//! Plans the sparse elimination of A(x,ε). The elimination order and its fill-in are found once for
+//! all states.
 //!
 //! The input is a field whose step is too large for straight-line code. The result lists the
-//! positions of all entries, fill-in included. Variable i has the pivot 1 − ε ∂fᵢ/∂xᵢ; rows are
-//! never exchanged, so callers must check pivots. Blocks of a triangular field are eliminated
-//! separately.
+//! positions of all entries, fill-in included. Variable i has the pivot 1 − ε ∂fᵢ/∂xᵢ. Rows are
+//! never exchanged, so callers must check the pivots. The blocks of a triangular field are
+//! eliminated one after another.
 
 mod graph;
 mod orders;
@@ -20,50 +21,51 @@ use crate::subexpressions::Subexpressions;
 use graph::{Graph, positions};
 use orders::cheapest;
 
-/// The largest dimension of a field whose map is written out; larger ones always eliminate.
+/// The largest dimension of a field whose map is written out. Larger fields always use elimination.
 pub const MOST_EXPANDED: usize = 8;
 
-/// The most variables of a compiled block.
+/// The most variables that a block of `kahan!` may have in compiled code.
 pub const MOST_VARIABLES: usize = 200;
 const MOST_PARAMETERS: usize = 2000;
 /// The most nonzero entries of f′ in a compiled block of many variables.
 const MOST_SLOPES: usize = 1500;
 
-/// The most products in an elimination written as straight-line code.
+/// The most products in an elimination that is written as straight-line code.
 const MOST_STRAIGHT: usize = 1500;
 
-/// The entries of A(x,ε) by rows; rows and columns are numbered in order of elimination.
+/// The positions of the entries of A(x,ε), by rows. Rows and columns are numbered in order of
+/// elimination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Couplings {
-    /// The variable eliminated at each position.
+    /// For each position in the elimination order, the variable that is eliminated there.
     pub order: Vec<usize>,
     /// The rows.
     pub rows: Vec<Row>,
     /// The column of each entry.
     pub columns: Vec<usize>,
-    /// The end of each block: the index of its last row plus 1.
+    /// The end of each block, which is the index of its last row plus 1.
     pub blocks: Vec<usize>,
-    /// For each output of [`Self::slopes`] its position among the entries.
+    /// For each output of [`Self::slopes`], its position among the entries.
     pub places: Vec<usize>,
-    /// The plan of the entries of f′(x) that are not identically zero.
+    /// The plan of those entries of f′(x) that are not identically zero.
     pub slopes: Plan,
 }
 
-/// The positions of a row's entries.
+/// The positions at which the parts of a row begin and end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// The first entry; entries before `own` are in columns of earlier blocks.
+    /// The position of the first entry. The entries before `own` are in columns of earlier blocks.
     pub start: usize,
-    /// The first entry in the row's own block.
+    /// The position of the first entry in the row's own block.
     pub own: usize,
-    /// The diagonal entry; earlier entries are eliminated.
+    /// The position of the diagonal entry. The entries before it are eliminated.
     pub diagonal: usize,
-    /// One past the last entry.
+    /// The position after the last entry.
     pub end: usize,
 }
 
-/// Returns the diagnostic of a block with too many parameters to compile. Derived comparisons nest
-/// one expression for each parameter, and rustc overflows its stack on deep ones.
+/// Returns the diagnostic for a block with too many parameters to compile. Derived comparisons nest
+/// one expression for each parameter, and deeply nested expressions overflow the stack of rustc.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {
@@ -74,7 +76,7 @@ pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> 
     })
 }
 
-/// Returns the diagnostic of a field with too many couplings to compile.
+/// Returns the diagnostic for a field with too many couplings to compile.
 #[must_use]
 pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
     let variables = field.dimension();
@@ -95,7 +97,8 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// Returns the couplings of a field, from f′ over its values.
+    /// Returns the couplings of a field. `slopes` is f′, in terms of the subexpressions in
+    /// `values`.
     #[must_use]
     pub(crate) fn of(values: &Subexpressions, slopes: &SparseRows) -> Self {
         let depends: Vec<Vec<usize>> =
@@ -133,7 +136,8 @@ impl Couplings {
         Couplings { order, rows, columns, blocks: ends, places, slopes }
     }
 
-    /// Returns the couplings of a dense field: every entry of A in order of variables.
+    /// Returns the couplings of a dense field. All entries of A are listed, in the order of the
+    /// variables.
     #[must_use]
     pub(crate) fn of_all(dense: &DenseField) -> Self {
         let n = dense.dimension();
@@ -155,7 +159,7 @@ impl Couplings {
         self.products() <= MOST_STRAIGHT
     }
 
-    /// Returns the cost of a step; a product with its subtraction counts twice.
+    /// Returns the cost of a step. A product that is subtracted counts as two operations.
     #[must_use]
     pub fn cost(&self, field: &Plan) -> StepCost {
         let (of_slopes, of_field, n) = (self.slopes.cost(), field.cost(), self.order.len());
@@ -170,7 +174,7 @@ impl Couplings {
         StepCost { operations: count(operations), divisions: count(n), critical_path: count(critical_path) }
     }
 
-    /// Returns the number of products in elimination and substitution.
+    /// Returns the number of products in the elimination and in the substitution.
     fn products(&self) -> usize {
         let above = |place: usize| {
             let Row { diagonal, end, .. } = self.rows[self.columns[place]];
@@ -180,8 +184,8 @@ impl Couplings {
         self.rows.iter().map(row).sum()
     }
 
-    /// Returns the cycles of the longest chain of pivots: one division and three multiply-adds
-    /// each.
+    /// Returns the latency, in cycles, of the longest chain of dependent pivots. Each pivot takes
+    /// one division and three multiply-adds.
     fn critical_path(&self) -> usize {
         const PIVOT: usize = 26;
         let mut chains: Vec<usize> = Vec::with_capacity(self.rows.len());
@@ -195,7 +199,7 @@ impl Couplings {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    //! Random couplings for tests of blocks, orders and fill-in.
+    //! Random couplings to test blocks, orders and fill-in.
 
     use kahan_syntax::table::distinct;
 
@@ -211,7 +215,8 @@ pub(crate) mod tests {
         order
     }
 
-    /// Returns up to three dependencies on average for each of n variables, in order.
+    /// Returns for each of n variables the sorted list of variables on which it depends, up to
+    /// three on average. If `mutual`, every dependence goes both ways.
     pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
         let mut rows = vec![Vec::new(); n];
         for _ in 0..n * (1 + below(random, 5)) / 2 {

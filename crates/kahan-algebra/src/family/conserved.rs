@@ -1,4 +1,5 @@
-//! Proves claims of a family for every number of sites ([`everywhere`](super::everywhere)).
+//! Proves the claims of a family for every number of sites. Sums over all sites are reduced to
+//! finitely many terms ([`everywhere`](super::everywhere)).
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
@@ -28,7 +29,8 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Checks a linear integral such as Σ xᵢ, which Kahan's map preserves if the field does.
+/// Checks a linear integral such as Σ xᵢ. Kahan's map preserves a linear integral if the field
+/// does.
 fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic> {
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());
@@ -76,7 +78,7 @@ pub(super) fn too_long(name: &Name) -> Diagnostic {
 /// Returns whether the sum depends on no state, like `sum(x[i+1] - x[i])` in a ring.
 fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
-    // Derivatives of the whole sum by the state of each array in the middle.
+    // The derivatives of the whole sum by the states of the middle site, one for each array.
     let mut slopes: FxHashMap<(usize, SiteRange), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
         let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
@@ -97,11 +99,12 @@ fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> W
     Ok(slopes.values().all(RationalFunction::is_zero))
 }
 
-/// Returns whether the terms of the sum's derivative along the field cancel in every chain,
-/// separately for each divisor. A negative answer proves nothing.
+/// Returns whether the derivative of the sum along the field vanishes in every chain. The terms
+/// over each divisor are compared separately, so the answer `false` proves nothing.
 pub(super) fn cancels(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
-    // By divisor, monomial and length, independent of position.
+    // The sums of coefficients, by divisor, monomial and number of sites, whatever the position in
+    // the chain.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
     for state in
         density.numerator().variables().into_iter().filter(|&state| middle.chain.symbols.is_state(state))

@@ -1,4 +1,4 @@
-//! Expands a family at a given number of sites to a plain system.
+//! Expands a family with a given number of sites to a plain system.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
@@ -15,12 +15,13 @@ use crate::system::{Claim, System};
 use super::{Family, Role, SiteSum};
 
 impl Family {
-    /// Returns the names of a chain: `x0`, `x1`, …, interleaved; parameters, then `c0`, `c1`, ….
+    /// Returns the names of a chain. States `x0`, `x1`, … are ordered by site, then by array. The
+    /// parameters of the chain come first, then site parameters `c0`, `c1`, ….
     #[must_use]
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
-        // Arrays `x` and `x1` together would yield ambiguous names.
+        // If arrays `x` and `x1` occur together, names such as `x11` would be ambiguous.
         let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
         let is_prefix =
             |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);
@@ -36,9 +37,9 @@ impl Family {
         }
     }
 
-    /// Returns the system of a chain of `sites` sites with its linear integrals. In a periodic
-    /// chain shorter than the stencil a site is its own neighbour. `None` if a divisor vanishes
-    /// identically, as in `x[i]/(c[i] - c[i+1])` at one site.
+    /// Returns the system of a chain with `sites` sites, with the linear integrals as claims. In a
+    /// periodic chain that is shorter than the stencil, a site is its own neighbour. Returns `None`
+    /// if a divisor vanishes identically, as in `x[i]/(c[i] - c[i+1])` at one site.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);
@@ -91,9 +92,9 @@ impl Chain<'_> {
         })
     }
 
-    /// Moves a function of site i to `site`; `None` if its denominator vanishes.
+    /// Moves a function of site i to `site`; `None` if its denominator vanishes there.
     pub(super) fn moved(&self, function: &RationalFunction, site: usize) -> Option<RationalFunction> {
-        // A value beyond the end of an open chain makes a term zero.
+        // If a factor lies beyond the end of an open chain, the term is zero.
         let moved = |monomial: &Monomial| -> Option<Monomial> {
             let powers = monomial.powers().iter();
             powers.map(|&(variable, power)| Some((self.moved_variable(variable, site)?, power))).collect()

@@ -1,7 +1,9 @@
-//! Finds the constant antisymmetric stencil K with ẋ = K∇H, including boundary rows.
+//! Finds the constant antisymmetric matrix K with ẋ = K∇H, as a stencil that also holds in rows
+//! near the ends.
 //!
-//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f, as x̃ − x = 2ε A⁻¹ f (E.
-//! Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013) 025201).
+//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ −
+//! x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
+//! 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -54,7 +56,7 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     }
 }
 
-/// Returns the positions of the independent entries of K, above the diagonal.
+/// Returns the positions of the independent entries of K, which are those above the diagonal.
 fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     let arrays = 0..family.block();
     let pairs = arrays.clone().flat_map(|row| arrays.clone().map(move |column| (row, column)));
@@ -65,7 +67,7 @@ fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     pairs.flat_map(offsets).collect()
 }
 
-/// A term of ẋ that K∇H cannot produce, and the chain and site where it occurs.
+/// A term of ẋ that K∇H cannot produce, with the chain and the site where it occurs.
 pub(super) struct UnmatchedTerm {
     array: usize,
     term: String,
@@ -79,14 +81,15 @@ struct Term {
     extent: SiteRange,
 }
 
-/// A term of ẋ = K∇H for an array in the middle.
+/// A term of the equation ẋ = K∇H for an array at the middle site.
 struct RowTerm {
-    /// The product of states and site parameters.
+    /// The product of states and site parameters in the term.
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown that it multiplies; the number of unknowns for a term of ẋ.
+    /// The index of the unknown entry of K that the term contains. For a term of ẋ it is the number
+    /// of unknowns.
     unknown: usize,
-    /// The factor in parameters of the chain.
+    /// The coefficient of the term, which contains only parameters of the chain.
     coefficient: Polynomial,
 }
 
@@ -110,8 +113,8 @@ pub(super) fn missing(
         site: middle.site - extent.first,
         sites: extent.sites(),
     };
-    // Far from the ends, terms with equal monomials combine. Terms of ẋ come first: reports name
-    // them.
+    // Far from the ends, terms with equal monomials are combined. The terms of ẋ come first,
+    // because reports name one of them.
     let long = SiteRange { first: 0, last: middle.chain.sites - 1 };
     for is_given in [true, false] {
         for (array, terms) in rows.iter().enumerate() {
@@ -124,7 +127,7 @@ pub(super) fn missing(
             }
         }
     }
-    // Terms of each extent cancel separately; shorter chains come first.
+    // The terms of each extent must cancel separately. Shorter chains come first.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
         terms.sort_by_key(order);
@@ -138,7 +141,7 @@ pub(super) fn missing(
     Ok(None)
 }
 
-/// Returns ∂H/∂x, times the divisor of H, for each array in the middle.
+/// Returns ∂H/∂x for each array at the middle site, multiplied by the divisor of H.
 fn gradient(
     middle: &MiddleSite<'_>,
     hamiltonian: &SiteSum,
@@ -165,7 +168,8 @@ fn gradient(
     Ok(gradient)
 }
 
-/// Returns the terms of ẋ = K∇H for one array, multiplied by both divisors, in order of monomials.
+/// Returns the terms of ẋ = K∇H for one array, ordered by monomials. The equation is multiplied by
+/// the divisors of both sides.
 fn row(
     middle: &MiddleSite<'_>,
     unknowns: &[(usize, usize, usize)],
@@ -188,7 +192,7 @@ fn row(
     }
     for (unknown, &(row, column, offset)) in unknowns.iter().enumerate() {
         let offset = offset as i64;
-        // Visits each entry of K and its negative below the diagonal.
+        // Visit each entry of K and its negative on the other side of the diagonal.
         for (_, other, offset, sign) in
             [(row, column, offset, 1), (column, row, -offset, -1)].iter().filter(|(of, ..)| *of == array)
         {
@@ -227,10 +231,11 @@ fn relative(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }
 
-/// Linear equations Σ aₖuₖ = r in row echelon form; column `unknowns` holds the right-hand side.
+/// Linear equations Σ aₖuₖ = r for unknowns uₖ, in row echelon form. The column with index
+/// `unknowns` holds the right-hand side r.
 struct Equations {
     unknowns: usize,
-    /// By first unknown, with coefficient 1.
+    /// The rows, by the index of the first unknown. The coefficient of that unknown is 1.
     rows: Table<usize, Row>,
 }
 
@@ -239,8 +244,8 @@ impl Equations {
         Equations { unknowns, rows: Table::new() }
     }
 
-    /// Adds an equation (terms of one unknown are summed); returns `false` if it contradicts
-    /// others.
+    /// Adds an equation, in which an unknown may occur in several terms. Returns `false` if the
+    /// equation contradicts earlier ones.
     fn add<'a>(
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,

@@ -1,4 +1,4 @@
-//! A family: equal equations at every site of a chain, for any number of sites.
+//! A family is a chain of sites with equal equations at every site, for any number of sites.
 //!
 //! A checked family provides plans for one site ([`Lines`](crate::derived::Lines)), the plain
 //! system of n sites ([`Family::at_sites`]), and invariants for every n ([`conserved`]).
@@ -20,31 +20,32 @@ use crate::render::{Notation, Text};
 use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::{Symbol, Symbols};
 
-/// A checked family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ).
+/// A checked family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ), where r is the field `reach`.
 #[derive(Clone, Debug)]
 pub struct Family {
     /// The header, if the block has one.
     pub header: Option<Header>,
-    /// Constants with their values, in order of declaration.
+    /// The constants with their values, in order of declaration.
     pub constants: Vec<(String, Rational)>,
-    /// The values beyond the ends of the chain.
+    /// The rule for values beyond the ends of the chain.
     pub boundary: Boundary,
-    /// The arrays, in order within a site.
+    /// The names of the arrays, in their order within a site.
     pub arrays: Vec<String>,
-    /// The parameters of the chain.
+    /// The names of the parameters that belong to the whole chain.
     pub parameters: Vec<String>,
-    /// The parameters of each site.
+    /// The names of the parameters that belong to each site.
     pub site_parameters: Vec<String>,
-    /// The largest offset of a neighbour, at least 1.
+    /// The largest offset of a neighbour in the equations; at least 1.
     pub reach: usize,
-    /// The values of the stencil. States: arrays, site by site from −reach on. Parameters: those of
-    /// the chain, then 2·reach + 1 values for each site parameter.
+    /// Symbols for the values of the stencil. The states are those of the arrays, ordered by site
+    /// from −reach on. The parameters are those of the chain, then 2·reach + 1 values of each site
+    /// parameter.
     pub symbols: Symbols,
-    /// The field at site i, one component for each array.
+    /// The field at site i, with one component for each array.
     pub components: Vec<RationalFunction>,
-    /// The field with the sums and divisors as written.
+    /// The field with its sums and divisors as written.
     pub kept: FieldWithSubexpressions,
-    /// Linear integrals, as sums over all sites.
+    /// The linear integrals, as sums over all sites.
     pub integrals: Vec<SiteSum>,
     /// The Hamiltonian, as a sum over all sites.
     pub hamiltonian: Option<SiteSum>,
@@ -57,37 +58,37 @@ pub struct Family {
 pub struct SiteSum {
     /// The name of the sum.
     pub name: Name,
-    /// The expression as written.
+    /// The expression of the sum as written.
     pub written: Expr,
     /// The summand at site i.
     pub density: RationalFunction,
 }
 
-/// The meaning of a variable of a family.
+/// A variable of a family is of one of these kinds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// An array at the site `offset` from site i.
+    /// The state of an array at the site with this offset from site i.
     State {
         /// The offset from site i.
         offset: i64,
         /// The index of the array.
         array: usize,
     },
-    /// A parameter of the chain.
+    /// The parameter of the chain with this index.
     Parameter(usize),
-    /// A parameter of the site `offset` from site i.
+    /// A site parameter at the site with this offset from site i.
     SiteParameter {
         /// The offset from site i.
         offset: i64,
         /// The index among the site parameters.
         index: usize,
     },
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     Epsilon,
 }
 
 impl Family {
-    /// Returns the type's name, or `field`.
+    /// Returns the name of the family's type, or `field` if it has none.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())
@@ -105,7 +106,7 @@ impl Family {
         2 * self.reach + 1
     }
 
-    /// Returns the meaning of `variable`.
+    /// Returns the kind of a variable, with its site and index.
     #[must_use]
     pub fn role(&self, variable: Variable) -> Role {
         let offset = |place: usize| place as i64 - self.reach as i64;
@@ -120,13 +121,13 @@ impl Family {
         }
     }
 
-    /// Returns the index of an array's value among the states of the stencil.
+    /// Returns the index among the states of the stencil of the array's state at this offset.
     #[must_use]
     pub fn place(&self, offset: i64, array: usize) -> usize {
         (offset + self.reach as i64) as usize * self.block() + array
     }
 
-    /// Returns the expanded equations: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
+    /// Returns the expanded equations as text such as `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
     pub fn equations(&self) -> impl Iterator<Item = String> {
         self.arrays
             .iter()
@@ -134,7 +135,7 @@ impl Family {
             .map(|(array, component)| format!("{array}[i]dot = {}", Text.function(&self.symbols, component)))
     }
 
-    /// Returns the indices of the states that the field of an array depends on.
+    /// Returns the indices of the states on which the field of an array depends.
     #[must_use]
     pub fn couplings(&self, array: usize) -> Vec<usize> {
         let numerator = self.components[array].numerator();

@@ -1,4 +1,4 @@
-//! Families against chains written out by hand, and true and false claims.
+//! Compares families with chains that are written out by hand, and tests true and false claims.
 
 use std::fmt::Write as _;
 
@@ -13,7 +13,8 @@ use super::conserved::cancels;
 use super::everywhere::{MiddleSite, budget};
 use super::hamiltonian::missing;
 
-/// A coefficient, and array names with offsets of their sites.
+/// A coefficient, and the factors of a term. Each factor is an array name with the offset of its
+/// site.
 type Term = (i64, Vec<(&'static str, i64)>);
 
 struct Random {
@@ -121,7 +122,7 @@ fn random_families_are_the_chains_that_one_writes_out() {
         for sites in 1..=8 {
             let system = checked.at_sites(sites as usize).expect("no site divides by zero");
             let plain = reading(&family.chain(sites)).system().expect("a system");
-            // A block without header orders parameters by use.
+            // A block without a header orders its parameters by first use.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
                 let component = |component: &crate::rational_function::RationalFunction| {
@@ -164,7 +165,7 @@ fn holds(text: &str) -> bool {
 
 #[test]
 fn sums_that_telescope_are_kept_and_others_are_not() {
-    // Fluxes from site to site, which do or do not vanish at the ends.
+    // Each case is a flux from site to site. Only some of the fluxes vanish at the ends.
     for (flux, before, ends) in [
         ("x[i]*x[i+1]", "x[i-1]*x[i]", true),
         ("x[i]^2", "x[i-1]^2", false),
@@ -198,7 +199,7 @@ fn constant_stencils_are_found_where_they_are() {
             "for i in periodic {{ x[i]dot = k*(({after}) - ({before})){more}; }} hamiltonian H = sum({density});"
         )
     };
-    // ∂/∂x of Σ x[i]^2 x[i+1] at a site `s` away.
+    // The derivative ∂/∂x of Σ x[i]^2 x[i+1] at the site with offset `s`.
     let gradient = |s: &str| {
         let at = |more: i64| {
             let offset: i64 = s.parse::<i64>().unwrap() + more;
@@ -209,12 +210,12 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(holds(&periodic(gradient, "x[i]^2*x[i+1]", "")));
     assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1]", " + x[i]")));
     assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1] + x[i]", " + x[i]*x[i+1]")));
-    // x[i+1]² has no partner beyond the ends.
+    // Beyond the ends of the chain, states are zero, and so is x[i+1]².
     assert!(holds("for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2; } hamiltonian H = sum(x[i]^3);"));
     assert!(!holds(
         "for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2 + 1; } hamiltonian H = sum(x[i]^3 + x[i]);"
     ));
-    // Coupled oscillators with cubic springs.
+    // The field of coupled oscillators with cubic springs.
     let oscillators = |boundary: &str, force: &str| {
         format!(
             "for i in {boundary} {{ q[i]dot = p[i]/m; p[i]dot = {force}; }} \
@@ -223,7 +224,7 @@ fn constant_stencils_are_found_where_they_are() {
     };
     let force = "k*(q[i+1] - 2*q[i] + q[i-1]) + (q[i+1] - q[i])^2 - (q[i] - q[i-1])^2";
     assert!(holds(&oscillators("periodic", force)));
-    // The density at the first site lacks the spring to the left wall.
+    // The density at the first site lacks the energy of the spring to the left wall.
     assert!(!holds(&oscillators("open", force)));
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
 }
@@ -287,7 +288,7 @@ fn what_holds_far_from_the_ends_may_fail_near_them_at_any_reach() {
         };
         let middle = format!("x[i+{reach}] - 2*x[i] + x[i-{reach}]");
         assert!(!holds(&family("y[i]", &middle)));
-        // Near an end only one of two summands exists.
+        // Near an end, only one of the two summands exists.
         assert!(!holds(&family("y[i]", &format!("{middle} + x[i]"))));
     }
     for reach in [1, 3, 16] {

@@ -1,4 +1,4 @@
-//! The map and its Jacobian at a point.
+//! Evaluates the map and its Jacobian at a point.
 
 use kahan_program::Program;
 use kahan_syntax::rational::Rational;
@@ -30,7 +30,8 @@ impl<A: OverRationals> Evaluator<'_, A> {
         });
         let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
         let (results, divisors) = values.split_at(plan.outputs.len());
-        // A division by zero is a pole, although a float has a value there.
+        // A point where a divisor is zero is a pole, even if a float computation gives a value
+        // there.
         if divisors.iter().any(|divisor| self.arithmetic.is_zero(divisor)) {
             return None;
         }
@@ -41,7 +42,7 @@ impl<A: OverRationals> Evaluator<'_, A> {
         Some(state.iter().zip(step.kernel.factors(results)).map(next).collect())
     }
 
-    /// Solves A (x̃ − x)/(2ε) = f.
+    /// Returns x̃ from the solution of A (x̃ − x)/(2ε) = f.
     fn next_by_elimination(&self) -> Option<Vec<A::Value>> {
         let (arithmetic, eps) = (self.arithmetic, &self.point.eps);
         let right: Vec<_> = self.run(self.derived.field())?.into_iter().map(|value| vec![value]).collect();

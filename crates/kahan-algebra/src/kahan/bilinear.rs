@@ -6,19 +6,21 @@ use crate::field::Field;
 use crate::poly::{Monomial, Polynomial};
 use crate::symbols::Symbol;
 
-/// Returns the numerators of Q(x, y) over qᵢ; y are the second states.
+/// Returns the numerators of Q(x, y) over the denominators qᵢ. The second states are y.
 #[must_use]
 pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, &field.homogeneous_part(i, 2))).collect()
 }
 
-/// Returns the numerators of Q(x,y) + ½B(x+y) + c over qᵢ, the right-hand side of Kahan's scheme.
+/// Returns the numerators of Q(x,y) + ½B(x+y) + c over the denominators qᵢ. This is the right-hand
+/// side of Kahan's scheme; the second states are y.
 #[must_use]
 pub fn polarization(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, field.components[i].numerator())).collect()
 }
 
-/// Maps xⱼxₖ ↦ ½(xⱼyₖ + xₖyⱼ), xⱼ ↦ ½(xⱼ + yⱼ), 1 ↦ 1.
+/// Replaces xⱼxₖ by ½(xⱼyₖ + xₖyⱼ), and xⱼ by ½(xⱼ + yⱼ), where y are the second states. Constants
+/// stay.
 fn polarize(field: &Field, polynomial: &Polynomial) -> Polynomial {
     let symbols = &field.symbols;
     let first = |i: usize| Monomial::variable(symbols.state(i));

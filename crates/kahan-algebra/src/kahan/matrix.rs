@@ -1,4 +1,5 @@
-//! f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) = x + εBx + 2εc.
+//! Computes the Jacobian f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) =
+//! x + εBx + 2εc.
 
 use kahan_syntax::rational::Rational;
 
@@ -6,7 +7,8 @@ use crate::field::Field;
 use crate::poly::{Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 
-/// Returns the numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
+/// Returns the numerators of f′(x) over the denominators qᵢ. Entry (i, j) is ∂pᵢ/∂xⱼ, where fᵢ =
+/// pᵢ/qᵢ.
 #[must_use]
 pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     let row = |component: &RationalFunction| {
@@ -19,7 +21,8 @@ pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     field.components.iter().map(row).collect()
 }
 
-/// A sparse matrix: rows of (column, entry), entries not identically zero.
+/// A sparse matrix. Each row lists its entries that are not identically zero, as pairs (column,
+/// entry).
 pub(crate) type SparseRows = Vec<Vec<(usize, Polynomial)>>;
 
 pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
@@ -34,7 +37,7 @@ pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
     rows.into_iter().map(row).collect()
 }
 
-/// Returns the nonzero pattern of a matrix.
+/// Returns for each entry of a matrix whether it is nonzero.
 pub(crate) fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
     rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
 }
@@ -57,13 +60,15 @@ pub(crate) fn matrix_of(
     slopes
 }
 
-/// Returns Â = diag(q) A: entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
+/// Returns Â = diag(q)·A, where component i of the field is pᵢ/qᵢ. Entry (i, j) is qᵢδᵢⱼ − ε
+/// ∂pᵢ/∂xⱼ.
 #[must_use]
 pub fn scaled_matrix(field: &Field) -> Vec<Vec<Polynomial>> {
     matrix_of(field_jacobian(field), field.symbols.epsilon(), |i| field.components[i].denominator().clone())
 }
 
-/// Returns b̂ = diag(q) b: entry i is qᵢxᵢ + ε(linear part of pᵢ) + 2ε(constant part of pᵢ).
+/// Returns b̂ = diag(q)·b, where component i of the field is pᵢ/qᵢ. Entry i is qᵢxᵢ, plus ε times
+/// the linear part of pᵢ, plus 2ε times its constant part.
 #[must_use]
 pub fn scaled_rhs(field: &Field) -> Vec<Polynomial> {
     let eps = Polynomial::variable(field.symbols.epsilon());

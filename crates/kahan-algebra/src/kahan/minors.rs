@@ -1,7 +1,7 @@
-//! All maximal minors of a polynomial matrix, within a budget.
+//! Computes all maximal minors of a polynomial matrix, within a budget.
 //!
-//! Laplace expansion row by row: minors of k rows follow from those of k−1 rows. Zero minors are
-//! dropped, so sparse matrices stay cheap.
+//! Laplace expansion computes the minors of k rows from those of k−1 rows. Zero minors are dropped,
+//! so the cost is small for sparse matrices.
 
 use kahan_syntax::table::Table;
 
@@ -9,11 +9,12 @@ use crate::poly::{Budget, OverBudget, Polynomial, WithinBudget};
 
 const MOST_MINORS: usize = 4096;
 
-/// Returns the nonzero n×n minors of a matrix with n rows, keyed by their set of columns; bit j
-/// stands for column j.
+/// Returns the nonzero n×n minors of a matrix with n rows. The key of a minor is its set of
+/// columns, in which bit j stands for column j.
 ///
 /// # Errors
-/// Beyond the budget, 63 columns, or 4096 minors at a time.
+/// If the budget is spent, if there are more than 63 columns, or if more than 4096 minors are kept
+/// at a time.
 pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> WithinBudget<Table<u64, Polynomial>> {
     if rows.first().is_some_and(|row| row.len() > 63) {
         return Err(OverBudget);
@@ -27,8 +28,8 @@ pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> WithinBu
                     continue;
                 }
                 let product = minor.mul_within(entry, budget)?;
-                // The entry moves past the chosen columns to its right, with one sign change for
-                // each.
+                // The entry moves past the chosen columns to its right. Each of them changes the
+                // sign once.
                 let odd = (chosen >> column).count_ones() % 2 == 1;
                 let product = if odd { -&product } else { product };
                 let sum = next.or_default(chosen | 1 << column);

@@ -1,7 +1,8 @@
-//! Kahan's objects as exact polynomials, derived from a checked field; one object in each file.
+//! Derives the objects of Kahan's method from a checked field, as exact polynomials. Each file
+//! derives one object.
 //!
-//! Row i of A x̃ = b is multiplied by its denominator qᵢ, so all objects are polynomials: Â =
-//! diag(q)·A, b̂ = diag(q)·b, D̂ = det Â = ∏q · det A.
+//! Row i of the linear system A x̃ = b is multiplied by the denominator qᵢ of component i. All
+//! objects are then polynomials: Â = diag(q)·A, b̂ = diag(q)·b, and D̂ = det Â = ∏q · det A.
 
 mod bilinear;
 mod matrix;

@@ -1,10 +1,10 @@
-//! The map as rational functions: x̃ᵢ = Nᵢ/D unreduced, and the reduced increment x̃ᵢ − xᵢ = 2ε
-//! nᵢ/d.
+//! Derives the map as rational functions: x̃ᵢ = Nᵢ/D without cancellation, and the reduced
+//! increment x̃ᵢ − xᵢ = 2ε nᵢ/d.
 //!
-//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where n̂ⱼ is det Â with column j replaced by p,
-//! and N̂ = xD̂ + 2εn̂. ε does not divide D̂, because D̂ = ∏q at ε = 0. Hence N̂ and D̂ have the
-//! common factors of n̂₁ … n̂ₙ and D̂. Their gcd is divided out; a pole where only it vanishes is
-//! removable.
+//! Let the field be pᵢ/qᵢ and Â = diag(q)·A. By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where
+//! n̂ⱼ is det Â with column j replaced by p, and N̂ = xD̂ + 2εn̂. As D̂ = ∏q at ε = 0, ε does not
+//! divide D̂. Hence N̂ and D̂ have the same common factors as n̂₁ … n̂ₙ and D̂. Their gcd is
+//! divided out. A pole where only the gcd vanishes is removable.
 
 use kahan_syntax::rational::Rational;
 
@@ -15,38 +15,40 @@ use crate::symbols::Symbols;
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
 
-/// The most terms of N and D together, and of each minor. Larger maps are evaluated by elimination.
+/// The most terms of N and D together, and the most terms of each minor. Larger maps are evaluated
+/// by elimination.
 pub const TERM_BUDGET: usize = 500;
 
-/// The most products of terms to derive and reduce one map: some tens of milliseconds unoptimised.
+/// The most products of terms that deriving and reducing one map may take. Unoptimised code
+/// computes them in some tens of milliseconds.
 const WORK_BUDGET: u64 = 40_000;
 
-/// The map of a field whose N and D stay within the budget.
+/// The map of a field whose numerators N and denominator D stay within the budget.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RationalMap {
-    /// N̂: numerators of x̃ over [`Self::denominator`].
+    /// The numerators N̂ of x̃ over [`Self::denominator`].
     pub numerators: Vec<Polynomial>,
-    /// D̂ = ∏q · det A.
+    /// The denominator D̂ = ∏q · det A.
     pub denominator: Polynomial,
-    /// ∏q: N = N̂/∏q and D = D̂/∏q.
+    /// The product ∏q of the field's denominators. Dividing by it gives N = N̂/∏q and D = D̂/∏q.
     pub divisor: Polynomial,
     /// The map in lowest terms.
     pub reduced: Reduced,
 }
 
-/// x̃ = x + 2ε n/d in lowest terms.
+/// The map x̃ = x + 2ε n/d in lowest terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reduced {
-    /// n
+    /// The numerators n of the increments.
     pub increments: Vec<Polynomial>,
-    /// d
+    /// The common denominator d of the increments.
     pub denominator: Polynomial,
-    /// The factor divided out of n̂ and D̂.
+    /// The common factor that was divided out of n̂ and D̂.
     pub common_factor: Polynomial,
 }
 
 impl RationalMap {
-    /// Derives the map; `None` beyond the budget.
+    /// Derives the map of a field; `None` if it exceeds the budget.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         let mut budget = Budget::new(TERM_BUDGET, WORK_BUDGET);
@@ -63,7 +65,8 @@ impl RationalMap {
         let all = (1u64 << (n + 1)) - 1;
         let mut without = |column: usize| minors.remove(&(all & !(1 << column))).unwrap_or_default();
         let denominator = without(n);
-        // In the minor, p is the last column; moving it to position j passes n−1−j columns.
+        // In the minor, p is the last column. Moving it to position j passes n−1−j columns, and
+        // each changes the sign.
         let signed = |j: usize, minor: Polynomial| if (n - 1 - j) % 2 == 1 { -&minor } else { minor };
         let increments: Vec<Polynomial> = (0..n).map(|j| signed(j, without(j))).collect();
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
@@ -81,14 +84,14 @@ impl RationalMap {
 }
 
 impl Reduced {
-    /// Returns the number of terms of all numerators and the denominator.
+    /// Returns the number of terms of all numerators and the denominator together.
     #[must_use]
     pub fn terms(&self) -> usize {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Returns whether all degrees in the states equal those of `other`, as they do if factors of
-    /// equal degree were divided out. With `counts_eps` ε counts as a state.
+    /// Returns whether all degrees in the states equal those of `other`. This holds if factors of
+    /// equal degree were divided out of both. If `counts_eps`, ε counts as a state.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,
@@ -105,7 +108,7 @@ impl Reduced {
         degrees(self, symbols) == degrees(other, others)
     }
 
-    /// Returns x·d + 2εn, the numerators of x̃ over d.
+    /// Returns the numerators x·d + 2εn of x̃ over the denominator d.
     #[must_use]
     pub fn numerators(&self, symbols: &Symbols) -> Vec<Polynomial> {
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
@@ -124,7 +127,8 @@ impl Reduced {
             lowered.push(increment.div_within(&common_factor, budget)?.expect("a common divisor divides"));
         }
         let denominator = denominator.div_within(&common_factor, budget)?.expect("a common divisor divides");
-        // With constant term 1, rounding errors of the denominator are smallest near ε = 0.
+        // If the constant term of the denominator is 1, its rounding errors are smallest near ε =
+        // 0.
         let constant = denominator.coefficient(&crate::poly::Monomial::one());
         let scale = constant.recip().unwrap_or_else(Rational::one);
         Ok(Reduced {

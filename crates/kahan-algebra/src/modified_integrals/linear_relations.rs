@@ -1,16 +1,19 @@
-//! Linear relations of polynomials in the states, by sparse elimination to reduced echelon form.
+//! Finds linear relations between polynomials in the states, by sparse elimination to reduced
+//! echelon form.
 
 use crate::poly::{Budget, Monomial, Polynomial, Variable, WithinBudget};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 
-/// The nonzero coefficients cₖ of a relation Σ cₖ vₖ = 0 by ascending k: polynomials in the
-/// parameters with coprime integer coefficients.
+/// A relation Σ cₖ vₖ = 0, as the list of its nonzero coefficients cₖ by ascending k. The
+/// coefficients are polynomials in the parameters with coprime integer coefficients.
 pub(super) type Relation = Vec<(usize, Polynomial)>;
 
-/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ, with cₖ free of states.
+/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ. The coefficients cₖ contain
+/// no states.
 ///
-/// The basis is in reduced echelon form from the end: the last index of a relation occurs in no
-/// other one, and the last indices of a subspace are among those of the whole space.
+/// The basis is in reduced echelon form, counted from the end: the last index of a relation occurs
+/// in no other relation. In any subspace of relations, the last indices are among those of this
+/// basis.
 pub(super) fn linear_relations(
     vectors: &[Polynomial],
     is_state: impl Fn(Variable) -> bool,
@@ -58,8 +61,8 @@ pub(super) fn linear_relations(
     with_last.collect()
 }
 
-/// Returns an equation for each monomial in the states, and the coefficients that are zero because
-/// some equation has no other term; these are removed.
+/// Returns an equation for each monomial in the states, and marks the coefficients that must be
+/// zero because some equation has no other term. These coefficients are removed from the equations.
 fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Vec<Row>, Vec<bool>) {
     let mut entries: Vec<(Monomial, usize, Polynomial)> = Vec::new();
     for (column, vector) in vectors.iter().enumerate() {

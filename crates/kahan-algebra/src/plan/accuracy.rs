@@ -1,10 +1,12 @@
-//! Measures how many digits a step loses in long time steps, relative to elimination with pivoting.
+//! Measures how many digits a step loses in long time steps, compared with elimination with
+//! pivoting.
 //!
-//! Minors cancel leading terms, and a pivot of 1 beside entries of size ‖εf′‖ magnifies errors by
-//! that factor. Each form runs at seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000 in floats of
-//! 30 bits. So does elimination with partial pivoting of A d = f, x̃ = x + 2εd; in 53 bits it is
-//! the reference. To first order errors are proportional to the unit roundoff u, so k u in 30 bits
-//! predicts k u in 53. A form beyond the limits is refused if another one stays well within them.
+//! A step loses digits if leading terms of its minors cancel, or if a pivot of 1 stands beside
+//! entries of size ‖εf′‖ and magnifies errors by that factor. Each form runs in floats of 30 bits,
+//! at seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination of A d = f, x̃ = x + 2εd with
+//! pivoting runs there too; in 53 bits it is the reference. To first order, errors are proportional
+//! to the unit roundoff u: an error of k u in 30 bits predicts k u in 53 bits. A form beyond the
+//! limits is refused if another stays well within.
 
 mod float_plan;
 mod sample_step;
@@ -20,47 +22,51 @@ use super::{LARGEST_SIZE, Plan, StepPlan};
 use float_plan::{FloatPlan, short};
 use sample_step::{Elimination, SampleStep};
 
-/// The sizes ‖εf′‖∞ of the points.
+/// The sizes ‖εf′‖∞ at which points are drawn.
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
-/// Number of points of each size in the first round.
+/// The number of points of each size in the first round.
 const FEW: usize = 25;
-/// Number of points of each size if the first round leaves a doubt.
+/// The number of points of each size if the first round is inconclusive.
 const MANY: usize = 100;
-/// Maximal ratio of a step's median error to that of elimination.
+/// The largest permitted ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// Lower bound on the median error of elimination, in units u, before the comparison.
+/// The least median error of elimination, in multiples of u, with which a step is compared. Smaller
+/// medians are replaced by this one.
 const SMALL: f64 = 10.0;
-/// Maximal ratio of the tail of a step's errors to that of elimination.
+/// The largest permitted ratio of a step's tail quantile of errors to that of elimination.
 const TAIL_FACTOR: f64 = 60.0;
-/// A tail below this many units u is always accepted.
+/// A step whose tail quantile of errors is at most this multiple of u satisfies the tail limit.
 const SMALL_TAIL: f64 = 1000.0;
-/// A step beyond the limits by this factor is refused if another one can replace it.
+/// A step whose errors exceed the limits by this factor is refused, if another step can replace it.
 const REFUSED: f64 = 1.5;
-/// A step within this fraction of the limits can replace a refused one.
+/// A step whose errors are at most this fraction of the limits can replace a refused step.
 const KEPT: f64 = 1.0 / 6.0;
-/// A largest ratio below this needs no further points.
+/// If the largest likely ratio of errors to limits is below this value, no further points are
+/// needed.
 const CLEAR: f64 = 0.2;
-/// A median ratio above this needs no further points.
+/// If the measured ratio of errors to limits is above this value, no further points are needed.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
-/// The median of n errors lies within the quantiles ½ ± BAND/√n with probability 0.9.
+/// The true median lies between the quantiles ½ − BAND/√n and ½ + BAND/√n of n errors with
+/// probability 0.9.
 const BAND: f64 = 0.8;
-/// A step is claimed to hold up to this fraction of the limits, leaving a margin for other points.
+/// The planner claims accuracy only up to this fraction of the limits, which leaves a margin for
+/// points that were not measured.
 const CLAIMED: f64 = 0.6;
-/// The quantile that measures the tail.
+/// The quantile of the errors that serves as their tail.
 const TAIL: f64 = 0.9;
 
-/// Sample points of every size, with the errors of elimination.
+/// The sample points of every size, together with the errors of elimination at these points.
 pub(super) struct Accuracy<'a> {
     field: &'a Field,
     few: Vec<Vec<SampleStep>>,
     many: OnceCell<Vec<Vec<SampleStep>>>,
 }
 
-/// The ratio of a step's errors to the limit, for each size.
+/// For each size of time step, the ratio of a step's errors to their limit.
 #[derive(Debug)]
 pub(super) struct AccuracyLoss(Vec<Ratio>);
 
-/// A ratio of errors to their limit; 1 is at the limit.
+/// A ratio of errors to their limit: as measured, and the largest value that is likely.
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
     measured: f64,
@@ -72,7 +78,7 @@ impl<'a> Accuracy<'a> {
         Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
     }
 
-    /// Measures a step, with more points if the first round is inconclusive.
+    /// Measures the errors of a step. If the first round is inconclusive, more points are used.
     pub(super) fn loss(&self, step: &StepPlan) -> AccuracyLoss {
         let runner = Runner::of(step);
         let loss = |points: &[Vec<SampleStep>]| {
@@ -82,14 +88,14 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Returns whether a step stays well within the limits at every size.
+    /// Returns whether the errors of a step are well within the limits at every size.
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 
-    /// Returns whether a tangent plan (v ↦ ṽ from x, v and x̃) stays below the limit of refusal.
-    /// `self` belongs to the variational field.
+    /// Returns whether a tangent plan is accurate enough not to be refused. The plan maps v to ṽ,
+    /// given x, v and x̃; `self` must belong to the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
@@ -114,7 +120,8 @@ fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
 }
 
 impl AccuracyLoss {
-    /// Returns whether a step loses so many digits that a better one, if any, must replace it.
+    /// Returns whether a step loses so many digits that a more accurate step must replace it, if
+    /// there is one.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }
@@ -128,7 +135,8 @@ impl AccuracyLoss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// Returns the largest size up to which the step holds with certainty, or 0.
+    /// Returns the largest size up to which the step is accurate with certainty, or 0 if there is
+    /// none.
     pub(super) fn holds_to(&self) -> u32 {
         let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
         held.last().map_or(0, |(size, _)| *size)
@@ -161,7 +169,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Returns the larger of two ratios: median error to its limit, and tail of errors to its limit.
+/// Returns the ratio of the errors to their limit. The median and the tail each have a ratio; the
+/// larger one counts.
 fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };
@@ -169,7 +178,8 @@ fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = BAND / (trials.len() as f64).sqrt();
-    // Compares the step's quantile at q + `shift` with that of elimination at q − `shift`.
+    // The ratio compares the step's quantile at q + `shift` with the quantile of elimination at q −
+    // `shift`.
     let ratio = |shift: f64| {
         let of_medians =
             quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));

@@ -13,7 +13,7 @@ use super::{Input, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     builder: Builder<Input, Rational>,
-    /// The number of polynomial terms examined so far.
+    /// The number of terms of polynomials that were examined so far.
     pub(super) looked_at: usize,
 }
 
@@ -31,7 +31,7 @@ impl DerefMut for PlanBuilder {
     }
 }
 
-/// Returns the plan of these polynomials, one output each.
+/// Returns the plan that computes these polynomials, one output for each.
 #[must_use]
 pub fn plan_of<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     let mut builder = PlanBuilder::default();
@@ -49,7 +49,8 @@ impl PlanBuilder {
         self.push(Operation::Input(Input::Prepared(index)))
     }
 
-    /// Adds another plan with variables replaced by `input`; returns its outputs in this builder.
+    /// Adds another plan and replaces its variables by the nodes that `input` returns. Returns the
+    /// nodes of its outputs.
     pub fn include_mapped(
         &mut self,
         plan: &Plan,
@@ -62,7 +63,8 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Copies another plan; `make` builds each node from the operation's index and earlier nodes.
+    /// Copies another plan. `make` builds each node from the index of the operation and the earlier
+    /// nodes.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,

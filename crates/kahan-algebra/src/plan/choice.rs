@@ -1,4 +1,5 @@
-//! Chooses the form of a step: the cheapest, one with a short recurrence, or a more accurate one.
+//! Chooses the form of a step: the cheapest form, a form with a short recurrence, or a more
+//! accurate form.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -16,7 +17,8 @@ impl StepPlan {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// Returns the plan of a step from its written sums and its map (`None` beyond the budget).
+    /// Returns the plan of a step from the field as written and from its map. The map is `None` if
+    /// it exceeds the budget.
     #[must_use]
     pub(crate) fn of_map(
         field: &Field,
@@ -28,15 +30,15 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form serves lanes; it also serves one orbit unless another form has a
-        // shorter recurrence.
+        // The cheapest form is used for many orbits in SIMD lanes. It also computes single orbits,
+        // unless another form has a shorter recurrence.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
         let one_orbit = one_orbit.iter().map(plan);
         let shortest = one_orbit.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
-        // A more accurate form replaces the cheapest one if that loses digits in long steps.
+        // If the cheapest form loses digits in long steps, a more accurate form replaces it.
         let mut loss = accuracy.loss(&cheapest);
         let mut general = cheapest;
         if loss.is_refused() {
@@ -66,8 +68,9 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// Returns the forms whose recurrence is shorter than that of the cheapest form, and the number
-    /// of forms that were built; `recurrence` maps this limit to the limit for building a form.
+    /// Returns the forms with a shorter recurrence than the cheapest form, and the number of forms
+    /// that were built. `recurrence` turns the recurrence of the cheapest form into the limit for
+    /// building other forms.
     fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);

@@ -1,5 +1,5 @@
-//! Plans of fields with very many products of two variables. Their sums have a fixed order, so
-//! loops over packed coefficients reproduce them bit for bit.
+//! Plans for fields with very many products of two variables. The order of each sum is fixed, so a
+//! loop over packed coefficients yields bit-identical results.
 
 use kahan_syntax::rational::Rational;
 
@@ -10,9 +10,10 @@ use crate::symbols::Symbols;
 use super::{Node, Plan, PlanBuilder};
 
 const FEWEST_VARIABLES: usize = 10;
-/// The minimal number of products of two variables; straight-line code is faster for fewer.
+/// The least number of products of two variables in a dense field. With fewer products,
+/// straight-line code is faster.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field at least one in `SPARSEST` products has a nonzero coefficient.
+/// In a dense field, at least one of `SPARSEST` products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]
@@ -40,13 +41,14 @@ impl Coefficient {
 #[derive(Clone, Debug)]
 pub(crate) struct DenseField {
     states: Vec<Variable>,
-    /// For each component: the constant, the coefficients of the variables, and those of the
-    /// products xⱼxₖ with j ≤ k, row by row of the triangle.
+    /// For each component its coefficients: the constant, then those of the variables, then those
+    /// of the products xⱼxₖ with j ≤ k, row by row of the triangle.
     components: Vec<Vec<Coefficient>>,
 }
 
 impl DenseField {
-    /// Returns the field if it is dense and written with neither sums as factors nor divisors.
+    /// Returns the dense field; `None` if the field has too few products, or is written with
+    /// divisors or with sums as factors.
     pub(crate) fn of(kept: &FieldWithSubexpressions, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
@@ -100,7 +102,7 @@ impl DenseField {
         !coefficients[1 + j].is_zero() || (0..self.dimension()).any(|k| !product(k).is_zero())
     }
 
-    /// Returns the index of the coefficient of xⱼxₖ, j ≤ k.
+    /// Returns the index of the coefficient of xⱼxₖ, where j ≤ k.
     fn place(&self, j: usize, k: usize) -> usize {
         let n = self.states.len();
         1 + n + j * n - j * (j + 1) / 2 + k
@@ -121,7 +123,8 @@ impl DenseField {
         coefficients.collect()
     }
 
-    /// Returns the plan of f(x): cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ), k ≥ j, in this order.
+    /// Returns the plan of the field f(x). Component i is cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
+    /// added in this order.
     pub(crate) fn field(&self) -> Plan {
         let mut builder = PlanBuilder::default();
         let component = |coefficients: &Vec<Coefficient>| {
@@ -141,7 +144,8 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Returns the plan of entries ∂fᵢ/∂xⱼ: bᵢⱼ + Σₖ qᵢⱼₖxₖ, in this order; k = j counts twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, added in this order. The term with
+    /// k = j counts twice.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {

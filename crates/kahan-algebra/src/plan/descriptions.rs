@@ -1,4 +1,5 @@
-//! Describes operations as names for code and listings, such as `two_eps` or `one_plus_eps_x`.
+//! Describes operations by names such as `two_eps` or `one_plus_eps_x`, which code and listings
+//! use.
 
 use kahan_syntax::rational::Rational;
 
@@ -10,7 +11,8 @@ use super::{Node, Operation, Plan};
 
 const LONGEST: usize = 24;
 
-/// The outermost operation of a description, which decides how it combines with others.
+/// The kind of the outermost operation in a description. It decides how the description can be
+/// combined with others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DescriptionKind {
     Number,
@@ -24,8 +26,9 @@ struct Description {
     kind: DescriptionKind,
 }
 
-/// Returns for each operation a description that can serve as a name, using the names of `prepared`
-/// constants. `None` if it is long, begins with a digit, or is a quotient other than constant/ε.
+/// Returns for each operation a description that can serve as a name. `prepared` has the names of
+/// prepared constants. A description is `None` if it is long, begins with a digit, or describes a
+/// quotient other than constant/ε.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
@@ -45,7 +48,8 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     plan.operations.iter().zip(known).map(named).collect()
 }
 
-/// Returns the word for an operation without description: code names it by this word and a number.
+/// Returns the kind of an operation that has no description. Its name in the code is this kind with
+/// a number.
 #[must_use]
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
@@ -87,7 +91,8 @@ fn describe<'a>(
     }
 }
 
-/// Returns `two_eps` for 2·ε and ε·2, `y_times_100`, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
+/// Describes a product of two values, such as `two_eps` for both 2·ε and ε·2, `y_times_100`,
+/// `x_squared`, `eps_x` or `eps_times_one_plus_x`.
 fn product(a: &Description, b: &Description) -> Description {
     let (first, second) = if b.kind == DescriptionKind::Number { (b, a) } else { (a, b) };
     let text = if first.kind == DescriptionKind::Number && first.text.contains(|c: char| c.is_ascii_digit()) {
@@ -102,7 +107,7 @@ fn product(a: &Description, b: &Description) -> Description {
     Description { text, kind: DescriptionKind::Product }
 }
 
-/// Returns `half`, `minus_two`, `100`, `981_over_100`.
+/// Describes a number, such as `half`, `minus_two`, `100` or `981_over_100`.
 fn number(value: &Rational) -> Option<String> {
     const WORDS: [&str; 11] =
         ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];

@@ -1,30 +1,32 @@
-//! Straight-line plans: operations in order, every common subexpression once.
+//! Straight-line plans: lists of operations in which every common subexpression occurs once.
 //!
 //! A plan is a [`Program`](kahan_program::Program) with exact constants. The emitter turns it into
 //! Rust; [`evaluate`](kahan_program::Program::evaluate) runs it in any
-//! [`Arithmetic`](kahan_program::Arithmetic). For most plans `horner` nests polynomials. A step is
-//! computed billions of times, so five modules optimise its plan.
+//! [`Arithmetic`](kahan_program::Arithmetic). In most plans, `horner` nests the polynomials. A step
+//! is computed billions of times, so five modules optimise its plan.
 //!
 //! # Modules
 //!
-//! Each uses only earlier ones.
+//! Each module uses only earlier ones of the list.
 //!
 //! 1. `step` separates prepared constants from the kernel, and rewrites the kernel.
-//! 2. `writing` turns a polynomial into operations: nesting, distribution of ε, reuse.
+//! 2. `writing` turns a polynomial into operations: it nests sums, distributes ε and reuses values.
 //! 3. `accuracy` measures the loss of digits in long steps, and refuses inaccurate forms.
 //! 4. `forms` writes different ways to solve A·x̃ = b.
-//! 5. `choice` chooses the form for one orbit and the form for lanes.
+//! 5. `choice` chooses a form for one orbit, and a form for many orbits in SIMD lanes.
 //!
-//! `values` substitutes named sums and divisors of the written form, `dense` writes fields with
-//! very many products, `words` names operations.
+//! Three further modules serve all plans. `subexpressions` substitutes named sums and divisors of
+//! the written form, `dense` writes fields with very many products, and `descriptions` names
+//! operations.
 //!
 //! # Benefit of each optimisation
 //!
-//! Each was disabled separately for 85 fields: the catalog, random fields of two to six variables,
-//! and four of up to eight. The table gives the number of steps that change, and the time without
-//! it over the time with it: geometric mean over these steps; maximum. *One orbit* and *columns*
-//! are machine code of the runtime. *Compiled* is one orbit by the macro, for the catalog and 20
-//! random fields, on any x86-64 processor and with AVX-512.
+//! Each optimisation was disabled separately for 85 fields: the catalog, random fields of two to
+//! six variables, and four fields of up to eight. The column *steps* counts the steps that change.
+//! The other columns give the time without the optimisation divided by the time with it: first the
+//! geometric mean over these steps, then the maximum. *One orbit* and *columns* are machine code of
+//! the runtime. *Compiled* is one orbit by the macro on any x86-64 processor and with AVX-512, for
+//! the catalog and 20 random fields.
 //!
 //! | left out | steps | one orbit | columns | compiled | compiled, AVX-512 |
 //! |---|--:|--:|--:|--:|--:|
@@ -37,11 +39,11 @@
 //! | signs of constants (`step::signs`) | 27 | 1.00; 1.01 | 1.00; 1.02 | 1.05; 1.43 | 1.01; 1.12 |
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
 //!
-//! Two more were measured and dropped. (2ε)x as εx + εx changed 27 steps (means 1.00, 0.99, 1.00
-//! and 1.00). A division for each component in place of a shared reciprocal changed 6 steps (1.00;
-//! 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84; 0.93). Only fields of one variable use it
-//! (`PlanBuilder::increment`): ensembles that report how they ended took twice the time with it,
-//! since two divisions are the bottleneck of lanes.
+//! Two more optimisations were measured and dropped. Writing (2ε)x as εx + εx changed 27 steps,
+//! with means 1.00, 0.99, 1.00 and 1.00 in the four columns of times. Replacing a shared reciprocal
+//! by a division for each component changed 6 steps (1.00; 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84;
+//! 0.93). Only fields of one variable use it (`PlanBuilder::increment`). Ensembles that report how
+//! they ended took twice the time with it, because two divisions are the bottleneck in SIMD lanes.
 
 mod operation;
 

@@ -1,4 +1,4 @@
-//! Plans as programs: their inputs and constants.
+//! Plans are programs; this module defines their inputs and constants.
 
 use kahan_program::Program;
 pub use kahan_program::{Cost, Node};
@@ -10,14 +10,15 @@ use crate::poly::Variable;
 /// An input of a plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// A state, a parameter or ε.
+    /// A variable, which is a state, a parameter or ε.
     Variable(Variable),
-    /// The prepared constant with this index, in the kernel of a [`StepPlan`](super::StepPlan).
+    /// The prepared constant with this index. It occurs in the kernel of a
+    /// [`StepPlan`](super::StepPlan).
     Prepared(usize),
 }
 
 impl Input {
-    /// Returns the variable; `None` for a prepared constant.
+    /// Returns the variable; `None` if the input is a prepared constant.
     #[must_use]
     pub fn variable(&self) -> Option<Variable> {
         match *self {
@@ -26,7 +27,8 @@ impl Input {
         }
     }
 
-    /// Returns the value of the input, from `prepared` or by `variable`.
+    /// Returns the value of the input. The value of a prepared constant is in `prepared`;
+    /// `variable` returns that of a variable.
     pub fn value<V: Clone>(
         &self,
         prepared: &[Option<V>],
@@ -45,7 +47,7 @@ pub type Operation = kahan_program::Operation<Input, Rational>;
 /// A straight-line program with exact constants.
 pub type Plan = Program<Vec<Operation>>;
 
-/// Returns the states, parameters and ε that a plan reads, each once, in ascending order.
+/// Returns the states, parameters and ε that a plan reads. Each occurs once, in ascending order.
 #[must_use]
 pub fn variables(plan: &Plan) -> Vec<Variable> {
     distinct(plan.inputs().iter().filter_map(Input::variable))

@@ -1,8 +1,8 @@
-//! Sums and products of polynomials, by merging sorted runs of terms.
+//! Adds and multiplies polynomials by merging sorted runs of terms.
 //!
 //! A product forms one sorted run for each term of the shorter factor. Runs of similar length are
-//! merged, like the digits of a binary counter: n·m term products and n·m·log₂ min(n, m)
-//! comparisons.
+//! merged, like the digits of a binary counter. Factors of n and m terms take n·m products of terms
+//! and n·m·log₂ min(n, m) comparisons.
 
 use std::cmp::Ordering;
 use std::convert::Infallible;
@@ -13,7 +13,8 @@ use kahan_syntax::rational::Rational;
 use super::{Monomial, Polynomial, Term};
 
 impl Polynomial {
-    /// Returns the sum of all summands; the flag marks those to subtract. Costs a sort.
+    /// Returns the sum of all summands. The flag of a summand is true if it is subtracted. The cost
+    /// is that of sorting all terms.
     pub fn sum_of<'a>(summands: impl IntoIterator<Item = (bool, &'a Self)>) -> Self {
         let Ok(sum) = Self::sum_with(summands, |a, b| Ok::<_, Infallible>(a + b));
         sum
@@ -30,7 +31,7 @@ impl Polynomial {
         Self::collected(terms.collect(), add)
     }
 
-    /// Returns the product with a rational.
+    /// Returns the product of the polynomial and a rational.
     pub fn scale(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
             return Self::zero();
@@ -41,12 +42,12 @@ impl Polynomial {
         self.mul_term(&Monomial::one(), factor)
     }
 
-    /// Returns the product with a monomial.
+    /// Returns the product of the polynomial and a monomial.
     pub fn mul_monomial(&self, monomial: &Monomial) -> Self {
         self.mul_term(monomial, &Rational::ONE)
     }
 
-    /// Returns the product with one term; the coefficient must not be zero.
+    /// Returns the product of the polynomial and one term. The coefficient must not be zero.
     pub(super) fn mul_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
         let mut terms = Vec::with_capacity(self.terms.len());
         for (own_monomial, own_coefficient) in &self.terms {
@@ -101,7 +102,7 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
 }
 
 /// A sum of many sorted runs. A run is merged with the next one unless it is at least twice as
-/// long, so each term takes part in logarithmically many merges.
+/// long. Each term therefore takes part in only logarithmically many merges.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }
@@ -164,7 +165,7 @@ impl Neg for &Polynomial {
     }
 }
 
-/// Variants that consume their operands and clone no terms.
+/// This variant consumes its operands and clones no terms.
 impl Add for Polynomial {
     type Output = Self;
 

@@ -1,15 +1,16 @@
-//! Products and powers that stop before they become too large.
+//! Sums, products and powers that stop before they become too large.
 //!
-//! A [`Budget`] limits the terms of each result and the total work. Work is counted in products of
-//! terms, weighted by the pairs of machine words of their coefficients. Predictable sizes are
-//! refused before any work. Every `Ok` result is exact.
+//! A [`Budget`] limits the number of terms in each result, and the total work. Work is the number
+//! of products of terms, each weighted by the number of pairs of machine words in its coefficients.
+//! If a size can be predicted, too large a result is refused before any work. Every `Ok` result is
+//! exact.
 
 use std::error::Error;
 use std::fmt;
 
 use super::Polynomial;
 
-/// The maximal total degree within any budget; exponents never overflow.
+/// The largest total degree within any budget. It ensures that exponents never overflow.
 const MAX_DEGREE: u64 = 1 << 24;
 
 /// A limit on the size and the work of computations with polynomials.
@@ -27,7 +28,8 @@ pub struct OverBudget;
 pub type WithinBudget<T> = Result<T, OverBudget>;
 
 impl Budget {
-    /// Returns a budget of `max_terms` terms in any result and `work` term products in total.
+    /// Returns a budget that allows `max_terms` terms in each result and `work` products of terms
+    /// in total.
     pub fn new(max_terms: usize, work: u64) -> Self {
         Self { max_terms, work }
     }
@@ -37,7 +39,7 @@ impl Budget {
         Self::new(usize::MAX, u64::MAX)
     }
 
-    /// Returns the number of term products left.
+    /// Returns the number of products of terms that are left.
     pub fn work_left(&self) -> u64 {
         self.work
     }
@@ -56,7 +58,7 @@ impl Budget {
         }
     }
 
-    /// Returns an error if a result may not have this number of terms.
+    /// Returns an error if the budget does not allow a result with this number of terms.
     pub fn admit(&self, terms: usize) -> WithinBudget<()> {
         if terms <= self.max_terms { Ok(()) } else { Err(OverBudget) }
     }
@@ -71,7 +73,7 @@ impl fmt::Display for OverBudget {
 impl Error for OverBudget {}
 
 impl Polynomial {
-    /// Returns the sum within the budget.
+    /// Returns the sum, or an error if it exceeds the budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         budget.charge((self.len() + other.len()) as u64)?;
         let sum = self + other;
@@ -79,9 +81,9 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// Returns the sum of all summands within the budget; the flag marks those to subtract. Costs a
-    /// sort. Adding two coefficients costs w² units of work; w is the number of their 64-bit words,
-    /// without the first word of each.
+    /// Returns the sum of all summands, or an error if it exceeds the budget. The flag of a summand
+    /// is true if it is subtracted. The terms are sorted. Adding two coefficients costs w² units of
+    /// work, where w is the number of their 64-bit words, without the first word of each.
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
@@ -95,7 +97,7 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// Returns the product within the budget.
+    /// Returns the product, or an error if it exceeds the budget.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
         if u64::from(self.degree()) + u64::from(other.degree()) > MAX_DEGREE {
             return Err(OverBudget);
@@ -107,10 +109,11 @@ impl Polynomial {
         Ok(product)
     }
 
-    /// Returns the power within the budget; the zeroth power is 1.
+    /// Returns the power, or an error if it exceeds the budget. The zeroth power is 1.
     ///
-    /// Terms are bounded in advance by C(e+t−1, t−1) for exponent e and t terms, and by the number
-    /// of monomials of at most e times the base's degree in each variable.
+    /// Two bounds predict the number of terms. For exponent e and t terms, one is C(e+t−1, t−1).
+    /// The other is the number of monomials whose degree in each variable is at most e times that
+    /// of the base.
     pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> WithinBudget<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);
@@ -129,7 +132,8 @@ impl Polynomial {
             return Ok(Self::term(monomial.pow(exponent.unsigned_abs()), coefficient));
         }
         budget.admit(self.power_size(exponent))?;
-        // Repeated multiplication takes fewer term products than squaring if the base is sparse.
+        // If the base is sparse, repeated multiplication takes fewer products of terms than
+        // squaring.
         let mut power = self.clone();
         for _ in 1..exponent {
             power = power.mul_within(self, budget)?;
@@ -138,7 +142,8 @@ impl Polynomial {
     }
 
     fn power_size(&self, exponent: u32) -> usize {
-        // C(e+t−1, t−1) is the product of the (e+k)/k; each partial product is an integer.
+        // C(e+t−1, t−1) is the product of all (e+k)/k for k < t, and each partial product is an
+        // integer.
         let mut choices: u128 = 1;
         for k in 1..self.len() as u128 {
             choices = choices * (u128::from(exponent) + k) / k;
@@ -154,7 +159,7 @@ impl Polynomial {
         usize::try_from(choices.min(grid)).unwrap_or(usize::MAX)
     }
 
-    /// Returns the machine words of the longest coefficient.
+    /// Returns the number of machine words of the longest coefficient.
     pub fn coefficient_words(&self) -> u64 {
         let mut bits = 0;
         for (_, coefficient) in &self.terms {

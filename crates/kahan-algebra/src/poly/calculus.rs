@@ -1,4 +1,5 @@
-//! Derivatives, substitution, renaming, and polynomials viewed as polynomials in some variables.
+//! Computes derivatives, substitutes and renames variables, and views polynomials as polynomials in
+//! some of the variables.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -6,7 +7,7 @@ use kahan_syntax::table::{Table, sorted_by_key};
 use super::{Budget, Monomial, Polynomial, Term, Variable, WithinBudget};
 
 impl Polynomial {
-    /// Returns the partial derivative.
+    /// Returns the partial derivative by a variable.
     pub fn derivative(&self, variable: Variable) -> Self {
         let mut terms = Vec::new();
         for (monomial, coefficient) in &self.terms {
@@ -19,7 +20,8 @@ impl Polynomial {
         Self::from_sorted(terms)
     }
 
-    /// Returns the nonzero partial derivatives by wanted variables, in order, in one pass.
+    /// Returns the nonzero partial derivatives by the variables that satisfy `is_wanted`, in order
+    /// of variables. One pass computes all of them.
     pub fn gradient(&self, is_wanted: impl Fn(Variable) -> bool) -> Table<Variable, Self> {
         let mut slopes: Table<Variable, Vec<Term>> = Table::new();
         for (monomial, coefficient) in &self.terms {
@@ -34,7 +36,7 @@ impl Polynomial {
         slopes.into_iter().map(|(variable, terms)| (variable, Self::from_sorted(terms))).collect()
     }
 
-    /// Replaces `variable` by a number. Computes only the powers that occur.
+    /// Replaces `variable` by a number. Only the powers that occur are computed.
     pub fn substitute(&self, variable: Variable, value: &Rational) -> Self {
         let mut powers: Table<u32, Rational> = Table::new();
         Self::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
@@ -47,15 +49,16 @@ impl Polynomial {
     /// Replaces `variable` by another polynomial.
     ///
     /// # Panics
-    /// Beyond a total degree of 2²⁴.
+    /// If a total degree exceeds 2²⁴.
     pub fn composed(&self, variable: Variable, value: &Self) -> Self {
         let degree = self.degree_in(variable);
         self.homogenised_at(variable, (value, &Self::one()), degree, &mut Budget::unlimited())
             .expect("total degrees stay below 2^24")
     }
 
-    /// Returns Σ cₖ aᵏ bᵈ⁻ᵏ for self = Σ cₖ `variable`ᵏ, that is, bᵈ times the polynomial at a/b. d
-    /// must be at least the degree in the variable.
+    /// Returns bᵈ times the value of the polynomial at `variable` = a/b. If the polynomial is Σ cₖ
+    /// `variable`ᵏ, this is Σ cₖ aᵏ bᵈ⁻ᵏ. The exponent d must be at least the degree in the
+    /// variable.
     ///
     /// # Errors
     /// If the budget runs out.
@@ -76,7 +79,7 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// Renames each variable. Variables with equal new names are identified.
+    /// Renames each variable. Two variables with one new name become one variable.
     pub fn map_variables(&self, mut rename: impl FnMut(Variable) -> Variable) -> Self {
         self.map_monomials(|monomial| {
             let powers = monomial.powers().iter().map(|&(variable, exponent)| (rename(variable), exponent));
@@ -84,13 +87,13 @@ impl Polynomial {
         })
     }
 
-    /// Replaces each monomial, or drops its term.
+    /// Replaces each monomial by the result of `change`. If that is `None`, the term is dropped.
     pub fn map_monomials(&self, mut change: impl FnMut(&Monomial) -> Option<Monomial>) -> Self {
         let terms = self.terms.iter();
         Self::from_terms(terms.filter_map(|(monomial, value)| Some((change(monomial)?, value.clone()))))
     }
 
-    /// Returns q and r of self = v·q + r with r free of v.
+    /// Returns q and r such that the polynomial is v·q + r and r does not contain v.
     pub fn split_at(self, variable: Variable) -> (Self, Self) {
         let (mut quotient, mut rest) = (Vec::new(), Vec::new());
         for (monomial, coefficient) in self.terms {
@@ -103,8 +106,9 @@ impl Polynomial {
         (Self::from_sorted(quotient), Self::from_sorted(rest))
     }
 
-    /// Returns q₁ … q_k and r of self = v₁·q₁ + … + v_k·q_k + r with r free of all vᵢ, in one pass.
-    /// Each term goes to the first vᵢ that it contains.
+    /// Returns q₁, …, q_k and r such that the polynomial is v₁·q₁ + … + v_k·q_k + r and r contains
+    /// none of the variables vᵢ. One pass suffices; each term goes to the first vᵢ that it
+    /// contains.
     pub fn split_among(&self, variables: &[Variable]) -> (Vec<Self>, Self) {
         let ranks =
             sorted_by_key(variables.iter().copied().zip(0..variables.len()), |(variable, _)| *variable);
@@ -124,7 +128,7 @@ impl Polynomial {
         (quotients.into_iter().map(Self::from_sorted).collect(), Self::from_sorted(rest))
     }
 
-    /// Returns for each variable the number of terms that contain it, in order of variables.
+    /// Returns for each variable, in order, the number of terms that contain it.
     pub fn frequencies(&self) -> Vec<(Variable, usize)> {
         let mut counts: Vec<(Variable, usize)> = Vec::new();
         for (monomial, _) in &self.terms {
@@ -138,13 +142,13 @@ impl Polynomial {
         counts
     }
 
-    /// Returns the nonzero coefficients cₖ of Σ cₖ `variable`^k by exponent.
+    /// Returns the nonzero coefficients of the powers of `variable`, by exponent.
     pub fn coefficients_in(&self, variable: Variable) -> Table<u32, Self> {
         let groups = self.group(|other| other == variable).into_iter();
         groups.map(|(power, coefficient)| (power.degree(), coefficient)).collect()
     }
 
-    /// Returns the coefficient of the highest power of `variable`; 0 for 0.
+    /// Returns the coefficient of the highest power of `variable`. For the polynomial 0 it is 0.
     pub fn leading_coefficient_in(&self, variable: Variable) -> Self {
         let degree = self.degree_in(variable);
         let power = Monomial::power(variable, degree);
@@ -153,7 +157,8 @@ impl Polynomial {
         Self::from_sorted(divided.collect())
     }
 
-    /// Views the polynomial as one in the variables that satisfy `belongs`.
+    /// Views the polynomial as one in the variables that satisfy `belongs`. Returns the coefficient
+    /// of each monomial in these variables.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
         self.grouped(&mut belongs)
     }

@@ -1,8 +1,8 @@
-//! Exact division of polynomials, and common factors of their terms.
+//! Divides polynomials exactly, and finds common factors of their terms.
 //!
-//! Leading terms are divided out one after another. If the divisor's leading term does not divide
-//! one of them, no polynomial quotient exists. Degrees and lowest terms are compared first, which
-//! refutes most divisions.
+//! Leading terms are divided out one after another. If the leading term of the divisor does not
+//! divide one of them, the quotient is not a polynomial. Degrees and lowest terms are compared
+//! first, which rules out most divisors.
 
 use kahan_syntax::rational::Rational;
 
@@ -10,12 +10,13 @@ use super::arithmetic::merge;
 use super::{Budget, Monomial, Polynomial, WithinBudget};
 
 impl Polynomial {
-    /// Returns self/divisor if it is a polynomial; `None` otherwise, or if `divisor` is zero.
+    /// Returns the quotient of the polynomial by `divisor`. Returns `None` if it is not a
+    /// polynomial, or if `divisor` is zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         self.div_within(divisor, &mut Budget::unlimited()).ok().flatten()
     }
 
-    /// Divides like [`checked_div`](Self::checked_div), with the work charged to a budget.
+    /// Divides like [`checked_div`](Self::checked_div), but charges the work to a budget.
     pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> WithinBudget<Option<Self>> {
         let Some((lead, lead_coefficient)) = divisor.leading_term() else { return Ok(None) };
         let Some(inverse) = lead_coefficient.recip() else { return Ok(None) };
@@ -40,15 +41,16 @@ impl Polynomial {
         Ok(Some(Self::from_sorted(quotient)))
     }
 
-    /// Checks necessary conditions for divisibility in one pass.
+    /// Checks some necessary conditions for divisibility in one pass.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
         divisor_low.0.divides(&low.0)
             && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
     }
 
-    /// Returns the rational content c: self/c has coprime integer coefficients, the leading one
-    /// positive. c has the sign of the leading coefficient; the content of 0 is 1.
+    /// Returns the rational content c, for which polynomial/c has coprime integer coefficients with
+    /// a positive leading one. The content has the sign of the leading coefficient. The content of
+    /// 0 is 1.
     pub fn content(&self) -> Rational {
         let Some((_, leading)) = self.leading_term() else { return Rational::ONE };
         let mut content = leading.abs();
@@ -58,7 +60,7 @@ impl Polynomial {
         if leading.is_negative() { -content } else { content }
     }
 
-    /// Returns self divided by its content; 0 stays 0.
+    /// Returns the polynomial divided by its content. The polynomial 0 stays 0.
     pub fn primitive_part(&self) -> Self {
         let content = self.content();
         match content.recip() {
@@ -67,7 +69,7 @@ impl Polynomial {
         }
     }
 
-    /// Returns the greatest monomial that divides every term; 1 for 0.
+    /// Returns the greatest monomial that divides every term. For the polynomial 0 it is 1.
     pub fn monomial_content(&self) -> Monomial {
         let Some((leading, _)) = self.leading_term() else { return Monomial::one() };
         let mut common = leading.clone();
@@ -80,7 +82,7 @@ impl Polynomial {
         common
     }
 
-    /// Returns the quotient by a monomial; `None` unless it divides every term.
+    /// Returns the quotient by a monomial; `None` unless the monomial divides every term.
     pub fn div_monomial(&self, divisor: &Monomial) -> Option<Self> {
         if divisor.is_one() {
             return Some(self.clone());

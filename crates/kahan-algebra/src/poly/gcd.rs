@@ -1,10 +1,10 @@
-//! Greatest common divisors of multivariate polynomials over ℚ, primitive with positive leading
-//! coefficient.
+//! Computes greatest common divisors of multivariate polynomials over ℚ. They are primitive with
+//! positive leading coefficient.
 //!
-//! Monomials are divided out first. Images modulo a prime then bound the degree in each variable.
-//! They prove the common case that the gcd is 1, and remove variables that it does not contain.
-//! What remains is done by trial division and the subresultant remainder sequence. All results are
-//! exact; the prime affects only the speed.
+//! Monomials are divided out first. Images modulo a prime then bound the degree of the gcd in each
+//! variable. They prove the common case that the gcd is 1, and remove variables that the gcd does
+//! not contain. The remaining cases take trial division and the subresultant remainder sequence.
+//! All results are exact; the prime affects only the speed.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -12,16 +12,16 @@ use kahan_syntax::table::{Table, sorted_by_key};
 use super::images::degree_bounds;
 use super::{Budget, Monomial, Polynomial, Variable, WithinBudget};
 
-/// Returns the greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is
-/// the primitive part of b.
+/// Returns the greatest common divisor, which is primitive with positive leading coefficient. The
+/// gcd of 0 and b is the primitive part of b.
 ///
 /// # Panics
-/// If a total degree exceeds 2^24 on the way.
+/// If a total degree exceeds 2^24 during the computation.
 pub fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
     gcd_within(a, b, &mut Budget::unlimited()).expect("within no limit")
 }
 
-/// Returns [`gcd`], or an error once the budget is spent.
+/// Returns the [`gcd`], or an error if the budget is spent.
 pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     if a.is_zero() || b.is_zero() {
         return Ok((if a.is_zero() { b } else { a }).primitive_part());
@@ -36,15 +36,16 @@ pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within
     Ok(gcd_stripped(&stripped_a, &stripped_b, budget)?.mul_monomial(&common))
 }
 
-/// Returns the gcd of all polynomials; 0 for none. Starts with the shortest and stops at 1.
+/// Returns the gcd of all polynomials; without polynomials it is 0. The computation starts with the
+/// shortest polynomial and stops when the gcd is 1.
 ///
 /// # Panics
-/// As [`gcd`].
+/// If a total degree exceeds 2^24 during the computation.
 pub fn gcd_all<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Polynomial {
     gcd_all_within(polynomials, &mut Budget::unlimited()).expect("within no limit")
 }
 
-/// Returns [`gcd_all`], or an error once the budget is spent.
+/// Returns the gcd of all polynomials like [`gcd_all`], or an error if the budget is spent.
 pub fn gcd_all_within<'a>(
     polynomials: impl IntoIterator<Item = &'a Polynomial>,
     budget: &mut Budget,
@@ -85,7 +86,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients in the variables outside `bounds`, which the gcd lacks.
+/// Computes the gcd of all coefficients with respect to the variables outside `bounds`. The gcd
+/// does not contain these variables.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -97,7 +99,8 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Computes gcd(contents)·gcd(primitive parts) with respect to the variable of least degree.
+/// Computes the gcd as the product of the gcds of contents and of primitive parts. Both are taken
+/// with respect to the variable of least degree.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,
@@ -119,11 +122,12 @@ fn gcd_in_main_variable(
     Ok(contents.mul_within(&parts, budget)?.primitive_part())
 }
 
-/// Computes the gcd of a and b, both primitive in `main`, of degree at most `bound` in it.
+/// Computes the gcd of a and b. Both must be primitive in `main`, and the gcd has degree at most
+/// `bound` in it.
 ///
-/// Knuth, The Art of Computer Programming 4.6.1, Algorithm C. Over the field of coefficients the
-/// gcd divides every member of the sequence. So a member whose primitive part divides a and b is
-/// the gcd; it is tried once its degree is at most `bound`.
+/// The method is Algorithm C of Knuth, The Art of Computer Programming 4.6.1. Over the field of
+/// coefficients, the gcd divides every member of the sequence. If the primitive part of a member
+/// divides a and b, it is therefore the gcd. A member is tried if its degree is at most `bound`.
 fn subresultants(
     a: &Polynomial,
     b: &Polynomial,
@@ -154,7 +158,7 @@ fn subresultants(
         let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
         upper = std::mem::replace(&mut lower, next.primitive_part());
         lead = upper.leading_coefficient_in(main);
-        // h ← g^δ h^(1−δ), up to a rational factor
+        // Up to a rational factor, replace h by g^δ h^(1−δ), where δ is the difference of degrees.
         if gap > 0 {
             let numerator = lead.pow_within(gap, budget)?;
             let denominator = scale.pow_within(gap - 1, budget)?;
@@ -163,7 +167,8 @@ fn subresultants(
     }
 }
 
-/// Returns lc(divisor)^(δ+1)·dividend mod divisor in `main`; δ is the difference of degrees.
+/// Returns the remainder of lc^(δ+1)·dividend divided by `divisor`, as polynomials in `main`. Here
+/// lc is the leading coefficient of `divisor`, and δ is the difference of degrees.
 fn pseudo_remainder(
     dividend: &Polynomial,
     divisor: &Polynomial,
@@ -184,7 +189,7 @@ fn pseudo_remainder(
     rest.mul_within(&lead.pow_within(steps_left, budget)?, budget)
 }
 
-/// Returns the part that is primitive in `main`, with coprime integer coefficients.
+/// Returns the part that is primitive in `main` and has coprime integer coefficients.
 fn primitive_in(polynomial: &Polynomial, main: Variable, budget: &mut Budget) -> WithinBudget<Polynomial> {
     let content = gcd_all_within(polynomial.coefficients_in(main).values(), budget)?;
     let primitive = polynomial.div_within(&content, budget)?.expect("a content divides");

@@ -1,11 +1,13 @@
-//! Bounds on the degrees of a greatest common divisor, from images modulo a prime.
+//! Bounds the degrees of a greatest common divisor by those of images modulo a prime.
 //!
-//! The degree in v of the gcd is at most that of the gcd of images with all other variables fixed
-//! in F_p. An unlucky point makes the bound larger, never wrong.
+//! In an image, all variables except one are set to elements of F_p. The degree of the gcd in the
+//! variable v is at most that of the gcd of the images. An unlucky point makes the bound larger,
+//! but never wrong.
 //!
-//! *Proof.* Let a, b be integral, a primitive, g their primitive gcd. By Gauss's lemma a = g·h with
-//! h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree in v, the image of
-//! lc_v(g) is not zero: the image of g has degree deg_v g and divides both images. ∎
+//! *Proof.* Let a and b have integer coefficients, let a be primitive, and let g be their primitive
+//! gcd. By Gauss's lemma a = g·h, where h has integer coefficients, so lc_v(a) = lc_v(g)·lc_v(h)
+//! for the leading coefficients in v. If the image of a keeps its degree in v, the image of lc_v(g)
+//! is not zero. The image of g then has degree deg_v g, and it divides both images. ∎
 
 use kahan_syntax::table::Table;
 
@@ -20,9 +22,9 @@ pub const RESIDUES_PER_TERM: u64 = 32;
 
 type Univariate = Vec<u64>;
 
-/// Returns for each common variable an upper bound on the degree of gcd(a, b) in it. Both must be
-/// primitive. Costs a few multiplications in F_p for each factor of each term, and a univariate gcd
-/// for each variable.
+/// Returns for each common variable an upper bound on the degree of gcd(a, b) in that variable.
+/// Both polynomials must be primitive. The cost is a few multiplications in F_p for each factor of
+/// each term, and a univariate gcd for each variable.
 ///
 /// # Errors
 /// If the budget runs out.
@@ -74,15 +76,15 @@ fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     powers
 }
 
-/// Returns for each variable the image with all other variables fixed.
+/// Returns for each variable the image in which all other variables are set to elements of F_p.
 fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
     let variables: Vec<Variable> = degrees.iter().map(|(variable, _)| *variable).collect();
     let points: Vec<Vec<u64>> = degrees.iter().map(|(&v, &degree)| powers_of_point(v, degree)).collect();
     let mut images: Vec<Univariate> = points.iter().map(|powers| vec![0; powers.len()]).collect();
     let mut before = vec![0; variables.len()];
     for (monomial, coefficient) in polynomial.terms() {
-        // A term's coefficient in the image of v is multiplied by the values of all its other
-        // powers, those before v and those behind it.
+        // In the image of v, the coefficient of a term is multiplied by the values of all other
+        // powers: those before v and those after it.
         let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
         for (index, variable) in variables.iter().enumerate() {
             before[index] = value;
@@ -113,7 +115,8 @@ fn trim(polynomial: &mut Univariate) {
     }
 }
 
-/// Returns the degree of the gcd by Euclid's algorithm; `u32::MAX` (unknown) if both are zero.
+/// Returns the degree of the gcd by Euclid's algorithm. If both polynomials are zero, the degree is
+/// unknown, and the result is `u32::MAX`.
 fn gcd_degree(a: &Univariate, b: &Univariate) -> u32 {
     let (mut a, mut b) = (a.clone(), b.clone());
     while let Some(&lead) = b.last() {

@@ -1,9 +1,10 @@
 //! Variables and monomials.
 //!
-//! A monomial is a sparse list of (variable, exponent), variables increasing, exponents positive.
-//! The order is graded lexicographic: first by total degree, then by the exponent of the first
-//! variable (by index) that differs. It is admissible: 1 is least, and m < n implies mk < nk, so
-//! multiplication or division by a monomial keeps terms sorted.
+//! A monomial is a sparse list of pairs (variable, exponent). Variables increase, and exponents are
+//! positive. The order is graded lexicographic: first by total degree, then by the exponent of the
+//! first variable (by index) in which two monomials differ. The order is admissible: 1 is the least
+//! monomial, and m < n implies mk < nk. Multiplying or dividing by a monomial therefore keeps terms
+//! sorted.
 
 mod products;
 
@@ -15,14 +16,14 @@ use super::powers::{Power, Powers};
 /// A variable, identified by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Variable(
-    /// The index.
+    /// The index of the variable.
     pub u16,
 );
 
 /// A product of powers of variables.
 ///
 /// # Panics
-/// Products and powers whose total degree exceeds `u32::MAX`.
+/// If the total degree of a product or power exceeds `u32::MAX`.
 #[derive(Clone, Debug)]
 pub struct Monomial {
     degree: u32,
@@ -30,7 +31,7 @@ pub struct Monomial {
 }
 
 impl Monomial {
-    /// Returns the empty product, 1.
+    /// Returns the empty product, which is 1.
     pub fn one() -> Self {
         Self { degree: 0, powers: Powers::NONE }
     }
@@ -40,7 +41,7 @@ impl Monomial {
         Self::power(variable, 1)
     }
 
-    /// Returns `variable`^`exponent`.
+    /// Returns the power `variable`^`exponent`.
     pub fn power(variable: Variable, exponent: u32) -> Self {
         let mut power = Self::one();
         power.push(variable, exponent);
@@ -59,17 +60,18 @@ impl Monomial {
         self.degree == 0
     }
 
-    /// Returns the powers, variables increasing, exponents positive.
+    /// Returns the powers as pairs of variable and exponent. Variables increase, and exponents are
+    /// positive.
     pub fn powers(&self) -> &[(Variable, u32)] {
         self.powers.as_slice()
     }
 
-    /// Returns the sum of all exponents.
+    /// Returns the total degree, which is the sum of all exponents.
     pub fn degree(&self) -> u32 {
         self.degree
     }
 
-    /// Returns the exponent of `variable`, 0 if absent.
+    /// Returns the exponent of `variable`, which is 0 if the variable does not occur.
     pub fn exponent(&self, variable: Variable) -> u32 {
         let powers = self.powers();
         let mut index = 0;
@@ -93,7 +95,8 @@ impl Monomial {
         degree
     }
 
-    /// Splits into the part in the variables that satisfy `belongs` and the part in the others.
+    /// Splits the monomial into a product of two: one in the variables that satisfy `belongs`, and
+    /// one in all others.
     pub fn split(&self, mut belongs: impl FnMut(Variable) -> bool) -> (Self, Self) {
         self.parted(&mut belongs)
     }
@@ -144,7 +147,7 @@ impl Ord for Monomial {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
         let (left, right) = (self.powers(), other.powers());
-        // Of two monomials with equal degree, neither list of powers is a proper prefix of the
+        // If two monomials have equal degree, neither list of powers is a proper prefix of the
         // other.
         let mut index = 0;
         while index < left.len() && index < right.len() {

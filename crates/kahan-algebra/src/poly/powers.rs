@@ -1,7 +1,7 @@
-//! Lists of powers; short ones, the most frequent, need no allocation.
+//! Lists of powers. Short lists are the most frequent, and need no allocation.
 //!
-//! A plan takes thousands of short-lived polynomials. In an unoptimised expansion of the macro,
-//! allocating each list took a tenth of the time.
+//! Making a plan takes thousands of short-lived polynomials. In an unoptimised expansion of the
+//! macro, allocating each list took a tenth of the time.
 
 use super::Variable;
 
@@ -11,7 +11,7 @@ pub(super) type Power = (Variable, u32);
 
 #[derive(Clone, Debug)]
 pub(super) enum Powers {
-    /// The length, and the array whose first entries are the list.
+    /// The length of the list, and an array that begins with its entries.
     Few(usize, [Power; FEW]),
     Many(Vec<Power>),
 }

@@ -1,4 +1,5 @@
-//! Reproducible random numbers: a fast generator for samples and a cryptographic one for proofs.
+//! Reproducible random numbers, from a fast generator for samples and a cryptographic one for
+//! proofs.
 
 use keccak::Keccak;
 
@@ -22,24 +23,27 @@ pub trait Random {
     }
 }
 
-/// SHAKE256 (FIPS 202): a hash function with a digest of unlimited length.
+/// The hash function SHAKE256 (FIPS 202), whose digest has unlimited length and serves as random
+/// numbers.
 ///
 /// A generator with a seed of 64 bits has at most 2⁶⁴ sequences of points, so no error probability
-/// below 2⁻⁶⁴ holds for it, and an author could search for a text whose points satisfy a false
-/// claim. Against SHAKE256 the best known attack is to try texts.
+/// below 2⁻⁶⁴ holds for it. An author could search for a text whose points satisfy a false claim.
+/// Against SHAKE256, the best known attack is to try texts.
 ///
-/// Cost: a permutation of 1600 bits for 17 draws, about a microsecond (unoptimised, some tens).
+/// One permutation of 1600 bits yields 17 numbers. It takes about a microsecond in optimised code
+/// and some tens of them in unoptimised code.
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
     drawn: usize,
 }
 
-/// The number of 64-bit words that absorb text and emit digest; the other 512 bits stay secret.
+/// The number of 64-bit words of the state that absorb text and emit digest. The other 512 bits
+/// stay secret.
 const RATE: usize = 25 - 512 / 64;
 
 impl Shake256 {
-    /// Returns the stream of a text.
+    /// Returns the random numbers that belong to a text.
     #[must_use]
     pub fn new(text: &[u8]) -> Self {
         let mut padded = text.to_vec();
@@ -56,7 +60,7 @@ impl Shake256 {
         stream
     }
 
-    /// Returns the next 256 bits.
+    /// Returns the next 256 bits as a seed.
     #[must_use]
     pub fn next_seed(&mut self) -> [u8; 32] {
         let mut seed = [0; 32];
@@ -83,19 +87,20 @@ impl Random for Shake256 {
 }
 
 /// SplitMix64, a small reproducible generator (Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", OOPSLA 2014). For samples only; proofs draw from [`Shake256`].
+/// number generators", OOPSLA 2014). It serves samples only; proofs draw from [`Shake256`].
 #[derive(Clone, Debug)]
 pub struct SplitMix64 {
     state: u64,
 }
 
 impl SplitMix64 {
-    /// Returns the stream of a seed.
+    /// Returns the random numbers that belong to a seed.
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// Returns the stream of a text, seeded by its 64-bit FNV-1a hash.
+    /// Returns the random numbers that belong to a text. The seed is the 64-bit FNV-1a hash of the
+    /// text.
     pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         for byte in bytes {

@@ -13,7 +13,8 @@ fn primality_is_decided() {
     for prime in [(1 << 61) - 1, 18_446_744_073_709_551_557, 4_611_686_018_427_387_847] {
         assert!(is_prime_u64(prime), "{prime}");
     }
-    // Strong pseudoprimes to 4, 7 and 9 prime bases, a Carmichael number, squares of large primes.
+    // The list has strong pseudoprimes to 4, 7 and 9 prime bases, a Carmichael number, and squares
+    // of large primes.
     let composites =
         [3_215_031_751, 341_550_071_728_321, 3_825_123_056_546_413_051, 561, 66_049, 4_295_098_369, u64::MAX];
     for composite in composites {
@@ -76,8 +77,8 @@ fn the_generators_match_their_published_vectors() {
     let mut rng = SplitMix64::new(0);
     assert_eq!([rng.next_u64(), rng.next_u64()], [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4]);
     assert_eq!(SplitMix64::from_bytes(b"a").next_u64(), SplitMix64::new(0xaf63_dc4c_8601_ec8c).next_u64());
-    // Values from Python's `hashlib.shake_256`: empty text; padding of one byte and of a whole
-    // block; digests beyond the first block.
+    // The values are from Python's `hashlib.shake_256`. They cover the empty text, padding of one
+    // byte and of a whole block, and digests beyond the first block.
     let words = |text: &[u8], from: usize| {
         let mut stream = Shake256::new(text);
         let mut words = std::iter::repeat_with(|| stream.next_u64()).skip(from);

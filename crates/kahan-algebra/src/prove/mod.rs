@@ -1,10 +1,10 @@
-//! The prover decides whether the claims of a block are true.
+//! Decides whether the claims of a block are true.
 //!
 //! A claim is an identity between rational functions of states, parameters and ε. `residual` turns
-//! it into pairs of values that must agree at points from `sample`. `modular` evaluates them at
-//! random points modulo random primes, with error below 2⁻¹⁰⁰ (derived in [`sizes`]), and at one
-//! exact point. `normal_form` expands them over ℚ, for `kahan verify`. `refute` finds a small exact
-//! counterexample to a false claim.
+//! it into pairs of values that must agree at points from `sample`. `modular` evaluates the pairs
+//! at random points modulo random primes, with error probability below 2⁻¹⁰⁰ (derived in
+//! [`sizes`]), and at one exact point. `normal_form` expands the pairs over ℚ, for `kahan verify`.
+//! `refute` finds a small exact counterexample to a false claim.
 
 mod modular;
 mod normal_form;
@@ -36,18 +36,19 @@ pub enum Verdict {
     Proved(Proof),
     /// The claim is false; the refutation is a counterexample.
     Refuted(Refutation),
-    /// The claim says nothing: an integral or drift without a state, a zero density, a zero
-    /// bracket.
+    /// The claim says nothing. Examples are an integral or a drift that depends on no state, and a
+    /// density or a bracket that is zero.
     Vacuous,
-    /// The claim divides by zero identically.
+    /// The claim divides by zero at every point.
     Undefined,
-    /// det A vanishes identically under the claim's conditions, so the map does not exist.
+    /// The map does not exist, because det A vanishes identically under the conditions of the
+    /// claim.
     NoMap,
-    /// The degree is too high for a reasonable number of points.
+    /// The degree is so high that a proof would take too many points.
     TooLarge,
 }
 
-/// Decides every claim of a system, in order.
+/// Decides every claim of a system, in the order of the claims.
 #[must_use]
 pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     if system.claims.is_empty() {
@@ -76,11 +77,12 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     a.len() == b.len() && values(a) == values(b)
 }
 
-/// The most operations at a point for the claims of a block, see [`operations`].
+/// The most operations at a point that the claims of a block may take, as estimated by
+/// [`operations`].
 const MOST_OPERATIONS: usize = 1_500_000;
 
-/// Estimates the operations of all claims at a point: their plans, the terms of the field, and
-/// eliminations, whose operations modulo a prime are cheap.
+/// Estimates the number of operations at a point for all claims. It counts the plans of claims, the
+/// terms of the field, and eliminations, whose operations modulo a prime are cheap.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
     let terms: usize = system.field.numerators().map(Polynomial::len).sum();
@@ -88,7 +90,7 @@ fn operations(system: &System) -> usize {
     system.claims.iter().map(one).fold(0, usize::saturating_add)
 }
 
-/// Reports false claims, or claims too large to prove.
+/// Reports the claims that are false or too large to prove.
 pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnostics) {
     if let Some(claim) = system.claims.last()
         && operations(system) > MOST_OPERATIONS

@@ -1,4 +1,5 @@
-//! The fast proof: random points modulo random primes, and one exact point (see [`super::sizes`]).
+//! Proves claims fast, at random points modulo random primes and at one exact point
+//! ([`super::sizes`] bounds the error).
 
 use kahan_syntax::syntax::ClaimKind;
 
@@ -11,17 +12,18 @@ use super::residual::SampledClaim;
 use super::sample::{MOST_DRAWS, Samples, Scheme};
 use super::sizes::points_for;
 
-/// The evidence for a proof.
+/// The result of a successful proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Proof {
-    /// The number of points, each modulo its own prime; the error is below 2⁻¹⁰⁰.
+    /// The number of points. Each is drawn modulo its own prime; the error probability is below
+    /// 2⁻¹⁰⁰.
     pub points: u32,
 }
 
 struct Evidence {
     holds: bool,
-    /// Whether the claim is not empty: an integral or drift has a nonzero gradient, or a density or
-    /// bracket is nonzero.
+    /// Whether the claim says something: an integral or drift has a nonzero gradient, or a density
+    /// or bracket is nonzero.
     says_something: bool,
 }
 
@@ -61,7 +63,8 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Opt
             return Some(evidence.holds);
         }
     }
-    // All small points may lie on the zeros of a divisor; the modular proof holds nevertheless.
+    // If all small points are zeros of a divisor, no counterexample can be found, and the modular
+    // proof stands.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

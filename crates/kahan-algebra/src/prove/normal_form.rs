@@ -1,5 +1,5 @@
-//! The slow proof: expands the difference of both sides of every identity over ℚ. It uses neither
-//! random points nor the modular proof.
+//! Proves claims slowly, by expanding the difference of both sides of every identity over ℚ.
+//! Neither random points nor the modular proof are used.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,11 +13,12 @@ use crate::system::{Claim, System};
 use super::residual::SampledClaim;
 use super::sample::{Sample, Scheme, evaluate_conditions, rows, run};
 
-/// Limits on the terms of intermediate results, and on products of terms: about a second at worst.
+/// The most terms of an intermediate result. With the limit on products of terms, a proof takes
+/// about a second at worst.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 1_000_000;
 
-/// Returns whether the claim holds; `None` beyond the budget.
+/// Returns whether the claim holds; `None` if the work exceeds the budget.
 #[must_use]
 pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let map = RationalMap::of(&system.field)?;

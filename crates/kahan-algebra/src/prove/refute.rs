@@ -1,4 +1,5 @@
-//! Searches a counterexample: the first point of small rationals where both sides differ.
+//! Searches for a counterexample, which is the first point of small rationals where both sides of
+//! an identity differ.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -11,27 +12,28 @@ use crate::system::{Claim, upper_index};
 use super::residual::{Identity, SampledClaim};
 use super::sample::{Scheme, run, small_point, take_step};
 
-/// The largest height of coordinates to search.
+/// The largest height of the coordinates of points that are searched. The height of a fraction
+/// bounds its numerator and denominator.
 const HIGHEST: u64 = 24;
 const POINTS_PER_HEIGHT: usize = 48;
 
-/// The reason why a claim is false.
+/// Explains why a claim is false.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refutation {
-    /// Both sides differ at this point.
+    /// The two sides of an identity differ at a point.
     At {
         /// The kind of claim.
         kind: ClaimKind,
         /// The identity that fails.
         place: Identity,
-        /// States, parameters and ε.
+        /// The values of states, parameters and ε.
         point: Vec<Rational>,
-        /// The left side.
+        /// The value of the left side.
         left: Rational,
-        /// The right side.
+        /// The value of the right side.
         right: Rational,
     },
-    /// The claim fails modulo a prime, without a small counterexample.
+    /// The claim fails modulo a prime, but no small counterexample was found.
     NoPoint,
 }
 
@@ -59,7 +61,8 @@ fn at(test: &SampledClaim<'_, Exact>) -> Option<Refutation> {
     Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
 }
 
-/// Returns (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the sides of the invariance as readers expect them.
+/// Returns the entries (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), where J = ∂x̃/∂x. A bracket P is invariant if
+/// both are equal.
 fn bracket_entries_at(test: &SampledClaim<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
     let SampledClaim { claim, sample, .. } = *test;
     let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;

@@ -1,4 +1,4 @@
-//! The identities of a claim, as pairs of values that must agree at every point.
+//! Computes the two sides of each identity in a claim. Both must agree at every point.
 //!
 //! | claim | left | right |
 //! |---|---|---|
@@ -8,8 +8,8 @@
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
 //!
-//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), invariance is J P Jᵀ = P(x̃) without an inverse. Derivatives
-//! are those of dual numbers.
+//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x, written
+//! without an inverse. Derivatives are computed by dual numbers.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -19,21 +19,21 @@ use crate::system::{Claim, upper_index};
 
 use super::sample::{Sample, run};
 
-/// Two values that must agree, and their identity.
+/// Two values that must agree, with the identity to which they belong.
 pub(super) struct Sides<V> {
     pub(super) place: Identity,
     pub(super) left: V,
     pub(super) right: V,
 }
 
-/// An identity of a claim.
+/// An identity that a claim asserts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Identity {
-    /// The only identity.
+    /// The only identity of an integral, a drift or a density.
     Value,
-    /// The entry {i, j} of the invariance of a bracket.
+    /// The invariance of a bracket in the entry {i, j}.
     Entry(usize, usize),
-    /// The Jacobi identity for i, j, k.
+    /// The Jacobi identity of a bracket for the states i, j, k.
     Jacobi(usize, usize, usize),
 }
 
@@ -76,7 +76,8 @@ impl<A: OverRationals> SampledClaim<'_, A> {
         pairs.map(|(place, (left, right))| Sides { place, left, right }).collect()
     }
 
-    /// Returns the entries Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ, i < j, of M P Mᵀ.
+    /// Returns the entries (i, j), i < j, of M P Mᵀ: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ. M is `matrix`;
+    /// `upper` are the entries of P above the diagonal.
     pub(super) fn congruence(&self, matrix: &[Vec<A::Value>], upper: &[A::Value]) -> Vec<A::Value> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let mut entries = Vec::new();
@@ -107,7 +108,7 @@ impl<A: OverRationals> SampledClaim<'_, A> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let zero = arithmetic.constant(&Rational::zero())?;
         let upper = self.gradients()?;
-        // Pᵢⱼ for any i, j; the diagonal is zero.
+        // The closure returns Pᵢⱼ for any i and j. Entries on the diagonal are zero.
         let entry = |i: usize, j: usize| -> Option<(&DualNumber<A::Value>, bool)> {
             (i != j).then(|| (&upper[upper_index(n, i.min(j), i.max(j))], i > j))
         };

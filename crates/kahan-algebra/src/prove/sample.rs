@@ -1,4 +1,5 @@
-//! One step of the map at one point over any field, with the data for testing claims.
+//! Takes one step of the map at one point over any field, and keeps the values that tests of claims
+//! need.
 
 use kahan_syntax::rational::Rational;
 
@@ -11,7 +12,7 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The plans of the field's numerators p and the matrix Â, expanded for exact arithmetic.
+/// The plans of the field's numerators p and of the matrix Â. Exact arithmetic uses expanded plans.
 pub(super) struct Scheme {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
@@ -32,13 +33,13 @@ impl Scheme {
     }
 }
 
-/// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
+/// A point x and its image x̃, with the matrices Â(x,ε) and Â(x̃,−ε).
 pub(super) struct Sample<V> {
     pub(super) here: Vec<V>,
     pub(super) there: Vec<V>,
     pub(super) matrix: Vec<Vec<V>>,
     pub(super) back_matrix: Vec<Vec<V>>,
-    /// det Â(x̃,−ε) / det Â(x,ε) = det ∂x̃/∂x.
+    /// The Jacobian determinant det ∂x̃/∂x = det Â(x̃,−ε) / det Â(x,ε).
     pub(super) jacobian_determinant: V,
 }
 
@@ -55,7 +56,8 @@ pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
     entries.chunks(n).map(<[V]>::to_vec).collect()
 }
 
-/// Takes one step from `here`; `None` at a pole, or if the arithmetic lacks a constant.
+/// Takes one step from the point `here`. Returns `None` at a pole, or if a constant is undefined in
+/// this arithmetic.
 pub(super) fn take_step<A: OverRationals>(
     scheme: &Scheme,
     arithmetic: &A,
@@ -80,11 +82,12 @@ pub(super) fn take_step<A: OverRationals>(
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }
 
-/// The most points drawn for one step, and the most steps beyond those that a claim needs, plus
-/// one. The bound on the error probability ([`super::sizes`]) grows with its square.
+/// The most points that are drawn for one step. A claim may also take additional steps, fewer than
+/// this number. The bound on the error probability ([`super::sizes`]) grows with the square of this
+/// number.
 pub(super) const MOST_DRAWS: usize = 16;
 
-/// The random points under given conditions, drawn on demand.
+/// The random points under given conditions. They are drawn when needed.
 pub(super) struct Samples<'a> {
     pub(super) conditions: &'a [Condition],
     random: Shake256,
@@ -113,8 +116,8 @@ impl<'a> Samples<'a> {
         self.modular.get(index)
     }
 
-    /// Returns the exact point number `index`, of small rationals; `None` if [`MOST_DRAWS`] draws
-    /// fail.
+    /// Returns exact point number `index`, which consists of small rationals; `None` if
+    /// [`MOST_DRAWS`] draws fail.
     pub(super) fn exact(&mut self, scheme: &Scheme, index: usize) -> Option<&Sample<Rational>> {
         let conditions = self.conditions;
         while self.exact.len() <= index {
@@ -127,7 +130,8 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// Sets the names that the conditions are solved for; `None` if one has no value.
+/// Computes the values of the names for which the conditions are solved; `None` if one is
+/// undefined.
 pub(super) fn evaluate_conditions<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,
@@ -141,8 +145,9 @@ pub(super) fn evaluate_conditions<A: OverRationals>(
     Some(())
 }
 
-/// Draws a random point of coordinates of at most this height, then imposes the conditions. ε > 0
-/// and parameters are nonzero unless fixed. `None` at divisions by zero, or at ε = 0.
+/// Draws a random point whose coordinates have at most this height, then imposes the conditions. ε
+/// is positive and parameters are nonzero, unless the conditions fix them. Returns `None` if a
+/// condition divides by zero, or if ε = 0.
 pub(super) fn small_point(
     scheme: &Scheme,
     conditions: &[Condition],

@@ -1,23 +1,28 @@
-//! The number of points that proves a claim, from bounds on the degree and size of its residuals.
+//! Computes how many points prove a claim, from bounds on the degree and size of the claim's
+//! residuals.
 //!
 //! # Proof
 //!
-//! Let F/G be a residual as formed by the evaluation, with integer polynomials F and G in states,
-//! parameters and ε. For a false claim some F ≠ 0. A point is a random prime p between 2⁶⁰ and 2⁶¹
-//! with random residues. A false claim passes only if
+//! Let F/G be a residual as the evaluation forms it, with integer polynomials F and G in states,
+//! parameters and ε. If a claim is false, some F is nonzero. A point is a random prime p between
+//! 2⁶⁰ and 2⁶¹ with random residues. A false claim passes only if
 //!
-//! * p divides every coefficient of F: at most b/60 primes do, b = log₂ ‖F‖₁, out of more than 2⁵⁴
-//!   (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
-//! * F vanishes at the point modulo p: probability at most deg F · 2⁻⁶⁰ (Schwartz and Zippel).
+//! * the prime p divides every coefficient of F: with b = log₂ ‖F‖₁, at most b/60 primes do so, out
+//!   of more than 2⁵⁴ (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
+//! * the value of F is zero at the point modulo p, which has probability at most deg F · 2⁻⁶⁰
+//!   (Schwartz and Zippel).
 //!
-//! So one point passes with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰. If a step divides
-//! by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`). So a step passes with
-//! probability at most r·e. Fewer than r steps where the claim has no value are skipped. A false
-//! claim is proved with k points only if k of its first k + r − 1 independent steps pass:
-//! probability at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. k ≥ 3 is chosen with (r²·e)ᵏ <
-//! 2⁻¹⁰⁰. Points come from SHAKE256 of the block's text: builds are reproducible, and authors can
-//! influence the primes only by trying texts. Evaluation of the residuals in [`SizeArithmetic`] bounds deg F
-//! and b.
+//! A false claim thus passes at one point with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰.
+//! If a step divides by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`), so a step
+//! passes with probability at most r·e. Steps where the claim is undefined are skipped, but fewer
+//! than r of them.
+//!
+//! With k points, a false claim is proved only if k of its first k + r − 1 independent steps pass.
+//! The probability is at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. The number k ≥ 3 is chosen
+//! such that (r²·e)ᵏ < 2⁻¹⁰⁰. Evaluating the residuals in [`SizeArithmetic`] bounds deg F and b.
+//!
+//! The points come from SHAKE256 of the block's text. Builds are therefore reproducible, and
+//! authors can influence the primes only by trying texts.
 
 use crate::arithmetic::{Arithmetic, FractionSize, PolynomialSize, SizeArithmetic};
 use crate::system::Claim;
@@ -25,13 +30,14 @@ use crate::system::Claim;
 use super::residual::SampledClaim;
 use super::sample::{MOST_DRAWS, Sample, Scheme, evaluate_conditions, rows, run};
 
-/// The error probability of a proof is below 2 to minus this.
+/// The negative base-2 logarithm of the bound on the error probability of a proof.
 pub const ERROR_EXPONENT: u32 = 100;
 
-/// The largest degree to prove; numbers at the exact point would have millions of digits beyond.
+/// The largest degree of a claim that is proved. With higher degrees, numbers at the exact point
+/// would have millions of digits.
 pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
-/// Returns the number of points that proves a claim; `None` if no reasonable number does.
+/// Returns the number of points that proves a claim; `None` if no reasonable number suffices.
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     let residuals =
         SampledClaim { claim, arithmetic: &SizeArithmetic, sample: &sample(scheme, claim)? }.pairs()?;
@@ -40,10 +46,12 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// Returns the least k with (r²·e)ᵏ < 2⁻¹⁰⁰, after rounding r²·e up to a power of two.
+/// Returns the least number k of points with (r²·e)ᵏ < 2⁻¹⁰⁰. The head of this module defines r and
+/// e; r²·e is rounded up to a power of two.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // r²·e in units of 2⁻⁶⁰, where e·2⁶⁰ ≤ 64·(b/60 + 1) + deg F.
+    // The head of this module defines r, e and b. Compute r²·e in units of 2⁻⁶⁰ from e·2⁶⁰ ≤
+    // 64·(b/60 + 1) + deg F.
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(draws)?;
     let lost = u64::BITS - units.leading_zeros();
@@ -51,11 +59,12 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     Some(ERROR_EXPONENT.div_ceil(gained))
 }
 
-/// Takes one step in the arithmetic of sizes: x̃ by Cramer's rule, determinants by expansion.
+/// Takes one step in the arithmetic of sizes. The size of x̃ follows from Cramer's rule, those of
+/// determinants from expansion.
 fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<FractionSize>> {
     let n = scheme.dimension();
     let mut here = vec![FractionSize::variable(); scheme.variables];
-    // A name that a relation is solved for becomes a quotient of polynomials in the others.
+    // A name for which a relation is solved becomes a quotient of polynomials in other names.
     evaluate_conditions(&claim.conditions, &SizeArithmetic, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
     let matrix = rows(&run(&SizeArithmetic, &scheme.matrix, &here)?, n);
@@ -64,7 +73,8 @@ fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<FractionSize>> {
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
-    // One bound serves every n×n minor of (Â | p), hence D̂ and each n̂ⱼ.
+    // One bound holds for every n×n minor of the matrix (Â | p), hence for the map's denominator
+    // and its numerators.
     let minor = SizeArithmetic.determinant(&extended);
     let increment =
         SizeArithmetic.multiply(&SizeArithmetic.add(&eps, &eps), &SizeArithmetic.divide(&minor, &minor)?);

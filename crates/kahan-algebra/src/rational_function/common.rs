@@ -1,16 +1,17 @@
-//! Operations on several rational functions: common denominators, and rows of linear equations.
+//! Operations on several rational functions, for common denominators and rows of linear equations.
 
 use super::{RationalFunction, divide, unlimited};
 use crate::poly::{Budget, Polynomial, WithinBudget, gcd_within};
 
-/// The nonzero entries of a row, by ascending column.
+/// The nonzero entries of a row with their columns, by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
 
-/// The cost of reducing a fraction of long integers, relative to a product of them.
+/// The cost of reducing a fraction of long integers, relative to the cost of multiplying them.
 const COST_OF_FRACTIONS: u64 = 50;
 
 impl RationalFunction {
-    /// Returns the numerators of functions over their least common denominator, and the latter.
+    /// Returns the numerators of the functions over their least common denominator, and this
+    /// denominator.
     pub fn over_common(functions: &[Self]) -> (Vec<Polynomial>, Polynomial) {
         unlimited(|budget| Self::over_common_within(functions.iter(), budget))
     }
@@ -37,7 +38,7 @@ pub(crate) fn with_leading_one(row: &Row, budget: &mut Budget) -> WithinBudget<R
     row.iter().map(|(column, entry)| Ok((*column, entry.mul_within(&inverse, budget)?))).collect()
 }
 
-/// Returns row − factor · pivot.
+/// Returns the row minus `factor` times the pivot row.
 pub(crate) fn reduced(
     row: &Row,
     factor: &RationalFunction,
@@ -51,7 +52,8 @@ pub(crate) fn reduced(
         while let Some(before) = own.next_if(|(other, _)| other < column) {
             difference.push(before.clone());
         }
-        // Long fractions cost more than the product of their numerators, which the budget counts.
+        // Reducing long fractions costs more than multiplying their numerators, and the budget
+        // counts only multiplications.
         let long = entry.numerator().coefficient_words().max(words) - 1;
         budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
         let product = entry.mul_within(factor, budget)?;

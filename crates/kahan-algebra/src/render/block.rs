@@ -1,4 +1,4 @@
-//! A system as a block of `kahan!` in a canonical layout.
+//! Prints a system as a block of `kahan!` in a canonical layout.
 
 use kahan_syntax::syntax::{Header, Reference};
 
@@ -63,13 +63,13 @@ fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     lines
 }
 
-/// Returns the expanded equations of a field, one line each.
+/// Returns the expanded equations of a field as text, with one line for each.
 pub fn equation_lines(field: &Field) -> impl Iterator<Item = String> {
     let right = Formulas { field, map: None, notation: &Text }.field();
     field.symbols.states.iter().zip(right).map(|(state, value)| format!("{state}dot = {value};"))
 }
 
-/// Returns the lines of a block: header, expanded equations, claims as written.
+/// Returns the lines of a block: the header, the expanded equations, and the claims as written.
 #[must_use]
 pub fn block_lines(system: &System) -> Vec<String> {
     let header = system.header.as_ref();
@@ -84,7 +84,7 @@ pub fn block_lines(system: &System) -> Vec<String> {
     lines
 }
 
-/// Returns a system as a call of `kahan!`.
+/// Prints a system as a call of `kahan!`.
 #[must_use]
 pub fn macro_block(system: &System) -> String {
     let lines: String = block_lines(system).iter().map(|line| format!("    {line}\n")).collect();

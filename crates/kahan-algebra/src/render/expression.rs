@@ -1,10 +1,11 @@
-//! Expressions as written.
+//! Prints expressions as written.
 
 use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 
 use super::notation::{Notation, Text};
 
-/// The binding strength of an expression, for parentheses.
+/// The precedence of the outermost operation in an expression. It decides where parentheses are
+/// needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Precedence {
     /// A sum or a negation.
@@ -17,13 +18,13 @@ pub enum Precedence {
     Atom,
 }
 
-/// Returns an expression as written.
+/// Returns the text of an expression as written.
 #[must_use]
 pub fn expression_text(expr: &Expr) -> String {
     Text.expression(expr)
 }
 
-/// Returns an expression in a notation, and its binding strength.
+/// Returns an expression in a notation, with the precedence of its outermost operation.
 pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Precedence) {
     match &expr.kind {
         ExprKind::Number(value) => {
@@ -55,13 +56,14 @@ pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Prec
     }
 }
 
-/// Returns an expression in a notation, in parentheses if it binds less tightly than `level`.
+/// Returns an expression in a notation. It is in parentheses if its precedence is lower than
+/// `level`.
 pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Precedence) -> String {
     let (text, own) = written(notation, expr);
     if own >= level { text } else { notation.parenthesized(&text) }
 }
 
-/// Appends a term with its sign to a sum.
+/// Appends a term and its sign to a sum.
 pub fn push_term(sum: &mut String, is_negative: bool, term: &str) {
     sum.push_str(match (sum.is_empty(), is_negative) {
         (true, false) => "",

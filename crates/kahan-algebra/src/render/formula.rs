@@ -1,4 +1,4 @@
-//! The objects of a system as formulas.
+//! Prints the objects of a system as formulas.
 
 use crate::field::Field;
 use crate::kahan::{RationalMap, TERM_BUDGET, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
@@ -8,14 +8,14 @@ use kahan_syntax::rational::Rational;
 
 use super::notation::Notation;
 
-/// A writer for the objects of one field in one notation.
+/// Writes the objects of one field in one notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Formulas<'a> {
-    /// The field.
+    /// The field whose objects are written.
     pub field: &'a Field,
-    /// The map of the field in closed form; `None` beyond the budget.
+    /// The map of the field in closed form; `None` if it exceeds the budget.
     pub map: Option<&'a RationalMap>,
-    /// The notation.
+    /// The notation of the formulas.
     pub notation: &'a dyn Notation,
 }
 
@@ -39,38 +39,38 @@ impl Formulas<'_> {
         pairs.map(|(polynomial, component)| self.over(polynomial, component)).collect()
     }
 
-    /// Returns f(x).
+    /// Returns the field f(x).
     #[must_use]
     pub fn field(&self) -> Vec<String> {
         let components = self.field.components.iter();
         components.map(|component| self.notation.function(&self.field.symbols, component)).collect()
     }
 
-    /// Returns f′(x).
+    /// Returns the Jacobian f′(x).
     #[must_use]
     pub fn field_jacobian(&self) -> MatrixText {
         self.matrix_over(&field_jacobian(self.field))
     }
 
-    /// Returns A(x,ε).
+    /// Returns the matrix A(x,ε).
     #[must_use]
     pub fn matrix(&self) -> MatrixText {
         self.matrix_over(&scaled_matrix(self.field))
     }
 
-    /// Returns b(x,ε).
+    /// Returns the right-hand side b(x,ε).
     #[must_use]
     pub fn rhs(&self) -> Vec<String> {
         self.over_each(&scaled_rhs(self.field))
     }
 
-    /// Returns Q(x,y), the second point with primes.
+    /// Returns the bilinear form Q(x,y). The names of the second point have primes.
     #[must_use]
     pub fn bilinear(&self) -> Vec<String> {
         self.over_each(&bilinear_form(self.field))
     }
 
-    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d; `None` beyond the budget.
+    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d; `None` if it exceeds the budget.
     #[must_use]
     pub fn map(&self) -> Option<Vec<String>> {
         let map = self.map?;
@@ -84,11 +84,11 @@ impl Formulas<'_> {
         Some(rows.collect())
     }
 
-    /// Returns ∂x̃/∂x with entries in lowest terms; `None` if the map or an entry is beyond the
-    /// budget. Costs a greatest common divisor for each entry.
+    /// Returns ∂x̃/∂x with entries in lowest terms; `None` if the map or an entry exceeds the
+    /// budget. Each entry takes a greatest common divisor.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
-        /// The most products of terms for an entry: some tenths of a second.
+        /// The most products of terms for an entry. They take some tenths of a second.
         const WORK: u64 = 1 << 20;
 
         let map = &self.map?.reduced;
@@ -106,7 +106,7 @@ impl Formulas<'_> {
         variables.clone().map(|i| variables.clone().map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// Returns det A(x,ε); `None` beyond the budget.
+    /// Returns the determinant det A(x,ε); `None` if it exceeds the budget.
     #[must_use]
     pub fn determinant(&self) -> Option<String> {
         let map = self.map?;
@@ -117,7 +117,7 @@ impl Formulas<'_> {
         })
     }
 
-    /// Returns the factor divided out of the map; `None` if it is constant.
+    /// Returns the factor that was divided out of the map; `None` if the factor is constant.
     #[must_use]
     pub fn removed_factor(&self) -> Option<String> {
         let map = self.map?;

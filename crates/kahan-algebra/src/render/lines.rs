@@ -1,7 +1,7 @@
 //! Breaks long plain text into lines at spaces.
 
 /// Breaks a text into at least one line of at most `width` characters. A sign stays with the term
-/// behind it, `=` with the text before it. A longer word gets its own line.
+/// after it, and `=` with the text before it. A word that is longer than `width` gets its own line.
 ///
 /// ```
 /// let lines = kahan_algebra::render::lines("x~ = a*x + b*y - c*z", 10);
@@ -30,14 +30,14 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Breaks lines of more than `width` characters; continuation lines are indented further. Rust
-/// comments stay whole, since their continuation would not be a comment.
+/// Breaks lines of more than `width` characters. Continuation lines are indented further. Rust
+/// comments are not broken, because their continuation would not be a comment.
 #[must_use]
 pub fn folded(text: &str, width: usize) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
         let body = line.trim_start_matches(' ');
-        // A deep indent would leave no room.
+        // A deep indent would leave no room for text, so limit it.
         let indent = (line.len() - body.len()).min(width / 2);
         let further = (indent + 4).min(width / 2);
         let stays = length(line) <= width || body.starts_with("//");

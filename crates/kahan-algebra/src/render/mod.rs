@@ -1,4 +1,4 @@
-//! Formulas and mistakes for readers: plain text, and source lines with a caret.
+//! Prints formulas and mistakes for readers, as plain text and as source lines with a caret.
 
 mod block;
 mod claim;

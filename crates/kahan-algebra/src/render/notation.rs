@@ -1,4 +1,4 @@
-//! The interface of notations, and the notation of `kahan!`.
+//! Defines the interface of notations, and the notation of `kahan!`.
 
 use std::fmt;
 
@@ -12,55 +12,57 @@ use crate::symbols::{Symbol, Symbols};
 
 use super::expression::{Precedence, at_least, push_term, written};
 
-/// A notation for formulas: [`Text`], or LaTeX in `kahan-latex`.
+/// A notation for formulas. Implementations are [`Text`], and LaTeX in `kahan-latex`.
 pub trait Notation: fmt::Debug {
-    /// Returns a name.
+    /// Writes a name.
     fn name(&self, name: &str) -> String;
 
-    /// Returns the image of a state under the map.
+    /// Writes the image of a state under the map.
     fn image(&self, name: &str) -> String;
 
-    /// Returns the entry of a tensor in these states.
+    /// Writes the name of a tensor's entry for two states.
     fn entry(&self, row: &str, column: &str) -> String;
 
-    /// Returns a rational number.
+    /// Writes a rational number.
     fn number(&self, value: &Rational) -> String;
 
-    /// Returns base^exponent.
+    /// Writes a power base^exponent.
     fn power(&self, base: &str, exponent: i64) -> String;
 
-    /// Returns base^exponent with a formula as exponent.
+    /// Writes a power base^exponent whose exponent is a formula.
     fn raised(&self, base: &str, exponent: &str) -> String {
         format!("{base}^({exponent})")
     }
 
-    /// Returns a function of an argument; with an empty name, the argument in parentheses.
+    /// Writes a function call. If the name of the function is empty, writes the argument in
+    /// parentheses.
     fn call(&self, function: &str, argument: &str) -> String {
         format!("{function}({argument})")
     }
 
-    /// Returns a product of written factors.
+    /// Writes the product of factors that are already written.
     fn product(&self, factors: &[String]) -> String;
 
-    /// Returns `above/below`, which may be sums.
+    /// Writes the quotient `above/below`, where both may be sums.
     fn quotient(&self, above: &str, below: &str) -> String;
 
-    /// Returns x + 2ε·above/below for the state x of this name; `above` is not 0.
+    /// Writes x + 2ε·above/below for the state x with this name. The numerator `above` must not be
+    /// 0.
     fn moved(&self, symbols: &Symbols, name: &str, above: &Polynomial, below: &Polynomial) -> String;
 
-    /// Returns an expression as written, with the required parentheses.
+    /// Writes an expression as it is in the text, with the parentheses that it needs.
     fn expression(&self, expr: &Expr) -> String {
         written(self, expr).0
     }
 
-    /// Returns a product in a notation, and its binding strength.
+    /// Returns a product in a notation, with its precedence.
     fn written_product(&self, factors: &[Factor]) -> (String, Precedence) {
         let mut text = String::new();
         for (index, factor) in factors.iter().enumerate() {
             if index > 0 {
                 text.push(if factor.divides { '/' } else { '*' });
             }
-            // −a·b is read as (−a)·b: a leading sign belongs to the first factor.
+            // The text −a·b means (−a)·b, so a leading sign belongs to the first factor.
             let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
             text.push_str(&at_least(
                 self,
@@ -71,28 +73,27 @@ pub trait Notation: fmt::Debug {
         (text, Precedence::Product)
     }
 
-    /// Returns the minimal binding strength of an expression that follows a sign without
-    /// parentheses.
+    /// Returns the lowest precedence of an expression that may follow a sign without parentheses.
     fn behind_sign(&self) -> Precedence {
         Precedence::Power
     }
 
-    /// Returns a sum over all sites of a written summand.
+    /// Writes the sum over all sites of a summand that is already written.
     fn over_sites(&self, summand: &str) -> String {
         format!("sum({summand})")
     }
 
-    /// Returns an expression in parentheses.
+    /// Writes an expression in parentheses.
     fn parenthesized(&self, text: &str) -> String {
         format!("({text})")
     }
 
-    /// Returns above/below.
+    /// Writes the fraction above/below of two polynomials.
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
         self.quotient(&self.polynomial(symbols, above), &self.polynomial(symbols, below))
     }
 
-    /// Returns a function in lowest terms.
+    /// Writes a rational function in lowest terms.
     fn function(&self, symbols: &Symbols, function: &RationalFunction) -> String {
         match function.as_polynomial() {
             Some(polynomial) => self.polynomial(symbols, polynomial),
@@ -100,7 +101,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// Returns the name of a variable; a second copy of a state gets a prime.
+    /// Writes the name of a variable. The second copy of a state gets a prime.
     fn variable(&self, symbols: &Symbols, variable: Variable) -> String {
         match symbols.symbol(variable) {
             Symbol::SecondState(i) => format!("{}'", self.name(&symbols.states[i])),
@@ -108,7 +109,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// Returns a polynomial, low degrees first.
+    /// Writes a polynomial. Terms of low degree come first.
     fn polynomial(&self, symbols: &Symbols, polynomial: &Polynomial) -> String {
         let mut terms: Vec<(&Monomial, &Rational)> = polynomial.terms().collect();
         terms.sort_by_key(|(monomial, _)| monomial.degree());
@@ -121,7 +122,7 @@ pub trait Notation: fmt::Debug {
     }
 }
 
-/// Returns a positive multiple of a monomial: numbers, ε and parameters before states.
+/// Writes a monomial with a positive coefficient. Numbers, ε and parameters come before states.
 fn term<N: Notation + ?Sized>(
     notation: &N,
     symbols: &Symbols,
@@ -143,7 +144,7 @@ fn term<N: Notation + ?Sized>(
     notation.product(&factors)
 }
 
-/// The language of `kahan!`: `1/2*x^2`.
+/// The language of `kahan!`, in which a term looks like `1/2*x^2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Text;
 

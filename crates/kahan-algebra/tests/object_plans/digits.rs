@@ -1,9 +1,11 @@
-//! Compares the loss of digits of the library's plans with that of the text as written.
+//! Compares how many digits the plans of the library lose with how many an evaluation of the text
+//! loses.
 //!
-//! Each object is computed from the text in 24 runs with every operation rounded up or down at
-//! random; E is the largest error. The library's error must be at most 8 E at each point, and 2 E
-//! in the median of a field's points. Errors are per entry, for the step relative to the largest
-//! component, since elimination mixes components. Errors below half an ulp count as half an ulp.
+//! Each object is computed from the text in 24 runs, in which every operation is rounded up or down
+//! at random. Let E be the largest error of these runs. The error of the library must be at most 8
+//! E at each point, and at most 2 E in the median over a field's points. Errors are measured for
+//! each entry. Those of a step are relative to the largest component, because elimination mixes
+//! components. Errors below half an ulp count as half an ulp.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -22,21 +24,22 @@ use kahan_algebra::system::System;
 
 use super::written::Written;
 
-/// Returns the number of random fields; `KAHAN_FIELDS=2000` changes it.
+/// Returns the number of random fields. The environment variable `KAHAN_FIELDS`, for example 2000,
+/// sets it.
 fn fields() -> usize {
     std::env::var("KAHAN_FIELDS")
         .map_or(200, |number| number.parse().expect("KAHAN_FIELDS is a whole number"))
 }
 
 const POINTS: usize = 7;
-/// The runs of the text at each point.
+/// The number of runs of the text at each point.
 const RUNS: usize = 24;
-/// The maximal loss of the library in units of that of the text.
+/// The largest permitted error of the library, relative to that of the text.
 const EVERYWHERE: f64 = 8.0;
-/// The maximal median loss over a field's points.
+/// The largest permitted median of these ratios of errors over a field's points.
 const IN_THE_MEDIAN: f64 = 2.0;
 
-/// Floats with every inexact operation rounded up or down at random.
+/// The arithmetic of floats in which every inexact operation is rounded up or down at random.
 struct Random {
     draws: RefCell<SplitMix64>,
     literals: RefCell<HashMap<Rational, (f64, f64)>>,
@@ -48,7 +51,8 @@ impl Random {
         Random { draws, literals: RefCell::default() }
     }
 
-    /// Returns `nearest` or its neighbour on the side of `rest`, at random; exact numbers stay.
+    /// Returns `nearest`, or its neighbour on the side of `rest`, at random. An exact result is
+    /// returned unchanged.
     fn rounded(&self, nearest: f64, rest: f64) -> f64 {
         let other = if rest > 0.0 {
             nearest.next_up()
@@ -124,7 +128,7 @@ fn of_text<A: Arithmetic<Constant = Rational>>(
         if i == j { arithmetic.subtract(&one, &change) } else { arithmetic.negate(&change) }
     };
     let matrix: Vec<Vec<A::Value>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
-    // B = f'(0) and c = f(0).
+    // The linear part is B = f'(0), and the constant part is c = f(0).
     let constants = written.field(arithmetic, &at_origin)?;
     let linear = written.field_jacobian(arithmetic, &at_origin)?;
     let right = (0..n).map(|i| {
@@ -140,7 +144,7 @@ fn of_text<A: Arithmetic<Constant = Rational>>(
     Some([field, slopes.concat(), matrix.concat(), right, next])
 }
 
-/// Returns M⁻¹v by elimination with partial pivoting and back substitution.
+/// Returns M⁻¹v for a matrix M, by elimination with partial pivoting and back substitution.
 fn eliminated<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
@@ -180,10 +184,10 @@ fn eliminated<A: Arithmetic<Constant = Rational>>(
     Some(solution)
 }
 
-/// An exact number as a float and the remainder.
+/// An exact number, as a float and the difference from it.
 type Double = (f64, f64);
 
-/// Returns the errors of floats entry by entry, infinite for NaN.
+/// Returns the error of each float. The error of NaN is infinite.
 fn errors(floats: &[f64], exact: &[Double]) -> Vec<f64> {
     let error = |(float, (high, low)): (&f64, &Double)| {
         let error = ((float - high) - low).abs();
@@ -196,8 +200,8 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
-/// Returns the loss of an object at one point in units of the text's loss; `None` if the text
-/// itself keeps fewer than three digits.
+/// Returns the error of an object at one point, divided by the error of the text. Returns `None` if
+/// the text itself keeps fewer than three digits.
 fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool) -> Option<f64> {
     let runs: Vec<Vec<f64>> = runs.iter().map(|run| errors(run, exact)).collect();
     let sizes: Vec<f64> = exact.iter().map(|(high, _)| high.abs()).collect();
@@ -215,7 +219,7 @@ fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool)
     })
 }
 
-/// The losses of each object of a field at each point, by name.
+/// For each object of a field, by name, the ratios of errors at all points.
 #[derive(Default)]
 struct Losses(BTreeMap<&'static str, Vec<f64>>);
 
@@ -245,7 +249,7 @@ impl<'a> Subject<'a> {
         Subject { name, written, interpreter: Interpreter::new(system), random: Random::seeded(name) }
     }
 
-    /// Returns the losses at the first `wanted` usable points.
+    /// Returns the ratios of errors at the first `wanted` usable points.
     fn losses(&self, points: impl Iterator<Item = Point<f64>>, wanted: usize) -> Losses {
         let mut losses = Losses::default();
         let mut seen = 0;
@@ -319,7 +323,7 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// The possible distances between numbers of a point.
+    /// The distances that numbers of a point may have from each other.
     nearness: &'static [f64],
 }
 
@@ -349,14 +353,15 @@ impl Draw {
         low + (high - low) * self.share()
     }
 
-    /// Draws a distance of either sign.
+    /// Draws a distance, which may be negative.
     fn distance(&mut self) -> f64 {
         let size = *self.one(self.nearness);
         let sign = *self.one(&[1.0, -1.0]);
         sign * size * self.between(0.5, 1.0)
     }
 
-    /// Draws parameters near each other (p, q, s) or −1 (r), and states near 1 and each other.
+    /// Draws a point. The parameters p, q and s are near each other, r is near −1, and states are
+    /// near 1 and near each other.
     fn point(&mut self, system: &System) -> Point<f64> {
         let p = self.between(0.5, 2.0);
         let q = p - self.distance();
@@ -381,8 +386,8 @@ impl Draw {
         Point { state, parameters, eps: self.between(0.01, 0.2) }
     }
 
-    /// Draws a field in two or three variables with up to three terms of degree at most 2 in each
-    /// equation, whose coefficients contain differences and divisors of parameters.
+    /// Draws a field in two or three variables. Each equation has up to three terms of degree at
+    /// most 2. Their coefficients contain differences and divisors of parameters.
     fn field(&mut self) -> String {
         let states = &["x", "y", "z"][..2 + self.below(2)];
         let mut text = String::new();
@@ -413,7 +418,7 @@ impl Draw {
     }
 }
 
-/// A field written by hand, with its parameters at a point.
+/// A field written by hand, with values for its parameters.
 struct Example {
     name: &'static str,
     text: &'static str,
@@ -455,7 +460,7 @@ const EXAMPLES: [Example; 5] = [
     },
 ];
 
-/// Returns the blocks of the catalog that claim integrals, with file names.
+/// Returns the blocks of the catalog that claim integrals, with their file names.
 fn catalog() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../systems/src/catalog");
     let files = fs::read_dir(folder).expect("the catalog").map(|file| file.expect("a file").path());
@@ -534,7 +539,7 @@ fn the_digits_of_the_text_are_kept() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// Compares a chain of a family with its text written out site by site.
+/// A chain of a family is compared with its text, which is written out site by site.
 #[test]
 fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
     let site = "{x}*({right} - {left})/(p - q) + (p - q)*{x}/(1 + p) - {x}/(1 + p)";
@@ -564,7 +569,7 @@ fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
     }
 }
 
-/// Compares a specialised system with its text at these numbers.
+/// A specialised system is compared with its text at the given values.
 #[test]
 fn the_digits_of_a_text_are_kept_where_parameters_have_values() {
     let text = "xdot = (x - a)*(y - 1)/(p - q) + x/(a + q); ydot = (1 + a)*(x - y)^2/q;";

@@ -1,5 +1,6 @@
-//! Runs the plans of all objects over ℚ and compares them with defining formulas that use only the
-//! text of the block. Also reads the listing of a step back and computes it line by line.
+//! Runs the plans of all objects over ℚ. The results are compared with the defining formulas, which
+//! use only the text of the block. Also reads the listing of a step back and computes it line by
+//! line.
 
 mod digits;
 mod written;
@@ -40,7 +41,7 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Returns two test points, one with positive and one with negative numbers.
+/// Returns two test points. One has positive numbers, the other negative ones.
 fn places(system: &System) -> [Place; 2] {
     [1, -1].map(|sign| {
         let n = system.field.dimension() as i64;
@@ -57,14 +58,14 @@ fn places(system: &System) -> [Place; 2] {
     })
 }
 
-/// A point, and a second one for bilinear objects.
+/// A test point, with a second point for bilinear objects.
 struct Place {
     point: Point<Rational>,
     second: Vec<Rational>,
 }
 
 impl Place {
-    /// Returns the outputs of a plan; `prepared` holds the prepared constants.
+    /// Returns the outputs of a plan. `prepared` has the values of the prepared constants.
     fn run(&self, plan: &Plan, symbols: &Symbols, prepared: &[Rational]) -> Vec<Option<Rational>> {
         let prepared: Vec<Option<Rational>> = prepared.iter().cloned().map(Some).collect();
         let value = |variable| {
@@ -96,7 +97,7 @@ fn combination(terms: &[(Rational, &[Rational])]) -> Vec<Rational> {
     (0..terms[0].1.len()).map(entry).collect()
 }
 
-/// Returns X of M X = R by columns and det M, by elimination with the first nonzero pivot.
+/// Solves M X = R by elimination with the first nonzero pivot. Returns the columns of X, and det M.
 fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rational>>, Rational) {
     let n = matrix.len();
     let rows = matrix.iter().zip(right);
@@ -119,7 +120,8 @@ fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rationa
     (rows.into_iter().map(|row| row[n..].to_vec()).collect(), determinant)
 }
 
-/// The objects by their definitions, from f only: differences of a quadratic f are exact.
+/// Computes the objects by their definitions from f alone. Differences of a quadratic f give exact
+/// derivatives.
 struct Definitions<'a> {
     written: &'a Written,
     place: &'a Place,
@@ -135,7 +137,7 @@ impl Definitions<'_> {
         vec![Rational::zero(); self.place.point.state.len()]
     }
 
-    /// Column j is (f(x + eⱼ) − f(x − eⱼ))/2.
+    /// Returns f′(x). Column j is (f(x + eⱼ) − f(x − eⱼ))/2 with the unit vector eⱼ.
     fn slopes(&self, x: &[Rational]) -> Vec<Vec<Rational>> {
         let n = x.len();
         let columns: Vec<Vec<Rational>> = (0..n)
@@ -151,7 +153,7 @@ impl Definitions<'_> {
         (0..n).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect()
     }
 
-    /// Q(x) = ½[f(x) + f(−x)] − f(0)
+    /// Returns the quadratic part Q(x) = ½[f(x) + f(−x)] − f(0).
     fn quadratic(&self, x: &[Rational]) -> Vec<Rational> {
         let opposite = combination(&[(-Rational::one(), x)]);
         let minus = -Rational::one();
@@ -162,7 +164,7 @@ impl Definitions<'_> {
         ])
     }
 
-    /// Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)]
+    /// Returns the bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)].
     fn bilinear(&self, x: &[Rational], y: &[Rational]) -> Vec<Rational> {
         let sum = combination(&[(Rational::one(), x), (Rational::one(), y)]);
         combination(&[
@@ -172,7 +174,7 @@ impl Definitions<'_> {
         ])
     }
 
-    /// Q(x,y) + ½B(x+y) + c, where Bx = ½[f(x) − f(−x)] and c = f(0).
+    /// Returns Q(x,y) + ½B(x+y) + c, where Bx = ½[f(x) − f(−x)] and c = f(0).
     fn polarised(&self, x: &[Rational], y: &[Rational]) -> Vec<Rational> {
         let one = Rational::one;
         combination(&[
@@ -188,7 +190,7 @@ impl Definitions<'_> {
         combination(&[(half(1), &self.field(x)), (half(-1), &self.field(&opposite))])
     }
 
-    /// A(x,ε) = I − εf′(x)
+    /// Returns the matrix A(x,ε) = I − εf′(x).
     fn matrix(&self, x: &[Rational], eps: &Rational) -> Vec<Vec<Rational>> {
         let mut matrix = self.slopes(x);
         for (i, row) in matrix.iter_mut().enumerate() {
@@ -198,13 +200,13 @@ impl Definitions<'_> {
         matrix
     }
 
-    /// b(x,ε) = x + εBx + 2εc
+    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc.
     fn right_hand_side(&self, x: &[Rational], eps: &Rational) -> Vec<Rational> {
         let constant = self.field(&self.origin());
         combination(&[(Rational::one(), x), (eps.clone(), &self.linear(x)), (eps + eps, &constant)])
     }
 
-    /// Returns x̃ of A x̃ = b, and det A.
+    /// Returns the solution x̃ of A x̃ = b, and det A.
     fn next(&self) -> (Vec<Rational>, Rational) {
         let Point { state, eps, .. } = &self.place.point;
         let right: Vec<Vec<Rational>> =
@@ -213,7 +215,7 @@ impl Definitions<'_> {
         (next.concat(), determinant)
     }
 
-    /// ∂x̃/∂x = A(x,ε)⁻¹A(x̃,−ε)
+    /// Returns the Jacobian ∂x̃/∂x = A(x,ε)⁻¹A(x̃,−ε).
     fn jacobian(&self) -> Vec<Vec<Rational>> {
         let Point { state, eps, .. } = &self.place.point;
         solved(&self.matrix(state, eps), &self.matrix(&self.next().0, &-eps.clone())).0
@@ -224,7 +226,7 @@ impl Definitions<'_> {
         claims.map(|(name, value)| (name, value.expect("the claim has a value"))).collect()
     }
 
-    /// Returns the value of the object that [`Derived::functions`] calls by this name.
+    /// Returns the value of the object that has this name in [`Derived::functions`].
     fn object(&self, name: &str, derived: &Derived) -> Vec<Rational> {
         let Place { point: Point { state, .. }, second } = self.place;
         let (next, determinant) = self.next();
@@ -239,7 +241,8 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // The multiple of the denominator is arbitrary, so take it from the polynomial.
+            // The denominator is determined only up to a factor, so take its value from the
+            // polynomial.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))
@@ -262,7 +265,7 @@ fn half(n: i64) -> Rational {
     Rational::new(n, 2)
 }
 
-/// An object's plan, and its values at the two test points by definition.
+/// The plan of an object, and its values at the two test points by definition.
 struct Object<'a> {
     name: String,
     plan: Plan,
@@ -290,7 +293,7 @@ fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> 
         if name.ends_with(" constants") {
             return None;
         }
-        // Clebsch's N and D are beyond the budget; its step is not.
+        // For Clebsch's field, N and D exceed the budget, but the step does not.
         let Some(plan) = plan else {
             assert!(["det A", "(N, D)"].contains(&name.as_str()) && derived.map.is_none());
             return None;
@@ -306,7 +309,7 @@ fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> 
     functions.collect()
 }
 
-/// Returns the plan with operation `index` changed; `None` for an input.
+/// Returns the plan in which operation `index` is changed; `None` if it is an input.
 fn broken(plan: &Plan, index: usize) -> Option<Plan> {
     let mut plan = plan.clone();
     let operation = &mut plan.operations[index];
@@ -461,7 +464,7 @@ fn a_field_beyond_straight_lines_has_no_plan_of_its_step() {
     assert_eq!(without, ["prepared constants", "step", "det A", "(N, D)"]);
 }
 
-/// Computes one line `name = right` of a listing from the values so far.
+/// Computes one line `name = right` of a listing from the values known so far.
 fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
     let (name, right) = line.split_once(" = ").expect("an equation");
     let lookup = |text: &str| -> Rational {
@@ -475,7 +478,7 @@ fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
         if negative { -value } else { value }
     };
     let product = |text: &str| -> Rational {
-        // A slash in parentheses belongs to a literal.
+        // A slash inside parentheses belongs to a number.
         if let Some((a, b)) = text.rsplit_once('/').filter(|(_, below)| !below.contains(')')) {
             return lookup(a).checked_div(&lookup(b)).expect("no pole");
         }

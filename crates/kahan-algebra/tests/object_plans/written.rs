@@ -1,4 +1,5 @@
-//! Evaluates a block as written in any arithmetic, without the library's polynomials and plans.
+//! Evaluates a block as written in any arithmetic. The polynomials and plans of the library are not
+//! used.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual};
 use kahan_algebra::diagnostics::Diagnostics;
@@ -9,14 +10,14 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind, InFamily};
 use kahan_syntax::parse::parse;
 
-/// A block, and the order of its names.
+/// A block with the order in which points give the values of its names.
 pub(crate) struct Written {
     block: Block,
     symbols: Symbols,
 }
 
 impl Written {
-    /// Parses a text whose names a point has in this order.
+    /// Parses a text. `symbols` gives the order in which points have the values of its names.
     pub(crate) fn new(text: &str, symbols: &Symbols) -> Self {
         let mut diagnostics = Diagnostics::default();
         let block = parse(&lex(text).tokens, &mut diagnostics);
@@ -36,7 +37,7 @@ impl Written {
             .collect()
     }
 
-    /// Returns f′(x), row by row, by the rules for sums, products and quotients.
+    /// Returns f′(x), row by row. Sums, products and quotients are differentiated by their rules.
     pub(crate) fn field_jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -55,8 +56,8 @@ impl Written {
         Some(rows.map(|row| if row.is_empty() { vec![zero.clone(); n] } else { row }).collect())
     }
 
-    /// Returns the unconditional claims of one kind by name: a function's value, or the entries of
-    /// a bracket above the diagonal.
+    /// Returns the unconditional claims of one kind, by name. A function has its value, and a
+    /// bracket its entries above the diagonal.
     pub(crate) fn claims<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -77,7 +78,7 @@ impl Written {
             .collect()
     }
 
-    /// Returns {xᵢ,xⱼ}, i < j, row by row; entries not written are 0.
+    /// Returns the entries {xᵢ,xⱼ}, i < j, row by row. Entries that are not written are 0.
     fn above_the_diagonal<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -158,7 +159,8 @@ impl Written {
         }
     }
 
-    /// Returns the value of a state, a parameter, ε, a constant, or an earlier claim.
+    /// Returns the value of a name, which is a state, a parameter, ε, a constant, or an earlier
+    /// claim.
     fn named<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

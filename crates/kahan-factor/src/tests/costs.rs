@@ -1,4 +1,4 @@
-//! Work of factorisations, in counts that are equal on every machine.
+//! Tests bounds on the work of factorisations, measured in counts that are equal on every machine.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -45,7 +45,7 @@ fn equal_inputs_have_equal_answers() {
     assert_eq!(first.work_left(), second.work_left());
 }
 
-/// Returns the work of factoring a product of random irreducible factors, which must be found.
+/// Factors a product of random irreducible polynomials, checks the factors, and returns the work.
 fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: usize) -> u64 {
     let given: Vec<(Polynomial, u32)> =
         (0..count).map(|_| (random_irreducible(rng, variables, terms, degree), 1)).collect();
@@ -71,7 +71,7 @@ fn sparse_products_and_irreducible_ones_are_cheap() {
     }
 }
 
-/// An irreducible polynomial that is linear in no variable needs no lift.
+/// An irreducible polynomial needs no lift, even if it is linear in no variable.
 #[test]
 fn one_irreducible_image_is_enough() {
     let mut rng = SplitMix64::new(14);
@@ -102,7 +102,8 @@ fn spent(polynomial: &Polynomial) -> u64 {
     u64::MAX - budget.work_left()
 }
 
-/// A polynomial that is linear in a variable needs no image, only coprime coefficients.
+/// A polynomial that is linear in a variable is irreducible if its two coefficients are coprime. No
+/// image is needed.
 #[test]
 fn linear_polynomials_are_cheapest() {
     let mut rng = SplitMix64::new(17);
@@ -112,7 +113,8 @@ fn linear_polynomials_are_cheapest() {
     assert!(spent(&linear) <= 2 * linear.len() as u64);
 }
 
-/// Degrees of factors modulo several primes prove most polynomials irreducible, without a lift.
+/// The degrees of factors modulo several primes prove that most polynomials are irreducible. No
+/// lift is needed.
 #[test]
 fn degrees_modulo_primes_settle_most() {
     let mut rng = SplitMix64::new(18);
@@ -128,7 +130,8 @@ fn degrees_modulo_primes_settle_most() {
     assert!(sum <= 110_000, "{sum}");
 }
 
-/// Coefficients of several words need several primes, and no division before the last one.
+/// Coefficients of several machine words need several primes. No division is tried before the last
+/// prime.
 #[test]
 fn wrong_candidates_are_not_divided_by() {
     let mut rng = SplitMix64::new(19);
@@ -141,7 +144,7 @@ fn wrong_candidates_are_not_divided_by() {
     assert!(spent(&whole) <= 365_000, "{}", spent(&whole));
 }
 
-/// For a square a, b² − a³ is reducible; some first points are squares.
+/// If a is a square, b² − a³ is reducible; some of the first points are squares.
 #[test]
 fn the_better_of_several_images_is_lifted() {
     let mut rng = SplitMix64::new(20);

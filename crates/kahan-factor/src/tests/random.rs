@@ -1,4 +1,4 @@
-//! Seeded random products, some with factors that are irreducible by Eisenstein's criterion.
+//! Tests seeded random products. Some of their factors are irreducible by Eisenstein's criterion.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -17,7 +17,7 @@ pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, de
     factor
 }
 
-/// The factors of a random product are the factors of its factors, which need not be irreducible.
+/// Factoring a product yields the factors of its factors, which may themselves be reducible.
 #[test]
 fn random_products_have_the_factors_of_their_factors() {
     let mut rng = SplitMix64::new(11);
@@ -47,7 +47,8 @@ fn random_products_have_the_factors_of_their_factors() {
     }
 }
 
-/// A change of variables maps factors to factors, for any choice of main variable and points.
+/// A change of variables maps irreducible factors to irreducible factors, for any choice of main
+/// variable and points.
 #[test]
 fn irreducible_factors_stay_so_in_other_variables() {
     let mut rng = SplitMix64::new(12);
@@ -64,10 +65,11 @@ fn irreducible_factors_stay_so_in_other_variables() {
     }
 }
 
-/// Returns lead·x^d + q·(…), irreducible by Eisenstein's criterion at the prime q.
+/// Returns a polynomial lead·x^d + q·(…) that is irreducible by Eisenstein's criterion at the prime
+/// q.
 ///
-/// q divides all coefficients except the leading one. The last coefficient is ±q: it is not
-/// divisible by q², and it is coprime to the leading one.
+/// The prime q divides all coefficients except the leading one. The last coefficient is ±q, so q²
+/// does not divide it, and it is coprime to the leading coefficient.
 pub(super) fn random_irreducible(
     rng: &mut SplitMix64,
     variables: u16,

@@ -1,5 +1,5 @@
-//! Splits a text into items: equations, values, claims and other statements. A line end or a comma
-//! separates items only if a new item begins after it.
+//! Splits the text into items, which are equations, values, claims and other statements. The end of
+//! a line, or a comma, separates two items only if a new item begins after it.
 
 use std::ops::Range;
 
@@ -16,13 +16,13 @@ pub(super) struct TextItem {
 }
 
 impl Reader<'_> {
-    /// Splits the text into items, up to the word `done`.
+    /// Splits the text into items. The word `done` ends the text.
     pub(super) fn items(&self) -> Vec<TextItem> {
         let mut items = Vec::new();
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // Options of XPP are skipped; other directives are refused later.
+                // An option of XPP is skipped; other directives are refused later.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(TextItem {
                     tokens: at..end,
@@ -46,7 +46,7 @@ impl Reader<'_> {
         let word = self.at(start);
         let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");
         let is_next = |at: usize| {
-            // In the conditions after `when`, `a = 1, b = 2` are relations.
+            // In the conditions after `when`, `a = 1, b = 2` are relations rather than values.
             let is_left =
                 |left: LeftSide| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
             at == self.given.len()
@@ -55,7 +55,7 @@ impl Reader<'_> {
                 || self.line_of_directive(at).is_some()
                 || self.is_done(at)
         };
-        // Values may be separated by spaces: `a=1 b=2`.
+        // Values may be separated by spaces, as in `a=1 b=2`.
         let is_value = left.is_some_and(LeftSide::is_value);
         let in_call = left.is_some_and(|left| left.is_in_call);
         let mut depth = usize::from(in_call);
@@ -84,7 +84,7 @@ impl Reader<'_> {
         self.given.len()
     }
 
-    /// Returns whether a token is the first of its line; the end of the text also counts.
+    /// Returns whether a token is the first of its line. The end of the text also counts as such.
     pub(super) fn begins_line(&self, place: usize) -> bool {
         if place == 0 || place == self.given.len() {
             return true;
@@ -99,7 +99,8 @@ impl Reader<'_> {
         self.is_name(at + 1) && is_word(self.at(at))
     }
 
-    /// Returns whether `done` ends the text here: on a line of its own, or as the last word.
+    /// Returns whether `done` ends the text here. It must be alone on its line, or be the last word
+    /// of the text.
     fn is_done(&self, at: usize) -> bool {
         self.at(at) == "done"
             && self.begins_line(at + 1)

@@ -1,4 +1,4 @@
-//! Left-hand sides of equations and values, in the notation of books and other programs.
+//! Reads left-hand sides of equations and values in the notation of books and other programs.
 
 use crate::lexer::{primes, starts_identifier};
 use crate::spelling::without_dots;
@@ -6,10 +6,11 @@ use crate::token::TokenKind;
 
 use super::Reader;
 
-/// Notations of a derivative, each with its order before primes and dots are added.
+/// Notations of a derivative, separated by `|`. The number is the order of the derivative, to which
+/// primes and dots add.
 ///
-/// `X` stands for a state's name, with or without `(t)`. `′` stands for any number of primes, and
-/// `Ẋ` for a name with dots above it.
+/// In the notations, `X` stands for the name of a state, with or without `(t)`. `′` stands for any
+/// number of primes, and `Ẋ` for a name with dots above it.
 const DERIVATIVES: [(usize, &str); 4] = [
     (1, "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )"),
     (1, "\\ dot { X }|\\ frac { dX } { dt }"),
@@ -20,21 +21,21 @@ const DERIVATIVES: [(usize, &str); 4] = [
 const HIGHEST_ORDER: usize = 8;
 
 const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
-/// Words that declare values at the start of a line, and are ordinary names elsewhere.
+/// Words that declare values at the start of a line. Elsewhere they are ordinary names.
 const AT_BEGINNINGS: [&str; 5] = ["p", "i", "number", "aux", "!"];
 
 pub(super) struct Derivative {
     pub(super) name: String,
-    /// The order of the derivative, 0 for the state itself.
+    /// The order of the derivative, which is 0 for the state itself.
     pub(super) order: usize,
     pub(super) end: usize,
 }
 
 pub(super) struct LeftSide {
     pub(super) of: Derivative,
-    /// The argument names of a function definition; otherwise empty.
+    /// The names of arguments if the item defines a function. Otherwise the list is empty.
     pub(super) arguments: Vec<String>,
-    /// Whether the left side is an initial value, `x(0) =`.
+    /// Whether the item gives an initial value, as in `x(0) =`.
     pub(super) is_first: bool,
     /// Whether the equation is written `Eq(…, …)`.
     pub(super) is_in_call: bool,
@@ -43,7 +44,7 @@ pub(super) struct LeftSide {
 }
 
 impl LeftSide {
-    /// Returns whether the left side is that of a value rather than of a differential equation.
+    /// Returns whether the item gives a value. Otherwise it is a differential equation.
     pub(super) fn is_value(&self) -> bool {
         self.of.order == 0 || self.is_first
     }
@@ -100,7 +101,7 @@ impl Reader<'_> {
         Some(Derivative { name, order, end: at + time(at) })
     }
 
-    /// Returns whether `(inside)` or `[inside]` begins at `at`.
+    /// Returns whether the text `(inside)` or `[inside]` begins at token `at`.
     pub(super) fn is_group(&self, at: usize, inside: &str) -> bool {
         self.at(at + 1) == inside && matches!((self.at(at), self.at(at + 2)), ("(", ")") | ("[", "]"))
     }

@@ -1,4 +1,4 @@
-//! Values of parameters, initial values of states, and auxiliary quantities.
+//! Reads values of parameters, initial values of states, and auxiliary quantities.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -14,7 +14,8 @@ use super::{PlacedToken, Reader, mistake};
 const DEEPEST: usize = 256;
 
 impl Reader<'_> {
-    /// Records the states, and names the lower derivatives of higher-order equations.
+    /// Records the states. Also names the derivatives that become new states in equations of higher
+    /// order.
     pub(super) fn name_derivatives(&mut self, items: &[TextItem]) {
         let equations = || items.iter().filter_map(|item| item.left.as_ref()).filter(|left| !left.is_value());
         for left in equations() {
@@ -41,7 +42,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Removes values and auxiliary quantities; returns the replacements, `None` if an item stays.
+    /// Removes values and auxiliary quantities from the text. Returns for each item the tokens that
+    /// replace it; `None` if the item stays.
     pub(super) fn read_quantities(&mut self, items: &[TextItem]) -> Vec<Option<Vec<PlacedToken>>> {
         let mut instead = vec![None; items.len()];
         let is_value = |item: &TextItem| item.left.as_ref().is_some_and(LeftSide::is_value);
@@ -71,7 +73,7 @@ impl Reader<'_> {
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
-                    // A repeated name stays in the text, and the parser reports it.
+                    // If a name is repeated, its item stays in the text, and the parser reports it.
                     quantities.extend(known.insert(name.to_owned()).then_some((place, name, right)));
                     continue;
                 }
@@ -109,7 +111,7 @@ impl Reader<'_> {
             values.extend(value.filter(|_| is_start || used.contains(name)));
         }
         let mut put_in = Vec::new();
-        // Expands quantities after those that they use; the parser reports cycles.
+        // Expand each quantity after those that it uses. The parser reports cycles.
         for _ in 0..DEEPEST {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
             let waits = |right: &Range<usize>| self.needs(right).iter().any(|name| names.contains(name));

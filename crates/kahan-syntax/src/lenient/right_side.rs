@@ -1,4 +1,5 @@
-//! Right-hand sides: expands quantities and roots, and explains products without `*`.
+//! Translates right-hand sides. Quantities and roots are expanded, and products without `*` are
+//! explained.
 
 use std::ops::Range;
 
@@ -13,7 +14,7 @@ use super::{PlacedToken, Reader, mistake, placed};
 pub(super) const MOST_TOKENS: usize = 200_000;
 
 impl Reader<'_> {
-    /// Writes an equation; one of order n becomes a chain of n first-order equations.
+    /// Writes an equation. An equation of order n becomes a chain of n first-order equations.
     pub(super) fn equation(&mut self, tokens: &Range<usize>, left: &LeftSide) -> Vec<PlacedToken> {
         let mut right = self.written(left.right..tokens.end, true);
         self.explain_products(&mut right);
@@ -63,8 +64,8 @@ impl Reader<'_> {
         Some((self.states.get(&name)?.get(order.checked_sub(1)?)?, end))
     }
 
-    /// Writes a name or its replacement: `x` for `x(t)`, the formula of a quantity, the value of a
-    /// root. Returns the index of the next token.
+    /// Writes a name or its replacement: `x` for `x(t)`, the formula of a quantity, or the value of
+    /// a root. Returns the index of the next token.
     fn write_name(&mut self, at: usize, in_equation: bool, out: &mut Vec<PlacedToken>) -> usize {
         if let Some(end) = self.write_call(at, in_equation, out) {
             return end;
@@ -97,7 +98,8 @@ impl Reader<'_> {
         end
     }
 
-    /// Returns a root, such as `sqrt(2)`; an irrational one becomes a parameter, rounded to `f64`.
+    /// Returns the value of a root such as `sqrt(2)`. An irrational root becomes a parameter whose
+    /// value is rounded to `f64`.
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);
@@ -158,7 +160,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Splits a short undefined word into a product of letters, if a letter is a state.
+    /// Splits a short undefined word into a product of letters, if at least one letter is a state.
     fn letters(&self, word: &str) -> Option<String> {
         let letters = || word.chars().map(String::from);
         let is_word = (2..=3).contains(&letters().count()) && word.chars().all(char::is_alphabetic);

@@ -1,4 +1,4 @@
-//! Functions and directives in XPP files.
+//! Reads functions and directives of XPP files.
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -38,7 +38,8 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// Returns the end of a line that starts with `@`, `%`, or a directive to be refused.
+    /// Returns the end of a line that starts with `@`, with `%`, or with a directive that is
+    /// refused.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;
@@ -75,7 +76,7 @@ impl Reader<'_> {
         Some(mistake(&self.bytes(tokens.clone()), message, format!("leave it out, or see {ON_TEXTS}")))
     }
 
-    /// Reads argument names `(x, y)`. Returns them and the index of the next token.
+    /// Reads argument names such as `(x, y)`. Returns them and the index of the next token.
     pub(super) fn argument_names(&self, at: usize) -> Option<(Vec<String>, usize)> {
         let mut names = Vec::new();
         let mut at = at;
@@ -86,7 +87,7 @@ impl Reader<'_> {
         (!names.is_empty() && self.at(at) == ")").then_some((names, at + 1))
     }
 
-    /// Returns the names that some tokens use, directly or through functions they call.
+    /// Returns the names that some tokens use, directly or in functions that they call.
     pub(super) fn needs(&self, tokens: &Range<usize>) -> HashSet<&str> {
         let (mut found, mut left) = (HashSet::new(), vec![tokens.clone()]);
         while let Some(tokens) = left.pop() {
@@ -99,8 +100,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Replaces a call by the function's formula, or by a mistake if the function is refused.
-    /// Returns the index of the next token; `None` if no call begins at `at`.
+    /// Replaces a function call by the function's formula. If the function is refused, replaces the
+    /// call by a mistake. Returns the index of the next token; `None` if no call begins at `at`.
     pub(super) fn write_call(
         &mut self,
         at: usize,
@@ -155,7 +156,8 @@ impl Reader<'_> {
         Some(end)
     }
 
-    /// Returns the arguments of the call with bracket at `open`, and the index of the next token.
+    /// Reads the call whose bracket is at `open`. Returns its arguments and the index of the next
+    /// token.
     fn call(&self, open: usize) -> Option<(Vec<Range<usize>>, usize)> {
         let (mut depth, mut start, mut given) = (0, open + 1, Vec::new());
         for at in open..self.given.len() {

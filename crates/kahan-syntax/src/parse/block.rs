@@ -1,4 +1,4 @@
-//! Items of a block: constants, equations and claims.
+//! Reads the items of a block, which are constants, equations and claims.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{derivative, without_dots};
@@ -15,7 +15,8 @@ use super::{Parsed, error};
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
-/// Reads an item into the block; after a mistake, what precedes it, with the cursor inside.
+/// Reads an item into the block. If the item has a mistake, the block gets the part before it, and
+/// the cursor stays inside the item.
 pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
@@ -76,7 +77,7 @@ fn equation<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed
     outcome
 }
 
-/// Reads `= expr;`. Returns the expression even if only the `;` is missing.
+/// Reads `= expr;`. If only the `;` is missing, the expression is returned nevertheless.
 pub(super) fn defined<X: Dialect>(cursor: &mut Cursor<'_>) -> (Option<Expr<X>>, Parsed<()>) {
     match equals(cursor).and_then(|()| parse_expr(cursor)) {
         Ok(value) => (Some(value), semicolon(cursor)),
@@ -125,15 +126,15 @@ fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<
     error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)
 }
 
-/// Records an equation without a value, so that the field keeps its dimension and names.
+/// Records an equation without a right-hand side, so that the field keeps its dimension and names.
 fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
     let state = Name { text: meant, span: left.span };
     block.equations.push(Equation { state: state.clone(), value: None });
     block.misspelt_states.extend([left, state]);
 }
 
-/// Returns the state and order that `x_dot`, `xddot` or `x_ddot` probably mean; `None` if the block
-/// uses `x_`, `xd` or `x_d` as a state.
+/// Returns the state and the order that a name such as `x_dot`, `xddot` or `x_ddot` probably means.
+/// Returns `None` if the block uses `x_`, `xd` or `x_d` as a state.
 fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     let single = state.trim_end_matches('d');
     let order = 1 + state.len() - single.len();
@@ -143,12 +144,13 @@ fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     (!is_state && is_marked).then(|| (meant.to_owned(), order))
 }
 
-/// Returns whether a name is probably a state: the block uses it, or it is a single letter.
+/// Returns whether a name is probably a state, because the block uses it or it is a single letter.
 fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }
 
-/// Returns the state and order that a left-hand side probably means: `xdto`, `xDot`, `dxdt`, `ẋ`.
+/// Returns the state and the order that a left-hand side such as `xdto`, `xDot`, `dxdt` or `ẋ`
+/// probably means.
 fn probable_derivative(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;

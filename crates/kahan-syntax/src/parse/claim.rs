@@ -1,4 +1,4 @@
-//! Claims: `integral`, `density`, `bracket` and `drift`, with their conditions.
+//! Reads the claims `integral`, `density`, `bracket` and `drift`, with their conditions.
 
 use std::mem;
 
@@ -25,7 +25,7 @@ pub(super) fn hamiltonian<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> P
     outcome
 }
 
-/// Reads a claim after its name. The body is set only if it was read completely.
+/// Reads the rest of a claim after its name. The body is set only if all of it could be read.
 fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     let body = match claim.kind {
         ClaimKind::Bracket => ClaimBody::Tensor(entries(cursor, &claim.name)?),
@@ -49,7 +49,7 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     Ok(())
 }
 
-/// Reads `= expr by expr`; an operand may be named `by`.
+/// Reads `= expr by expr`. An operand may have the name `by`.
 fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
     equals(cursor)?;
     let end = mem::replace(&mut cursor.end, ExpressionEnd::By);

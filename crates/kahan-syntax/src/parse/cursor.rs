@@ -1,4 +1,4 @@
-//! The reading position in the token list, with look-ahead.
+//! The position of the parser in the list of tokens. It can look ahead.
 
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -14,25 +14,28 @@ pub(super) struct Cursor<'a> {
     at: usize,
     /// The token that ends the current expression, besides `;`, `,` and closing brackets.
     pub(super) end: ExpressionEnd,
-    /// The name of the site index inside a family; any name but `i` is reported.
+    /// The name of the site index inside a family. Names other than `i` are reported.
     pub(super) index: Option<&'a str>,
     pub(super) is_lifted: bool,
-    /// All names in the tokens, with whether each also occurs other than directly before `=`.
+    /// All names that occur in the tokens. The flag is true if the name also occurs elsewhere than
+    /// directly before `=`.
     names: OnceCell<HashMap<&'a str, bool>>,
 }
 
 /// The tokens that end an expression, besides `;`, `,` and closing brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ExpressionEnd {
-    /// No other token.
+    /// No further token ends the expression.
     Semicolon,
-    /// The first token of the next item, after the `when` of a bracket.
+    /// The first token of the next item ends the expression. This applies after the `when` of a
+    /// bracket.
     Item,
-    /// `=`, on the left side of a relation after `when`.
+    /// The sign `=` ends the expression. This applies to the left side of a relation after `when`.
     Equals,
-    /// `by`, in the function of a drift.
+    /// The word `by` ends the expression. This applies to the function of a drift.
     By,
-    /// All punctuation but operators, in formulas outside blocks; callers check what follows.
+    /// All punctuation except operators ends the expression. This applies to formulas outside
+    /// blocks; the caller checks what follows.
     Formula,
 }
 
@@ -78,7 +81,7 @@ impl<'a> Cursor<'a> {
         self.names().contains_key(name)
     }
 
-    /// Returns whether a name occurs other than directly before `=`.
+    /// Returns whether a name occurs elsewhere than directly before `=`.
     pub(super) fn uses(&self, name: &str) -> bool {
         self.names().get(name).is_some_and(|is_used| *is_used)
     }
@@ -103,7 +106,7 @@ impl<'a> Cursor<'a> {
         self.tokens.get(self.at + ahead)
     }
 
-    /// Returns a token already read; 1 is the last one.
+    /// Returns a token that was already read. The last one is `behind` = 1.
     pub(super) fn before(&self, behind: usize) -> Option<&'a Token> {
         self.tokens.get(self.at.checked_sub(behind)?)
     }
@@ -112,7 +115,7 @@ impl<'a> Cursor<'a> {
         self.at += 1;
     }
 
-    /// Returns the span of the next token; at the end, of the last one.
+    /// Returns the span of the next token. At the end of the list, returns that of the last token.
     pub(super) fn here(&self) -> Span {
         Span::token(self.at.min(self.tokens.len().saturating_sub(1)))
     }
@@ -142,21 +145,22 @@ impl<'a> Cursor<'a> {
         self.peek(0).is_some_and(|token| token.kind == TokenKind::Close(c))
     }
 
-    /// Returns whether the next two tokens are `first` and `second` and touch, as in `**`.
+    /// Returns whether the next two tokens are `first` and `second` without white space between
+    /// them, as in `**`.
     pub(super) fn is_pair(&self, first: char, second: char) -> bool {
         self.is_punctuation(0, first)
             && self.is_punctuation(1, second)
             && self.peek(0).is_some_and(|token| token.touches_next)
     }
 
-    /// Reads the punctuation `c` if it is next; returns whether it was.
+    /// Reads the punctuation `c` if it is next. Returns whether it was.
     pub(super) fn take(&mut self, c: char) -> bool {
         let found = self.is_punctuation(0, c);
         self.at += usize::from(found);
         found
     }
 
-    /// Reads a name, or fails with `what` was expected.
+    /// Reads a name. If there is none, reports that `what` was expected.
     pub(super) fn expect_name(&mut self, what: &str) -> Parsed<Name> {
         let missing = || self.missing(Kind::Syntax, self.here(), what, "write a name here");
         let name = self.name(0).ok_or_else(missing)?;
@@ -174,7 +178,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Returns whether an item begins `ahead` tokens from here, such as `xdot =`, `const c =` or
-    /// `bracket P {`; in formulas only `x =`.
+    /// `bracket P {`. In formulas, only `x =` begins an item.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
         if self.end == ExpressionEnd::Formula {
@@ -195,13 +199,14 @@ impl<'a> Cursor<'a> {
         self.index.is_some() && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
     }
 
-    /// Skips a broken item that began at `start`: past its `;` or up to the next item.
+    /// Skips a broken item that began at `start`. Afterwards the cursor is after its `;`, or at the
+    /// next item.
     pub(super) fn skip_item(&mut self, start: usize) {
         self.skip_until(|cursor| cursor.is_punctuation(0, ';') || cursor.at > start && cursor.begins_item(0));
         self.take(';');
     }
 
-    /// Skips tokens and bracketed groups up to a token that satisfies `ends`.
+    /// Skips tokens and bracketed groups, up to a token that satisfies `ends`.
     pub(super) fn skip_until(&mut self, ends: impl Fn(&Self) -> bool) {
         while !self.is_at_end() && !ends(self) {
             match self.peek(0).map(|token| &token.kind) {
@@ -211,7 +216,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Skips a bracketed group, or all tokens if it is not closed. Returns its span.
+    /// Skips a bracketed group, or all tokens if the group is not closed. Returns the span that was
+    /// skipped.
     pub(super) fn skip_group(&mut self) -> Span {
         let start = self.here();
         let mut depth = 0usize;
@@ -229,7 +235,7 @@ impl<'a> Cursor<'a> {
         start.to(self.behind())
     }
 
-    /// Skips a bracketed group; returns its span and the tokens between its brackets.
+    /// Skips a bracketed group. Returns its span, and the tokens between its brackets.
     pub(super) fn take_group(&mut self) -> (Span, &'a [Token]) {
         let group = self.skip_group();
         let is_closed = matches!(self.tokens[group.last].kind, TokenKind::Close(_));

@@ -1,4 +1,4 @@
-//! Expressions, by recursive descent.
+//! Reads expressions by recursive descent.
 //!
 //! | binds | operator | note |
 //! |---|---|---|
@@ -7,9 +7,9 @@
 //! | | `*`, `/` | from left to right |
 //! | loosest | `+`, `-` | from left to right |
 //!
-//! Operands are numbers, names and parentheses. A [`Dialect`] adds the sites of a family, or the
-//! calls and general exponents of a formula. Notation of other languages (paths, indices, `**`,
-//! juxtaposition) is refused with a proposal.
+//! Operands are numbers, names and expressions in parentheses. A [`Dialect`] adds the sites of a
+//! family, or the function calls and general exponents of a formula. Notation of other languages is
+//! refused with a proposal. Examples are paths, indices, `**` and products without `*`.
 
 use crate::diagnostics::Kind;
 use crate::rational::Rational;
@@ -24,9 +24,9 @@ use super::{Parsed, error};
 
 const DEEPEST_NESTING: usize = 256;
 
-/// The syntax of a language beyond arithmetic.
+/// The part of a language's syntax that goes beyond arithmetic.
 pub(super) trait Dialect: Sized {
-    /// Reads what follows a name at `span`; `None` for a plain name.
+    /// Reads the syntax that may follow a name at `span`. Returns `None` if the name stands alone.
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>>;
 
     fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, _: usize) -> Parsed<ExprKind<Self>> {
@@ -34,7 +34,7 @@ pub(super) trait Dialect: Sized {
     }
 }
 
-/// Reads an expression up to `;`, `,`, a closing bracket, `when` or the end of the tokens.
+/// Reads an expression up to `;`, `,`, a closing bracket, `when`, or the end of the tokens.
 pub(super) fn parse_expr<X: Dialect>(cursor: &mut Cursor<'_>) -> Parsed<Expr<X>> {
     let expr = sum(cursor, 0)?;
     match cursor.unreadable() {
@@ -54,8 +54,8 @@ fn product<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>>
     chain(cursor, depth, ['*', '/'], unary, join)
 }
 
-/// Reads operands joined by an operator and its inverse, such as `+` and `-`. Each operand records
-/// whether the inverse precedes it. A single operand is returned unchanged.
+/// Reads operands that are joined by an operator or its inverse, such as `+` and `-`. Each operand
+/// has a flag that tells whether the inverse precedes it. A single operand is returned unchanged.
 fn chain<X>(
     cursor: &mut Cursor<'_>,
     depth: usize,
@@ -140,7 +140,7 @@ fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
     Ok(if negative { -magnitude } else { magnitude })
 }
 
-/// Reads a number, a name with its suffix, or an expression in parentheses.
+/// Reads a number, a name with what follows it, or an expression in parentheses.
 pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let span = cursor.here();
     let Some(token) = cursor.peek(0) else { return missing_operand(cursor) };

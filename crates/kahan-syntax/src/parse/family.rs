@@ -1,4 +1,5 @@
-//! Families: `for i in periodic { x[i]dot = …; }`, equations for every site of a chain.
+//! Reads families such as `for i in periodic { x[i]dot = …; }`, whose equations hold at every site
+//! of a chain.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Block, Boundary, Equation, FamilyHead, InFamily, Name};
@@ -20,7 +21,7 @@ pub(super) fn begins(cursor: &Cursor<'_>) -> bool {
         && (cursor.identifier(2) == Some("in") || cursor.identifier(1).is_some() && cursor.index.is_none())
 }
 
-/// Reads a family. After a mistake in an equation it goes on with the next equation.
+/// Reads a family. After a mistake in an equation, continues with the next equation.
 pub(super) fn family(
     cursor: &mut Cursor<'_>,
     block: &mut Block,
@@ -59,7 +60,7 @@ pub(super) fn family(
     while !cursor.is_at_end() && !cursor.is_close('}') {
         if let Err(diagnostic) = equation(cursor, block) {
             diagnostics.push(diagnostic);
-            // Skips past the `;`, or up to the closing `}` of the family.
+            // Skip to the token after `;`, or to the `}` that closes the family.
             cursor.skip_until(|cursor| cursor.is_close('}') || cursor.is_punctuation(0, ';'));
             cursor.take(';');
         }
@@ -105,7 +106,7 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     outcome
 }
 
-/// Sites and sums over sites, which only families have.
+/// Only families have sites and sums over sites.
 impl Dialect for InFamily {
     fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>> {
         if cursor.index.is_some() && cursor.is_open(0, '[') {
@@ -120,7 +121,7 @@ impl Dialect for InFamily {
     }
 }
 
-/// Reads the index in `x[i+1]` after its array, and returns the distance from site i.
+/// Reads the index in `x[i+1]`, after the name of the array. Returns the distance from site i.
 fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     let opening = cursor.position();
     let group = cursor.skip_group();

@@ -1,7 +1,7 @@
-//! Formulas outside blocks: expressions with function calls and general exponents.
+//! Reads formulas outside blocks. They are expressions with function calls and general exponents.
 //!
-//! In: the tokens of a text that contains only formulas. Out: their syntax, or the first mistake.
-//! The caller, which evaluates a formula, decides which functions exist.
+//! The input is the tokens of a text that contains only formulas. The output is their syntax, or
+//! the first mistake. The caller evaluates the formulas, and decides which functions exist.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Expr, ExprKind, InFormula, Name};
@@ -12,10 +12,10 @@ use super::cursor::Cursor;
 use super::expr::{Dialect, atom, in_parentheses, parse_expr, sum};
 use super::{Parsed, error};
 
-/// Reads one formula, such as `1 + cos(2*pi*i/n)/2` or `x^y`.
+/// Reads a formula such as `1 + cos(2*pi*i/n)/2` or `x^y`.
 ///
 /// # Errors
-/// The first mistake, including tokens after the formula.
+/// Returns the first mistake. Tokens after the formula are a mistake too.
 ///
 /// ```
 /// use kahan_syntax::{lexer::lex, parse::parse_formula};
@@ -31,10 +31,10 @@ pub fn parse_formula(tokens: &[Token]) -> Result<Expr<InFormula>, Diagnostic> {
     Ok(formula)
 }
 
-/// Reads a list of named formulas: `x = 1; y = i/n;`. The list may be empty.
+/// Reads a list of named formulas such as `x = 1; y = i/n;`. The list may be empty.
 ///
 /// # Errors
-/// The first mistake.
+/// Returns the first mistake.
 pub fn parse_formulas(tokens: &[Token]) -> Result<Vec<(Name, Expr<InFormula>)>, Diagnostic> {
     let mut cursor = Cursor::of_formulas(tokens);
     let mut formulas = Vec::new();
@@ -76,7 +76,7 @@ impl Dialect for InFormula {
         Ok(Some(InFormula::Call { function: name.to_owned(), arguments }))
     }
 
-    /// Reads an exponent with an optional sign: `2^-x` is 2^(−x).
+    /// Reads an exponent, which may have a sign: `2^-x` is 2^(−x).
     fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, depth: usize) -> Parsed<ExprKind<Self>> {
         let sign = cursor.here();
         let is_negative = cursor.take('-');

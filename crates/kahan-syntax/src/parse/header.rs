@@ -1,6 +1,7 @@
-//! The header: `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
+//! Reads the header, `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
 //!
-//! Parameters are bare names; the macro adds types. Attributes stay tokens for `kahan-emit`.
+//! Parameters are names without types; the macro adds the types. Attributes stay tokens for
+//! `kahan-emit`.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Header, Name, WrittenTokens};
@@ -18,7 +19,7 @@ pub(super) fn is_lift(cursor: &Cursor<'_>) -> bool {
     cursor.identifier(0) == Some(LIFT) && is_keyword
 }
 
-/// Reads the header, or `lift;` without one. Sets `lift` to the keyword's position.
+/// Reads the header, or `lift;` if there is no header. Sets `lift` to the position of the keyword.
 pub(super) fn parse_header(
     cursor: &mut Cursor<'_>,
     lift: &mut Option<Span>,
@@ -81,7 +82,7 @@ fn header(cursor: &mut Cursor<'_>, lift: &mut Option<Span>, diagnostics: &mut Di
             "`struct`",
             "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
         );
-        // `enum Name` is parsed like a struct, so that the type exists.
+        // Read `enum Name` like a struct, so that the type exists and causes no further mistakes.
         if cursor.identifier(0).is_none() || cursor.identifier(1).is_none() {
             return Err(wrong);
         }
@@ -179,7 +180,7 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
                     "separate parameters by `,`".to_owned(),
                 )
             };
-            // After a missing comma, the next name is parsed as a parameter.
+            // If a comma is missing, the next name is still read as a parameter.
             if cursor.identifier(0).is_none() {
                 skip_to_comma_or_end(cursor);
             }
@@ -226,7 +227,8 @@ fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| cursor.is_punctuation(0, ',') || cursor.peek(0).is_some_and(is_close));
 }
 
-/// Skips a broken header: past its braces or `;`, or up to the first item.
+/// Skips a broken header. Afterwards the cursor is after its braces or its `;`, or at the first
+/// item.
 fn skip_header(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| {
         cursor.begins_item(0) || cursor.is_open(0, '{') || cursor.is_punctuation(0, ';')

@@ -1,4 +1,4 @@
-//! Wrong keywords: for `invariant H = …` the help proposes `integral`.
+//! Recognises wrong keywords. For `invariant H = …`, the help proposes `integral`.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Block, Claim, ClaimKind, Constant};
@@ -7,7 +7,7 @@ use super::cursor::Cursor;
 
 const KEYWORDS: [&str; 5] = ["integral", "density", "bracket", "drift", "const"];
 
-/// Synonyms of each keyword, in lower case and without underscores.
+/// The synonyms of each keyword, in lower case and without underscores.
 const SYNONYMS: [(&str, &str); 5] = [
     (
         "integral",
@@ -22,11 +22,11 @@ const SYNONYMS: [(&str, &str); 5] = [
 
 const PARAMETERS: [&str; 4] = ["parameter", "parameters", "param", "params"];
 
-/// Returns the keyword that `word` probably means, by a synonym or by its spelling.
+/// Returns the keyword that `word` probably means, because it is a synonym or is spelt similarly.
 fn probable_keyword(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase().replace('_', "");
     let synonym = SYNONYMS.iter().find(|(_, words)| words.split(' ').any(|known| known == word));
-    // One wrong letter in a synonym, such as `poison` for `poisson`.
+    // A synonym may have one wrong letter, as in `poison` for `poisson`.
     let slip = || {
         let is_near = |known: &str| word.len() > 4 && strsim::levenshtein(&word, known) == 1;
         SYNONYMS.iter().find(|(_, words)| words.split(' ').any(is_near)).map(|(keyword, _)| *keyword)
@@ -35,7 +35,8 @@ fn probable_keyword(word: &str) -> Option<&'static str> {
     synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied()).or_else(slip)
 }
 
-/// Returns the mistake of an item `WORD NAME …` with an unknown keyword, and records its name.
+/// Returns the mistake of an item `WORD NAME …` whose keyword is unknown, and records the item's
+/// name.
 pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Option<Diagnostic> {
     let word = cursor.identifier(0)?;
     cursor.identifier(1)?;

@@ -1,5 +1,5 @@
-//! Foreign notation around an operand: calls, paths, indices, juxtaposition and statements. Each
-//! mistake proposes the notation of this language.
+//! Recognises notation of other languages next to an operand. Examples are calls, paths, indices,
+//! products without `*`, and statements. Each mistake proposes the notation of this language.
 
 use crate::diagnostics::Kind;
 use crate::spelling::{LIFTS, NOT_QUADRATIC, ON_TEXTS, fresh};
@@ -9,7 +9,7 @@ use crate::token::{Span, Token, TokenKind};
 use super::cursor::{Cursor, ExpressionEnd};
 use super::{Parsed, error};
 
-/// Reports that no operand follows the operator or `=` just read.
+/// Reports that no operand follows the operator or `=` that was just read.
 pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
     let found = cursor.describe_next();
     let before = cursor.behind();
@@ -89,7 +89,8 @@ pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) 
     Ok(())
 }
 
-/// Reports an access such as `self.mu`, `physics::RATE` or `mu[0]`, after its first name.
+/// Reports an access such as `self.mu`, `physics::RATE` or `mu[0]`. The first name was already
+/// read.
 fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
     let mut access = name.to_owned();
     let mut last = name;
@@ -116,9 +117,9 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
     error(Kind::NotAPolynomial, span.to(cursor.behind()), message, help)
 }
 
-/// Analytic functions, each a solution of a differential equation.
+/// Names of analytic functions that solve a differential equation.
 const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
-/// Analytic functions that `kahan lift` turns into states.
+/// Names of analytic functions that `kahan lift` turns into states.
 const LIFTED: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
 const ROUGH: &str = "abs heav flr sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
 
@@ -126,7 +127,8 @@ pub(crate) fn is_function(name: &str) -> bool {
     [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
-/// Proposes for a function call a new state if an argument contains states, else a constant.
+/// Proposes a replacement for a function call: a new state if an argument contains states,
+/// otherwise a constant.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
     if ROUGH.split(' ').any(|known| known == name) {
         return format!(
@@ -171,7 +173,7 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
     }
 }
 
-/// Returns whether the name is a statement keyword of Rust; a state may also have that name.
+/// Returns whether the name is a statement keyword of Rust. A state may also have that name.
 pub(crate) fn is_statement(name: &str) -> bool {
     matches!(name, "if" | "match" | "let" | "for" | "while")
 }
@@ -182,7 +184,7 @@ fn no_statement<T>(span: Span) -> Parsed<T> {
     error(Kind::NotAPolynomial, span, message, help)
 }
 
-/// Checks that an operator or the end of the expression follows an operand.
+/// Checks that an operator, or the end of the expression, follows an operand.
 pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<Expr<X>> {
     let Some(token) = cursor.peek(0) else { return Ok(operand) };
     let span = operand.span.to(cursor.here());
@@ -190,7 +192,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
-        // The code that reads the `=` reports comparisons.
+        // Comparisons such as `==` are reported by the code that reads the `=`.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == ExpressionEnd::Equals => Ok(operand),
         TokenKind::Punctuation(_) if cursor.end == ExpressionEnd::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),

@@ -1,9 +1,9 @@
-//! A recursive-descent parser of the language of `kahan!`.
+//! Parses the language of `kahan!` by recursive descent.
 //!
-//! Rust's expression parser is unsuitable: there `^` binds looser than `+`. After a mistake the
-//! parser skips to the next `;` or item, so that it reports several mistakes at once. It returns a
-//! block for any tokens and never panics. [`parse_formula`] reads one formula with function calls
-//! outside a block, [`parse_formulas`] a list of named ones.
+//! Rust's expression parser is unsuitable, because in Rust `^` has lower precedence than `+`. After
+//! a mistake the parser skips to the next `;` or item, so that it can report several mistakes at
+//! once. It returns a block for any tokens and never panics. [`parse_formula`] reads one formula
+//! with function calls outside a block, and [`parse_formulas`] reads a list of named formulas.
 
 mod block;
 mod claim;
@@ -25,24 +25,25 @@ pub use formula::{parse_formula, parse_formulas};
 pub(crate) use mistakes::{is_function, is_statement};
 pub(crate) use number::product;
 
-/// The result of a parsing function: syntax or the first mistake.
+/// The result of a parsing function, which is syntax or the first mistake.
 type Parsed<T> = Result<T, Diagnostic>;
 
 fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
     Err(Diagnostic::new(kind, span, message, help))
 }
 
-/// Returns whether a block begins with `lift`; [`parse_lifted`] reads such blocks.
+/// Returns whether a block begins with `lift`. Such blocks are read by [`parse_lifted`].
 #[must_use]
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
     let mut diagnostics = Diagnostics::default();
     let (_, block) = begin::<InFormula>(tokens, &mut diagnostics);
-    // The caller parses the block again, which reports these mistakes.
+    // Drop these mistakes, because the caller parses the block again and reports them.
     drop(diagnostics.finish());
     block.lift.is_some()
 }
 
-/// Reads a block; of one that requests a lift only the header, with the lift as a mistake.
+/// Reads a block. If the block requests a lift, only its header is read, and the lift is reported
+/// as a mistake.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -66,7 +67,7 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     block
 }
 
-/// Reads a block to be lifted, whose equations may contain functions and general powers.
+/// Reads a block that is to be lifted. Its equations may contain functions and general powers.
 #[must_use]
 pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -84,7 +85,8 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
     block
 }
 
-/// Reports function constants in claims, because claims are about the lifted quadratic field.
+/// Reports constants with functions that occur in claims. Claims are about the lifted field, which
+/// is quadratic.
 fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {

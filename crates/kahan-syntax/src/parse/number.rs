@@ -1,4 +1,4 @@
-//! Literals as exact rationals: `0.1` is 1/10 and never passes through `f64`.
+//! Reads numbers as exact rationals. For example, `0.1` becomes 1/10 and is never rounded to `f64`.
 
 use num_bigint::BigInt;
 use num_traits::Num;

@@ -1,8 +1,9 @@
-//! Sums, products, quotients and powers of rationals.
+//! Computes sums, products, quotients and powers of rationals.
 //!
-//! Small operands stay in machine integers. Common factors cancel crosswise before multiplication,
-//! and sums follow Knuth (The Art of Computer Programming, 4.5.1), so results are in lowest terms.
-//! Results beyond 63 bits become big integers.
+//! Small operands stay in machine integers. Before a multiplication, common factors of each
+//! numerator and the other denominator are cancelled. Sums follow Knuth (The Art of Computer
+//! Programming, 4.5.1). Results are therefore in lowest terms. A result beyond 63 bits becomes a
+//! big integer.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -20,7 +21,7 @@ impl Rational {
         Some(self * &divisor.recip()?)
     }
 
-    /// Returns the reciprocal; `None` for 0.
+    /// Returns the reciprocal; `None` if the number is 0.
     pub fn recip(&self) -> Option<Self> {
         match &self.0 {
             Repr::Small { num: 0, .. } => None,
@@ -30,7 +31,8 @@ impl Rational {
         }
     }
 
-    /// Returns the power, of |exponent| times the bits; 0⁰ = 1, and `None` for 1/0.
+    /// Returns the power, where 0⁰ is 1; `None` if the power is undefined. The bit length of the
+    /// result is about that of the number multiplied by the absolute value of the exponent.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
@@ -44,14 +46,16 @@ impl Rational {
         Some(Self::from_normal(BigRational::new_raw(num, den)))
     }
 
-    /// Returns |self|.
+    /// Returns the absolute value.
     pub fn abs(&self) -> Self {
         if self.is_negative() { -self } else { self.clone() }
     }
 
-    /// Returns the largest g > 0 for which self/g and other/g are integers; gcd(0, b) = |b|.
+    /// Returns the largest g > 0 for which both numbers divided by g are integers. The gcd of 0 and
+    /// b is |b|.
     ///
-    /// g = gcd of the numerators / lcm of the denominators
+    /// The result is the gcd of the numerators divided by the least common multiple of the
+    /// denominators.
     pub fn gcd(&self, other: &Self) -> Self {
         if let (Repr::Small { num: a, den: b }, Repr::Small { num: c, den: d }) = (&self.0, &other.0) {
             let num = gcd(a.unsigned_abs(), c.unsigned_abs());
@@ -60,7 +64,8 @@ impl Rational {
             } else {
                 i128::from(*b) / i128::from(gcd(*b as u64, *d as u64)) * i128::from(*d)
             };
-            // Reduced: a prime of the lcm divides b or d, so not both numerators.
+            // The fraction is in lowest terms. A prime that divides the lcm divides one of the
+            // denominators b and d, and hence not both numerators.
             return Self::from_reduced(i128::from(num), den);
         }
         let num = num_integer::Integer::gcd(&self.numerator(), &other.numerator());
@@ -74,7 +79,8 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // Sums of dyadic fractions need shifts instead of a greatest common divisor.
+        // A sum of fractions whose denominators are powers of two needs shifts instead of a
+        // greatest common divisor.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());

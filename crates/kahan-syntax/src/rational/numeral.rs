@@ -1,6 +1,7 @@
-//! Splitting a numeral at the start of a text into its parts.
+//! Splits a number at the start of a text into its parts.
 
-/// The parts of a numeral. It ends as in Rust: `1..2` and `1.x` begin with the numeral `1`.
+/// The parts of a number in a text. A number ends where Rust's does: in `1..2` and `1.x`, the
+/// number is `1`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Numeral<'a> {
     pub(crate) whole: &'a str,
@@ -14,7 +15,8 @@ impl<'a> Numeral<'a> {
         text.len() - Self::scan(text).rest.len()
     }
 
-    /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`; missing parts are empty.
+    /// Splits a text such as `1_2.5e-3f64` into `1_2`, `5`, `-3` and `f64`. Missing parts are
+    /// empty.
     pub(crate) fn scan(text: &'a str) -> Self {
         let is_digit = |c: char| c.is_ascii_digit() || c == '_';
         let digits = |text: &'a str| text.split_at(text.find(|c| !is_digit(c)).unwrap_or(text.len()));

@@ -1,7 +1,8 @@
-//! Rounding of an exact rational to the nearest float.
+//! Rounds an exact rational to the nearest float.
 //!
-//! In: p/q. Out: the nearest float, ties to even, rounded once, also for subnormals. Values at
-//! least half an ulp beyond the largest float become infinite, as in IEEE 754.
+//! The result is the nearest float, with ties to even. There is only one rounding, also for
+//! subnormal results. Values at least half an ulp beyond the largest float become infinite, as in
+//! IEEE 754.
 
 use num_bigint::BigUint;
 use num_integer::Integer;
@@ -9,7 +10,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Rational, Repr};
 
-/// A binary format of IEEE 754. `precision` includes the hidden bit; normal numbers have exponents
+/// A binary format of IEEE 754. `precision` includes the hidden bit. Normal numbers have exponents
 /// from `min_exponent` to `1 - min_exponent`.
 #[derive(Clone, Copy)]
 pub(super) struct Format {
@@ -21,17 +22,17 @@ pub(super) const BINARY32: Format = Format { precision: 24, min_exponent: -126 }
 pub(super) const BINARY64: Format = Format { precision: 53, min_exponent: -1022 };
 
 impl Rational {
-    /// Returns the nearest `f64`, ties to even; ±∞ beyond the range.
+    /// Returns the nearest `f64`, with ties to even. Values beyond the range become ±∞.
     pub fn to_f64(&self) -> f64 {
         const EXACT: u64 = 1 << 53;
         match &self.0 {
-            // Both are exact floats and the quotient is normal: one division rounds correctly.
+            // Both are exact floats and the quotient is normal, so one division rounds correctly.
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f64 / *den as f64
             }
             _ => {
                 let magnitude = match self.dyadic() {
-                    // The result is normal, and only converting the numerator rounds.
+                    // The result is normal, and only the conversion of the numerator rounds.
                     Some((num, shift @ 0..=1022)) => num as f64 * f64::from_bits((1023 - shift) << 52),
                     _ => f64::from_bits(round_bits(&self.magnitude(), BINARY64)),
                 };
@@ -40,14 +41,15 @@ impl Rational {
         }
     }
 
-    /// Returns the nearest `f32`, ties to even, rounded once; ±∞ beyond the range.
+    /// Returns the nearest `f32`, with ties to even and a single rounding. Values beyond the range
+    /// become ±∞.
     pub fn to_f32(&self) -> f32 {
         const EXACT: u64 = 1 << 24;
         match &self.0 {
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f32 / *den as f32
             }
-            // The value is exact in `f64`, so only the final conversion rounds.
+            // The value is exact in `f64`, so only the last conversion rounds.
             _ if matches!(self.dyadic(), Some((num, 0..=1022)) if num < 1 << 53) => self.to_f64() as f32,
             _ => {
                 let magnitude = f32::from_bits(round_bits(&self.magnitude(), BINARY32) as u32);
@@ -56,15 +58,16 @@ impl Rational {
         }
     }
 
-    /// Returns the nearest double-double `(hi, lo)`: `hi` is [`to_f64`](Self::to_f64), and `lo` the
-    /// `f64` nearest to the remainder, or 0 if `hi` is infinite.
+    /// Returns the nearest double-double `(hi, lo)`. `hi` is the result of
+    /// [`to_f64`](Self::to_f64), and `lo` is the `f64` nearest to the difference. If `hi` is
+    /// infinite, `lo` is 0.
     pub fn to_double_double(&self) -> (f64, f64) {
         let hi = self.to_f64();
         if hi.abs() >= f64::MIN_POSITIVE && self.dyadic().is_some_and(|(num, _)| num < 1 << 53) {
             return (hi, 0.0);
         }
         let Some(exact) = Self::from_f64(hi) else { return (hi, 0.0) };
-        // Reducing the fraction would cost more than rounding it, and does not change the result.
+        // Reducing the fraction would cost more than rounding it, and would not change the result.
         let left = self.numerator() * exact.denominator() - exact.numerator() * self.denominator();
         let over = self.denominator() * exact.denominator();
         let is_negative = left.is_negative();
@@ -81,7 +84,7 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
     if num.is_zero() {
         return 0;
     }
-    // 2^(estimate-1) < num/den < 2^(estimate+1)
+    // The estimate satisfies 2^(estimate-1) < num/den < 2^(estimate+1).
     let estimate = num.bits() as i64 - den.bits() as i64;
     let max_exponent = 1 - format.min_exponent;
     let infinity = ((max_exponent - format.min_exponent + 1) as u64 + 1) << (format.precision - 1);
@@ -97,7 +100,8 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
         return infinity;
     }
 
-    // num/den = significand · 2^last_place; below the normal range underflow is gradual.
+    // Write num/den = significand · 2^last_place. Below the normal range, results lose digits
+    // gradually.
     let binade = exponent.max(format.min_exponent);
     let last_place = binade - (format.precision - 1);
     let (scaled_num, scaled_den) = scale(num, den, last_place);
@@ -107,7 +111,7 @@ pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64
     if twice > scaled_den || (twice == scaled_den && significand % 2 == 1) {
         significand += 1;
     }
-    // The hidden bit, and a carry from rounding, each add 1 to the exponent field.
+    // The hidden bit adds 1 to the exponent field, and so does a carry from rounding.
     (((binade - format.min_exponent) as u64) << (format.precision - 1)) + significand
 }
 

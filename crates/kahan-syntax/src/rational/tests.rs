@@ -128,7 +128,7 @@ fn bits_measure_the_larger_part() {
     assert_eq!(q("1/18446744073709551616").bits(), 65);
 }
 
-/// Compares with Rust's correctly rounding decimal parser.
+/// Compares with the decimal parser of Rust's standard library, which rounds correctly.
 fn agrees_with_the_standard_library(text: &str) {
     let exact = q(text);
     assert_eq!(exact.to_f64().to_bits(), text.parse::<f64>().unwrap().to_bits(), "{text} as f64");
@@ -245,7 +245,7 @@ fn dyadic_numbers_are_floats_exactly_and_round_as_all_others() {
         };
         assert_eq!(exact, Rational::from(BigRational::from_float(value).unwrap()), "{value}");
         assert_eq!(exact.to_f64().to_bits(), value.to_bits() & if value == 0.0 { 0 } else { u64::MAX });
-        // More bits than a float holds, compared with long division.
+        // The numbers have more bits than a float. The result is compared with long division.
         for odd in [bits | 1, bits >> 5 | 1, bits >> 9 | 1] {
             for shift in [0_u32, 3, 40, 63, 64, 200, 1022, 1023, 1070, 1140] {
                 let exact = Rational::from(BigRational::new(odd.into(), BigInt::one() << shift));

@@ -1,4 +1,4 @@
-//! Rationals as text: reads `p`, `p/q` and exact decimals, writes `p` or `p/q`.
+//! Reads rationals as `p`, `p/q` or exact decimals, and writes them as `p` or `p/q`.
 
 use std::fmt;
 
@@ -7,13 +7,14 @@ use num_bigint::BigInt;
 use super::numeral::Numeral;
 use super::{Rational, Repr};
 
-/// The largest decimal exponent, which keeps short texts from creating huge numbers.
+/// The largest decimal exponent. The limit prevents short texts from creating huge numbers.
 pub(crate) const LARGEST_EXPONENT: i64 = 4096;
 
 impl Rational {
-    /// Reads a signed decimal or a quotient of two: `3/7`, `-2`, `1e-3`, `1_000`, `.5`, `5.`.
+    /// Reads a signed decimal, or a quotient of two decimals. Examples are `3/7`, `-2`, `1e-3`,
+    /// `1_000`, `.5` and `5.`.
     ///
-    /// Returns `None` for other texts, for a zero divisor, and for exponents beyond ±4096.
+    /// Returns `None` for other texts, for a divisor that is zero, and for exponents beyond ±4096.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
@@ -25,7 +26,7 @@ impl Rational {
     }
 }
 
-/// Reads a decimal without a sign, also `.5` and `5.e3`.
+/// Reads a decimal without a sign. Forms such as `.5` and `5.e3` are allowed.
 fn decimal(text: &str) -> Option<Rational> {
     if let Some(value) = short_decimal(text) {
         return Some(value);
@@ -40,7 +41,8 @@ fn decimal(text: &str) -> Option<Rational> {
     Some(&natural(&format!("{whole}{fraction}"))? * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
 }
 
-/// Reads a decimal of at most 18 digits without exponent and separators, the usual case.
+/// Reads a decimal of at most 18 digits without an exponent and without separators, which is the
+/// usual case.
 fn short_decimal(text: &str) -> Option<Rational> {
     const MOST_DIGITS: usize = 18;
 
@@ -83,7 +85,7 @@ fn without_separators(text: &str) -> String {
     kept.map(|(_, c)| c).collect()
 }
 
-/// Writes `p`, or `p/q` if q ≠ 1.
+/// The number is written as `p`, or as `p/q` if q ≠ 1.
 impl fmt::Display for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {

@@ -1,4 +1,4 @@
-//! Orbits and trajectories of E1, rational functions of time.
+//! Orbits and trajectories of E1, which are rational functions of time.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
@@ -6,7 +6,8 @@ use kahan_core::{Scalar, vector};
 use super::E1;
 use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of dE1 (Theorem 3, i = 1), exact over big rationals. With N = n + τ and β = Ĥ = y/x:
+/// An orbit of the map of E1 (Hone and Petrera, Theorem 3, i = 1), exact over big rationals. With
+/// N = n + τ and β = Ĥ = y/x, where β, γ and τ are constants, the point after n steps is
 ///
 ///   x = 1/(2εN), y = β/(2εN), z = 2γεN − (β²/ε + γε)/(2N).
 ///
@@ -35,7 +36,8 @@ impl<T: Scalar> ReciprocalMap<T> for E1 {
     }
 }
 
-/// A trajectory of E1 (Table 5, i = 1), exact over big rationals. With T = t + α and β = H = y/x:
+/// A trajectory of E1 (Hone and Petrera, Table 5, i = 1), exact over big rationals. With T = t + α
+/// and β = H = y/x, where α, β and γ are constants, the point at time t is
 ///
 ///   x = 1/T, y = β/T, z = γT − β²/T.
 pub type FlowSolution<T> = ReciprocalTrajectory<E1, T>;

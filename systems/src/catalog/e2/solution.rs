@@ -1,4 +1,4 @@
-//! Orbits and trajectories of E2, rational functions of time.
+//! Orbits and trajectories of E2, which are rational functions of time.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
@@ -6,8 +6,8 @@ use kahan_core::{Scalar, vector};
 use super::E2;
 use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of dE2 (Theorem 3, i = 2), exact over big rationals. With N = n + τ and β = Ĥ = xy/(1 −
-/// ε²x²):
+/// An orbit of the map of E2 (Hone and Petrera, Theorem 3, i = 2), exact over big rationals. With
+/// N = n + τ and β = Ĥ = xy/(1 − ε²x²), where β, γ and τ are constants, the point after n steps is
 ///
 ///   x = 1/(2εN), y = 2βε(N − 1/(4N)), z = ε(2N − 1/(2N))(γ − β²ε²(4N² − 1)).
 pub type Solution<T> = ReciprocalOrbit<E2, T>;
@@ -20,7 +20,7 @@ impl<T: Scalar> ReciprocalMap<T> for E2 {
     fn point(orbit: Solution<T>, double: T) -> SVector<T, 3> {
         let Solution { eps, beta, gamma, .. } = orbit;
         let x = T::one() / (eps.clone() * double.clone());
-        // 2N − 1/(2N)
+        // The variable `spread` is 2N − 1/(2N).
         let spread = double.clone() - T::one() / double.clone();
         let y = beta.clone() * eps.clone() * spread.clone();
         let square = beta.clone() * eps.clone() * beta * eps.clone();
@@ -29,7 +29,8 @@ impl<T: Scalar> ReciprocalMap<T> for E2 {
     }
 }
 
-/// A trajectory of E2 (Table 5, i = 2), exact over big rationals. With T = t + α and β = H = xy:
+/// A trajectory of E2 (Hone and Petrera, Table 5, i = 2), exact over big rationals. With T = t + α
+/// and β = H = xy, where α, β and γ are constants, the point at time t is
 ///
 ///   x = 1/T, y = βT, z = T(γ − β²T²).
 pub type FlowSolution<T> = ReciprocalTrajectory<E2, T>;

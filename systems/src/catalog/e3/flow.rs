@@ -1,4 +1,4 @@
-//! Trajectories of E3, by hyperbolic functions.
+//! Trajectories of E3 by hyperbolic functions.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,31 +6,32 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E3 (Table 5, i = 3). With T = t + α:
+/// A trajectory of E3 (Hone and Petrera, Table 5, i = 3). With T = t + α, the point at time t is
 ///
 ///   x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The time shift α.
     pub alpha: T,
-    /// λ = √(x² + y² + z²) > 0, so K = λ²/2.
+    /// The constant λ = √(x² + y² + z²) > 0. The integral K is λ²/2.
     pub lambda: T,
-    /// The angle θ of (x, y), so H = tan θ.
+    /// The angle θ of the vector (x, y). The integral H is tan θ.
     pub theta: T,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails for the fixed points x = y = 0.
+    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, where the point is
+    /// fixed.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
         let lambda = (radius_square + z.square()).sqrt();
-        // sinh λα = z/r
+        // At t = 0, sinh λα = z/r with r² = x² + y².
         Ok(Self { alpha: (z / radius_square.sqrt()).asinh() / lambda, theta: y.atan2(&x), lambda })
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, theta } = self;
         let phase = *lambda * (*t + *alpha);

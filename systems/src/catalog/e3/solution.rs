@@ -1,4 +1,4 @@
-//! Orbits of dE3, by hyperbolic functions on two real branches.
+//! Orbits of the map of E3 by hyperbolic functions, on two real branches.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,39 +6,42 @@ use kahan_core::vector;
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
-/// An orbit of dE3 (Theorem 3, i = 3). With T = 2δn + κ:
+/// An orbit of the map of E3 (Hone and Petrera, Theorem 3, i = 3). With T = 2δn + κ, the point
+/// after n steps is
 ///
-/// * inner branch, |εz| < 1: (x, y) = (cos θ, sin θ) sinh δ/(ε cosh T), z = tanh δ tanh T/ε, with
-///   K̂ = tanh² δ/(2ε²);
-/// * outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh T),
-///   z = coth δ coth T/ε, with K̂ = coth² δ/(2ε²).
+/// * on the inner branch, |εz| < 1: (x, y) = (cos θ, sin θ) sinh δ/(ε cosh T), z = tanh δ tanh T/ε,
+///   where the integral K̂ is tanh² δ/(2ε²);
+/// * on the outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh
+///   T), z = coth δ coth T/ε, where the integral K̂ is coth² δ/(2ε²).
 ///
-/// On both branches Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of
-/// the point's norm times the condition of the formula, (1 + |T|) max(1, |ε| norm).
+/// On both branches the integral Ĥ is tan θ, and δ has the sign of ε. In `f64` the error of the
+/// point after n steps is at most 4 ulp of the point's norm, multiplied by the condition of the
+/// formula, which is (1 + |T|) max(1, |ε| norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// δ, half the increase of T in a step.
+    /// The constant δ. A step increases T by 2δ.
     pub delta: T,
-    /// κ, the value of T at n = 0.
+    /// The constant κ, which is the value of T at n = 0.
     pub kappa: T,
-    /// θ, the direction of ±(x, y).
+    /// The angle θ of the vector (x, y) or of its negative.
     pub theta: T,
-    /// The branch: inner for |εz| < 1, outer for |εz| > 1.
+    /// The branch. It is the inner one for |εz| < 1, and the outer one for |εz| > 1.
     pub branch: Branch,
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x² + y² = 0 (a fixed point) or
-    /// ε²z² = 1. At εz = 1 the step ends in the fixed point (0, 0, 1/ε); at εz = −1, det A = 0.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x² + y² = 0 (a fixed point)
+    /// or if ε²z² = 1. For εz = 1 the step would lead to the fixed point (0, 0, 1/ε); for εz = −1,
+    /// det A = 0.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
         require(!eps.is_zero(), "eps != 0")?;
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
         let scaled = *eps * z;
-        // 1 − ε²z², without cancellation
+        // Compute 1 − ε²z² without cancellation.
         let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 z^2 != 1")?;
         let width = inner.abs().sqrt();
@@ -48,7 +51,8 @@ impl<T: Real> Solution<T> {
         let eps = *eps;
         Ok(if inner.is_positive() {
             Self {
-                // sinh²δ = ε²|x|²/(1 − ε²z²), sinh²κ = z²(1 + ε²r²)/(r²(1 − ε²z²))
+                // With r² = x² + y² and |x|² = x² + y² + z², sinh²δ = ε²|x|²/(1 − ε²z²) and sinh²κ
+                // = z²(1 + ε²r²)/(r²(1 − ε²z²)).
                 delta: (eps * norm / width).asinh(),
                 kappa: (z * stretched / (radius * width)).asinh(),
                 theta: y.atan2(&x),
@@ -58,7 +62,8 @@ impl<T: Real> Solution<T> {
         } else {
             let sign = (eps * z).sign();
             Self {
-                // sinh²δ = (1 + ε²r²)/(ε²z² − 1), sinh²κ = |x|²/(r²(ε²z² − 1))
+                // With r² = x² + y² and |x|² = x² + y² + z², sinh²δ = (1 + ε²r²)/(ε²z² − 1) and
+                // sinh²κ = |x|²/(r²(ε²z² − 1)).
                 delta: (eps.sign() * stretched / width).asinh(),
                 kappa: (z.sign() * norm / (radius * width)).asinh(),
                 theta: (sign * y).atan2(&(sign * x)),
@@ -68,7 +73,8 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps, also for n < 0; not finite at a pole (T = 0, outer branch).
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
+    /// T = 0 on the outer branch.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

@@ -1,4 +1,4 @@
-//! Trajectories of E4, by Jacobi's elliptic functions.
+//! Trajectories of E4 by Jacobi's elliptic functions.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,35 +6,38 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{OutOfDomain, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// A trajectory of E4 (Table 5, i = 4). With T = t + α, and sn, cn, dn at λT with modulus k:
+/// A trajectory of E4 (Hone and Petrera, Table 5, i = 4). With T = t + α, and with sn, cn and dn
+/// taken at λT for the modulus k, the point at time t is
 ///
 ///   x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn,
 ///
-/// up to the field's symmetries: signs of x and y, and the swap (x, y, z) → (y, x, −z). For xy > 0,
-/// H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
+/// The formula holds up to the field's symmetries, which change signs of x and y, or map (x, y, z)
+/// to (y, x, −z). If xy > 0, the integrals are H = λ²(1 − k²)/4 and K = λ²(1 + k²)/4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The time shift α.
     pub alpha: T,
-    /// λ > 0, the rate; λ² = (|x| + |y|)² + z².
+    /// The rate λ > 0, for which λ² = (|x| + |y|)² + z².
     pub lambda: T,
-    /// The modulus k; k = 1 if xy = 0.
+    /// The modulus k, which is 1 if xy = 0.
     pub modulus: Modulus<T>,
-    /// The symmetry that maps the formula to the trajectory.
+    /// The symmetry that maps the point of the formula to the point of the trajectory.
     pub symmetry: Symmetry,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails for the fixed points x = y = 0.
+    /// Returns the trajectory through `point` at t = 0. Fails if x = y = 0, where the point is
+    /// fixed.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
         let (NormalForm { sum, difference, height, product }, symmetry) = NormalForm::same_signs(point);
         let large = sum.square() + height.square();
         let small = difference.square() + height.square();
         let lambda = large.sqrt();
-        // k² = (d² + z²)/(s² + z²), 1 − k² = 4xy/(s² + z²)
+        // With s = x + y and d = x − y, k² = (d² + z²)/(s² + z²) and 1 − k² = 4xy/(s² + z²).
         let modulus = Modulus::from_squares(&(small / large), &(T::from_int(4) * product / large));
-        // (sn, cn) at t = 0 are (z, d)/(kλ); k = 0 is the fixed point x = y, z = 0.
+        // With d = x − y, the values (sn, cn) at t = 0 are (z, d)/(kλ). If k = 0, the point is
+        // fixed: x = y and z = 0.
         let alpha = if small.is_zero() {
             T::zero()
         } else {
@@ -44,7 +47,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { alpha, lambda, modulus, symmetry })
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, modulus, symmetry } = self;
         let Jacobi { sn, cn, dn } = jacobi(&(*lambda * (*t + *alpha)), modulus);

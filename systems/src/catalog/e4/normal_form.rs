@@ -1,12 +1,12 @@
-//! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z). They map every
-//! point to a quarter of space where the elliptic functions of s = x + y and d = x − y are real.
+//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. They map every point
+//! to a quarter of space where the elliptic functions of s = x + y and d = x − y are real.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
 use crate::special::Real;
 
-/// A point as s = x + y, d = x − y, z and |xy|, after a [`Symmetry`] has given x and y the required
+/// A point as s = x + y, d = x − y, z and |xy|. A [`Symmetry`] has given x and y the required
 /// signs.
 pub(super) struct NormalForm<T> {
     pub(super) sum: T,
@@ -22,12 +22,13 @@ pub struct Symmetry {
     pub flip_x: bool,
     /// Whether y changes its sign.
     pub flip_y: bool,
-    /// Whether (x, y, z) becomes (y, x, −z) before the sign changes; needed if x = 0.
+    /// Whether (x, y, z) becomes (y, x, −z) before the signs change. This is needed if x = 0.
     pub swap: bool,
 }
 
 impl Symmetry {
-    /// Returns the image of the point with these s, d, z.
+    /// Returns the image under this symmetry of the point with x + y = `sum`, x − y = `difference`
+    /// and z = `height`.
     pub(super) fn point<T: Real>(&self, sum: T, difference: T, height: T) -> SVector<T, 3> {
         let x = (sum + difference) * T::half();
         let y = (sum - difference) * T::half();
@@ -37,12 +38,12 @@ impl Symmetry {
 }
 
 impl<T: Real> NormalForm<T> {
-    /// Maps a point to x, y ≥ 0.
+    /// Maps a point to one with x, y ≥ 0.
     pub(super) fn same_signs(point: &SVector<T, 3>) -> (Self, Symmetry) {
         Self::with_signs(point, |_| (false, false))
     }
 
-    /// Maps a point so that x has the sign of εz, and y the opposite sign.
+    /// Maps a point to one where x has the sign of εz and y has the opposite sign.
     pub(super) fn opposite_signs(point: &SVector<T, 3>, eps: &T) -> (Self, Symmetry) {
         Self::with_signs(point, |height| {
             let negative = height.is_negative() != eps.is_negative();
@@ -50,9 +51,9 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// Maps a point so that x and y have the signs that `wanted` returns for z (`true` is
-    /// negative). If one coordinate is zero it becomes y, because at modulus 1 the curve contains
-    /// no point with x = 0.
+    /// Maps a point to one whose coordinates x and y have the signs that `wanted` returns for z,
+    /// where `true` means negative. If one of the two coordinates is zero, it becomes y, because at
+    /// modulus 1 the curve contains no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = (*point).into();
         let swap = x.is_zero();
@@ -64,7 +65,8 @@ impl<T: Real> NormalForm<T> {
         let second = if flip_second { -second } else { second };
         let form =
             Self { sum: first + second, difference: first - second, height, product: (first * second).abs() };
-        // Signs are stored by original coordinate; before the swap, the first coordinate was y.
+        // The signs are stored for the original coordinates. Before a swap, the first coordinate
+        // was y.
         let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
         (form, Symmetry { flip_x, flip_y, swap })
     }

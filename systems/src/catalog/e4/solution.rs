@@ -1,4 +1,4 @@
-//! Orbits of dE4, by Jacobi's elliptic functions on two real branches.
+//! Orbits of the map of E4 by Jacobi's elliptic functions, on two real branches.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,41 +6,47 @@ use super::normal_form::{NormalForm, Symmetry};
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
-/// An orbit of dE4 (Theorem 3, i = 4). With v = 2δn + κ, modulus k, s = x + y and d = x − y:
+/// An orbit of the map of E4 (Hone and Petrera, Theorem 3, i = 4). With v = 2δn + κ, the modulus k,
+/// s = x + y and d = x − y, the point after n steps is
 ///
-/// * inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn v/ε;
-/// * outer branch, |εz| > 1 (not in the paper; δ and κ shifted by iK′):
-///   s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
+/// * on the inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn
+///   v/ε;
+/// * on the outer branch, |εz| > 1 (not in the paper; δ and κ are shifted by iK′): s = (−1)ⁿ cn
+///   v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
-/// Both hold up to the map's symmetries: signs of x and y, and the swap (x, y, z) → (y, x, −z). The
-/// inner formula has xy > 0, the outer one xy < 0. If xy = 0, k is 1 and the functions are
-/// hyperbolic. Only orbits through fixed points (0, 0, z) or through |εz| = 1 are excluded.
+/// Both formulas hold up to the map's symmetries, which change signs of x and y, or map (x, y, z)
+/// to (y, x, −z). The formula of the inner branch has xy > 0, that of the outer branch xy < 0. If
+/// xy = 0, k is 1 and the functions are hyperbolic. Only orbits that contain a fixed point (0, 0,
+/// z) or a point with |εz| = 1 are excluded.
 ///
-/// In `f64` the error at n is at most 6 ulp of the point's norm times the condition of the
-/// formula, (1 + |v|) max(1, |ε| norm). On the inner branch with xy > 0:
+/// In `f64` the error of the point after n steps is at most 6 ulp of the point's norm, multiplied
+/// by the condition of the formula, which is (1 + |v|) max(1, |ε| norm). On the inner branch with
+/// xy > 0, the integrals are
 ///
 /// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// δ, half the increase of v in a step; it has the sign of ε, and |δ| < K(k).
+    /// The constant δ. A step increases v by 2δ. It has the sign of ε, and |δ| is below the quarter
+    /// period K(k).
     pub delta: T,
-    /// κ, the value of v at n = 0.
+    /// The constant κ, which is the value of v at n = 0.
     pub kappa: T,
-    /// The modulus k, 0 ≤ k ≤ 1.
+    /// The modulus k, where 0 ≤ k ≤ 1.
     pub modulus: Modulus<T>,
-    /// The symmetry that maps the formula to the orbit.
+    /// The symmetry that maps the point of the formula to the point of the orbit.
     pub symmetry: Symmetry,
-    /// The branch: inner for |εz| < 1, outer for |εz| > 1.
+    /// The branch. It is the inner one for |εz| < 1, and the outer one for |εz| > 1.
     pub branch: Branch,
-    /// sn, cn and dn of δ, computed algebraically.
+    /// The values of sn, cn and dn at δ, computed algebraically.
     advance: Jacobi<T>,
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x² + y² = 0 (a fixed point) or
-    /// ε²z² = 1: then det A = 0 for one sign of ε, or the step ends in a fixed point.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x² + y² = 0 (a fixed point)
+    /// or if ε²z² = 1. In the last case det A = 0 for one sign of ε, or the step leads to a fixed
+    /// point.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         require(!eps.is_zero(), "eps != 0")?;
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
@@ -57,14 +63,15 @@ impl<T: Real> Solution<T> {
     fn inner((form, symmetry): (NormalForm<T>, Symmetry), eps: &T, width: &T) -> Self {
         let Squares { sum, difference, wide, narrow } = Squares::of(&form, eps);
         let modulus = modulus(&form, eps, width);
-        // sn²δ = ε²(s² + z²)/(1 + ε²s²), cn²δ = (1 − ε²z²)/(1 + ε²s²), dn²δ = (1 − ε²z²)/(1 + ε²d²)
+        // With s = x + y and d = x − y, sn²δ = ε²(s² + z²)/(1 + ε²s²), cn²δ = (1 − ε²z²)/(1 + ε²s²)
+        // and dn²δ = (1 − ε²z²)/(1 + ε²d²).
         let advance = Jacobi {
             sn: *eps * (wide / sum).sqrt(),
             cn: (*width / sum).sqrt(),
             dn: (*width / difference).sqrt(),
         };
-        // (k sn δ)² = ε²(d² + z²)/(1 + ε²d²), so (sn κ, cn κ) = (z √(1 + ε²d²), d √(1 − ε²z²))/√(d²
-        // + z²).
+        // With d = x − y, (k sn δ)² = ε²(d² + z²)/(1 + ε²d²), so (sn κ, cn κ) = (z √(1 + ε²d²), d
+        // √(1 − ε²z²))/√(d² + z²).
         let kappa = if narrow.is_zero() {
             T::zero()
         } else {
@@ -80,13 +87,15 @@ impl<T: Real> Solution<T> {
         let Squares { sum, difference, wide, narrow } = Squares::of(&form, eps);
         let modulus = modulus(&form, eps, width);
         let over = |top: &T, bottom: T| (*top / bottom).sqrt() / *eps;
-        // ε²(d² + z²) sn²δ = 1 + ε²d², ε²(d² + z²) cn²δ = ε²z² − 1 = ε²(s² + z²) dn²δ
+        // With s = x + y and d = x − y, ε²(d² + z²) sn²δ = 1 + ε²d² and ε²(d² + z²) cn²δ = ε²z² − 1
+        // = ε²(s² + z²) dn²δ.
         let advance = Jacobi {
             sn: over(&difference, narrow),
             cn: over(width, narrow).abs(),
             dn: over(width, wide).abs(),
         };
-        // sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)), cn κ = ε s dn δ sn κ
+        // With s = x + y, sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)) and cn κ = ε s dn δ sn
+        // κ.
         let sn = (wide / sum).sqrt() / form.height;
         let cn = *eps * form.sum * advance.dn * sn;
         let kappa = modulus.inverse(&sn, &cn);
@@ -94,8 +103,8 @@ impl<T: Real> Solution<T> {
         Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
-    /// Returns the point after n steps, also for n < 0; not finite at a pole (sn v = 0, outer
-    /// branch).
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
+    /// sn v = 0 on the outer branch.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k;
@@ -117,15 +126,16 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// Positive expressions from which all parameters are computed.
+/// Positive expressions from which all parameters of an orbit are computed. In the fields, s = x +
+/// y and d = x − y.
 struct Squares<T> {
-    /// 1 + ε²s²
+    /// The value 1 + ε²s² with s = x + y.
     sum: T,
-    /// 1 + ε²d²
+    /// The value 1 + ε²d² with d = x − y.
     difference: T,
-    /// s² + z²
+    /// The value s² + z² with s = x + y.
     wide: T,
-    /// d² + z²
+    /// The value d² + z² with d = x − y.
     narrow: T,
 }
 
@@ -141,8 +151,8 @@ impl<T: Real> Squares<T> {
     }
 }
 
-/// Returns k, from k² = (d² + z²)(1 + ε²s²)/((s² + z²)(1 + ε²d²)) and 1 − k² = 4|xy| |1 −
-/// ε²z²|/((s² + z²)(1 + ε²d²)).
+/// Returns the modulus k from k² = (d² + z²)(1 + ε²s²)/((s² + z²)(1 + ε²d²)) and 1 − k² = 4|xy| |1
+/// − ε²z²|/((s² + z²)(1 + ε²d²)), where s = x + y and d = x − y.
 fn modulus<T: Real>(form: &NormalForm<T>, eps: &T, width: &T) -> Modulus<T> {
     let Squares { sum, difference, wide, narrow } = Squares::of(form, eps);
     let divisor = wide * difference;

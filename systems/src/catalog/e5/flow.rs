@@ -1,4 +1,4 @@
-//! Trajectories of E5, by hyperbolic functions.
+//! Trajectories of E5 by hyperbolic functions.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,36 +6,37 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E5 (Table 5, i = 5). With T = t + α and the sign s of x:
+/// A trajectory of E5 (Hone and Petrera, Table 5, i = 5). With T = t + α and the sign s of x, the
+/// point at time t is
 ///
 ///   x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The time shift α.
     pub alpha: T,
-    /// λ = √(x² + y²) > 0, so H = λ²/2.
+    /// The constant λ = √(x² + y²) > 0. The integral H is λ²/2.
     pub lambda: T,
-    /// μ, from K = λ(μ + λ).
+    /// The constant μ. The integral K is λ(μ + λ).
     pub mu: T,
-    /// s = ±1, the sign of x. Table 5 has s = 1; (x, y, z) → (−x, y, −z) is a symmetry.
+    /// The sign s = ±1 of x. Table 5 has s = 1, but (x, y, z) → (−x, y, −z) is a symmetry.
     pub sign: T,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails if x = 0: the plane x = 0 is
-    /// invariant, with solutions of another form.
+    /// Returns the trajectory through `point` at t = 0. Fails if x = 0, because solutions in this
+    /// invariant plane have another form.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
         let sign = x.sign();
         let lambda = (x.square() + y.square()).sqrt();
-        // sinh λα = −y/|x|, cosh λα = λ/|x|
+        // At t = 0, sinh λα = −y/|x| and cosh λα = λ/|x|.
         let phase = -(y / x.abs()).asinh();
         let mu = sign * (z - x) * x.abs() / lambda;
         Ok(Self { alpha: phase / lambda, lambda, mu, sign })
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, mu, sign } = self;
         let phase = *lambda * (*t + *alpha);

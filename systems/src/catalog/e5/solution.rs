@@ -1,4 +1,4 @@
-//! Orbits of dE5, by hyperbolic functions on two real branches.
+//! Orbits of the map of E5 by hyperbolic functions, on two real branches.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,36 +6,38 @@ use kahan_core::vector;
 use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
-/// An orbit of dE5 (Theorem 3, i = 5). With T = 2δn + κ and a sign s:
+/// An orbit of the map of E5 (Hone and Petrera, Theorem 3, i = 5). With T = 2δn + κ and a sign s,
+/// the point after n steps and the integrals Ĥ and K̂ are
 ///
-/// * inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε, z = s[μ cosh T + (1/ε +
-///   μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;
-/// * outer branch, |εy| > 1 (not in the paper): x = s(−1)ⁿ cosh δ/(ε sinh T), y = −coth δ coth T/ε,
-///   z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²),
-///   K̂ = μ cosh δ/ε + coth² δ/ε².
+/// * on the inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε, z = s[μ cosh T +
+///   (1/ε + μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;
+/// * on the outer branch, |εy| > 1 (not in the paper): x = s(−1)ⁿ cosh δ/(ε sinh T), y = −coth δ
+///   coth T/ε, z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²), K̂ =
+///   μ cosh δ/ε + coth² δ/ε².
 ///
-/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times the
-/// condition of the formula, (1 + |T|) max(1, |ε| norm).
+/// The constant δ has the sign of ε. In `f64` the error of the point after n steps is at most 4 ulp
+/// of the point's norm, multiplied by the condition of the formula, which is (1 + |T|) max(1, |ε|
+/// norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// δ, half the increase of T in a step.
+    /// The constant δ. A step increases T by 2δ.
     pub delta: T,
-    /// κ, the value of T at n = 0.
+    /// The constant κ, which is the value of T at n = 0.
     pub kappa: T,
-    /// μ, which determines K̂.
+    /// The constant μ, which determines the integral K̂.
     pub mu: T,
-    /// s = ±1 (inner branch: sign of x). Theorem 3 has s = 1; (x, y, z) → (−x, y, −z) is a
-    /// symmetry.
+    /// The sign s = ±1. On the inner branch it is the sign of x. Theorem 3 has s = 1, but (x, y, z)
+    /// → (−x, y, −z) is a symmetry.
     pub sign: T,
-    /// The branch: inner for |εy| < 1, outer for |εy| > 1.
+    /// The branch. It is the inner one for |εy| < 1, and the outer one for |εy| > 1.
     pub branch: Branch,
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, x = 0 or ε²y² = 1, where det A =
-    /// 0 for one sign of ε.
+    /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if x = 0, or if ε²y² = 1, where
+    /// det A = 0 for one sign of ε.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!eps.is_zero(), "eps != 0")?;
@@ -48,17 +50,17 @@ impl<T: Real> Solution<T> {
         let stretched = (T::one() + eps.square() * x.square()).sqrt();
         let eps = *eps;
         Ok(if inner.is_positive() {
-            // sinh²δ = ε²(x² + y²)/(1 − ε²y²), sinh²κ = y²(1 + ε²x²)/(x²(1 − ε²y²))
+            // Use sinh²δ = ε²(x² + y²)/(1 − ε²y²) and sinh²κ = y²(1 + ε²x²)/(x²(1 − ε²y²)).
             let sine_delta = eps * norm / width;
             let kappa = -(y * stretched / (x.abs() * width)).asinh();
             let sign = x.sign();
-            // From z − x = s μ (cosh κ + sinh²δ/cosh κ).
+            // The constant μ follows from z − x = s μ (cosh κ + sinh²δ/cosh κ).
             let cosine = kappa.cosh();
             let mu = sign * (z - x) * cosine / (cosine.square() + sine_delta.square());
             Self { delta: sine_delta.asinh(), kappa, mu, sign, branch: Branch::Inner, eps }
         } else {
-            // sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1), sinh²κ = (x² +
-            // y²)/(x²(ε²y² − 1))
+            // Use sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1) and sinh²κ = (x²
+            // + y²)/(x²(ε²y² − 1)).
             let cosine_delta_square = (eps * norm / width).square();
             let sine_kappa = -(y.sign() * norm / (x.abs() * width));
             let sign = (x * eps * sine_kappa).sign();
@@ -74,7 +76,8 @@ impl<T: Real> Solution<T> {
         })
     }
 
-    /// Returns the point after n steps, also for n < 0; not finite at a pole (T = 0, outer branch).
+    /// Returns the point after n steps; n may be negative. The point is not finite at a pole, where
+    /// T = 0 on the outer branch.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, mu, sign, branch } = self;
         let argument = T::from_int(2 * n) * *delta + *kappa;

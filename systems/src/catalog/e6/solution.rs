@@ -1,7 +1,7 @@
-//! Orbits and trajectories of E6, which is E4 in other coordinates. In (x − z, x + z, y), E6 is the
-//! Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x + z), the map of E6
-//! becomes that of E4 at −ε. The code uses −(x + z) as third coordinate and keeps ε, because (x, ε)
-//! → (−x, −ε) is a symmetry of homogeneous fields.
+//! Orbits and trajectories of E6, which is E4 in other coordinates. In the coordinates (x − z, x +
+//! z, y), E6 is the Euler top with α = (1, −3, 1). With (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x +
+//! z), the map of E6 becomes that of E4 at −ε. The code uses −(x + z) as third coordinate and keeps
+//! ε. It may do so because (x, ε) → (−x, −ε) is a symmetry of homogeneous fields.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -10,34 +10,35 @@ use crate::euler;
 use crate::solution::OutOfDomain;
 use crate::special::Real;
 
-/// An orbit of dE6 by Jacobi's elliptic functions. The paper only states that it follows from dE4.
-/// In `f64` the error at n is at most 6 ulp of the point's norm times the condition given for
-/// [`e4::Solution`](crate::e4::Solution).
+/// An orbit of the map of E6 by Jacobi's elliptic functions. The paper only states that it follows
+/// from that of E4. In `f64` the error of the point after n steps is at most 6 ulp of the point's
+/// norm, multiplied by the condition that [`e4::Solution`](crate::e4::Solution) gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The orbit of the Euler top with α = (1, −3, 1), in (x − z, x + z, y).
+    /// The orbit of the Euler top with α = (1, −3, 1), in the coordinates (x − z, x + z, y).
     pub top: euler::Solution<T>,
 }
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0. Fails if ε = 0, if (x, y, z) is a multiple of
-    /// (1, 0, 1), or if ε²(x + z)² = 1. These are the exceptions of
-    /// [`e4::Solution::through`](crate::e4::Solution::through) in the coordinates of E6.
+    /// (1, 0, 1), or if ε²(x + z)² = 1. For these points
+    /// [`e4::Solution::through`](crate::e4::Solution::through) fails, in the coordinates of E4.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let top = euler::Solution::through(&coefficients(), &to_top(point), eps)?;
         Ok(Self { top })
     }
 
-    /// Returns the point after n steps, also for n < 0.
+    /// Returns the point after n steps; n may be negative.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         from_top(&self.top.at(n))
     }
 }
 
-/// A trajectory of E6 by Jacobi's elliptic functions. Table 5 only states that it follows from E4.
+/// A trajectory of E6 by Jacobi's elliptic functions. Table 5 only states that it follows from that
+/// of E4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The trajectory of the Euler top with α = (1, −3, 1), in (x − z, x + z, y).
+    /// The trajectory of the Euler top with α = (1, −3, 1), in the coordinates (x − z, x + z, y).
     pub top: euler::FlowSolution<T>,
 }
 
@@ -48,7 +49,7 @@ impl<T: Real> FlowSolution<T> {
         Ok(Self { top: euler::FlowSolution::through(&coefficients(), &to_top(point))? })
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         from_top(&self.top.at(t))
     }

@@ -1,4 +1,4 @@
-//! Trajectories of E7, by powers of t with exponents in ξ.
+//! Trajectories of E7 by powers of t, whose exponents contain ξ.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,20 +6,20 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E7 (Table 5, i = 7). With T = t + α:
+/// A trajectory of E7 (Hone and Petrera, Table 5, i = 7). With T = t + α, the point at time t is
 ///
 ///   x = 1/T, y = β|T|^(−ξ), z = T(γ − β²|T|^(−2ξ)).
 ///
-/// The paper has T > 0; absolute values extend the formula to x < 0.
+/// The formula of the paper requires T > 0. Absolute values extend it to x < 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The parameter ξ of the system.
     pub xi: T,
-    /// The time shift α = 1/x₀.
+    /// The time shift α = 1/x₀, where x₀ is x at t = 0.
     pub alpha: T,
-    /// β, the value of H = y|x|^(−ξ).
+    /// The constant β, which is the value of the integral H = y|x|^(−ξ).
     pub beta: T,
-    /// γ, the value of K = xz + y².
+    /// The constant γ, which is the value of the integral K = xz + y².
     pub gamma: T,
 }
 
@@ -36,15 +36,15 @@ impl<T: Real> FlowSolution<T> {
         })
     }
 
-    /// Returns the point at time t; NaN at the pole t = −α and beyond it.
+    /// Returns the point at time t. At the pole t = −α and beyond it, the point is NaN.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
         let time = *t + *alpha;
-        // Becomes negative beyond the pole, where most powers are undefined.
+        // The variable `size` becomes negative beyond the pole, where most powers are undefined.
         let size = time * alpha.sign();
         let y = *beta * size.power_real(&-*xi);
         let x = T::one() / time;
-        // Some exponents allow negative bases, so NaN is set explicitly beyond the pole.
+        // Some exponents allow negative bases, so the result beyond the pole must be set to NaN.
         let defined = if size.is_positive() { T::one() } else { T::zero() / T::zero() };
         vector![x * defined, y * defined, time * (*gamma - y.square()) * defined]
     }

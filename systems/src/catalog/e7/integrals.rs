@@ -1,4 +1,4 @@
-//! The transcendental integrals of dE7, and its bracket with digamma functions.
+//! The transcendental integrals of the map of E7, and its bracket with digamma functions.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
@@ -7,19 +7,20 @@ use crate::special::{
     Real, asymptotic_start, centered_digamma_difference, centered_gamma_ratio, gamma_product_tail,
 };
 
-/// Returns u = 1/(2εx), which increases by 1 in each step.
+/// Returns u = 1/(2εx), which increases by 1 in each step of the map.
 fn level<T: Real>(x: &T, eps: &T) -> T {
     T::one() / (T::from_int(2) * *eps * *x)
 }
 
-/// Returns σ = (ξ − 1)/2, the offset in the centred ratio Γ(u + ξ/2)/Γ(u + 1 − ξ/2).
+/// Returns σ = (ξ − 1)/2, with which Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is a centred ratio of Gamma
+/// functions.
 fn sigma<T: Real>(xi: &T) -> T {
     (*xi - T::one()) * T::half()
 }
 
-/// Returns Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of dE7 (Section 6.1).
-/// Equals y/x at ξ = 1, and 4ε²xy/(1 − ε²x²) at ξ = −1. NaN for x = 0; zero or infinite at poles of
-/// Γ.
+/// Returns Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of the map of E7
+/// (Hone and Petrera, Section 6.1). It equals y/x for ξ = 1, and 4ε²xy/(1 − ε²x²) for ξ = −1. It is
+/// NaN for x = 0, and zero or infinite at poles of Γ.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -36,15 +37,16 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
     point[1] / point[0] * ratio
 }
 
-/// Returns K̂₇, the second integral of dE7, for ξ > 0. The paper doesn't state it as a function of
-/// the point (erratum B7). With N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2):
+/// Returns K̂₇, the second integral of the map of E7, for ξ > 0. The paper does not state it as a
+/// function of the point (erratum B7). With N = 1/(2εx), Y_0 = y/x and Y_{j+1} = Y_j
+/// (N+j+1−ξ/2)/(N+j+ξ/2), the integral is given by
 ///
 /// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ (78 + 4ξ for
-/// [`Float256`](crate::special::Float256)) are summed; an asymptotic expansion sums the remaining
-/// terms in full precision. For x < 0 this takes about 1/(2ε|x|) terms. Fails if ξ ≤ 0, where the
-/// series diverges, or εx = 0.
+/// At ξ = 1 it equals (xz + y²)/(1 − ε²x²). Terms up to N + j ≈ 22 + 4ξ are summed (78 + 4ξ for
+/// [`Float256`](crate::special::Float256)). An asymptotic expansion sums the other terms in full
+/// precision. For x < 0, about 1/(2ε|x|) terms are summed. Fails if ξ ≤ 0, where the series
+/// diverges, or if εx = 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     require(xi.is_positive(), "xi > 0")?;
@@ -65,12 +67,12 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
     Ok((sum + integral_h.square() * gamma_product_tail(&level, xi)) / eps.square())
 }
 
-/// Returns the antisymmetric matrix of {x_i, x_j} for the invariant bracket of dE7 with the Casimir
-/// function Ĥ₇ (Section 6.1). With u = 1/(2εx):
+/// Returns the antisymmetric matrix of the invariant bracket {x_i, x_j} of the map of E7 with the
+/// Casimir function Ĥ₇ (Hone and Petrera, Section 6.1). With u = 1/(2εx), the entries are
 ///
 ///   {x,y} = 0, {z,x} = x(1 − ε²x²), {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1].
 ///
-/// At ξ = 1, −1 it equals −`P` of dE1, dE2.
+/// For ξ = 1 and ξ = −1 the matrix is −`P` of the maps of E1 and E2.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
     let [x, y, _] = (*point).into();
     let scaled = *eps * x;

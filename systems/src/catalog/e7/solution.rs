@@ -1,4 +1,4 @@
-//! Orbits of dE7, by the Gamma function.
+//! Orbits of the map of E7 by the Gamma function.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,31 +6,32 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
-/// An orbit of dE7 (Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀, g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2) and
-/// G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2):
+/// An orbit of the map of E7 (Hone and Petrera, Section 6.1). With N = n + τ, β = 2εy₀, γ = 2εz₀,
+/// g_n = Γ(N+1−ξ/2)/Γ(N+ξ/2), G₀ = Γ(τ+ξ/2)/Γ(τ+1−ξ/2) and a sum W_n, the point after n steps is
 ///
 ///   x = 1/(2εN), y = τβ g_n G₀/(2εN),
 ///   z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
 ///
-/// The integrals have other values than β and γ: [`integral_h`](super::integral_h) and
-/// [`integral_k`](super::integral_k). In `f64` the error is at most 16(1 + |n|) ulp of the point's
-/// norm times max(1, |ε| norm). [`Recurrence`](super::Recurrence) avoids Γ.
+/// The values of the integrals are not β and γ; [`integral_h`](super::integral_h) and
+/// [`integral_k`](super::integral_k) return them. In `f64` the error is at most 16(1 + |n|) ulp of
+/// the point's norm, multiplied by max(1, |ε| norm). [`Recurrence`](super::Recurrence) computes
+/// orbits without Γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
     /// The parameter ξ of the system.
     pub xi: T,
-    /// The shift τ = 1/(2εx₀) of n.
+    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
     pub tau: T,
-    /// β = 2εy₀.
+    /// The constant β = 2εy₀, where y₀ is y at n = 0.
     pub beta: T,
-    /// γ = 2εz₀.
+    /// The constant γ = 2εz₀, where z₀ is z at n = 0.
     pub gamma: T,
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails if εx = 0 or ε²x² = 1 (4τ² = 1).
+    /// Returns the orbit through `point` at n = 0. Fails if εx = 0, or if ε²x² = 1.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
@@ -38,8 +39,8 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, xi: *xi, eps: *eps })
     }
 
-    /// Returns the point after n steps, also for n < 0, by |n| terms of a sum; not finite at a
-    /// pole.
+    /// Returns the point after n steps; n may be negative. A sum of |n| terms is computed. The
+    /// point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, xi, tau, beta, gamma } = self;
         let shifted = T::from_int(n) + *tau;
@@ -51,16 +52,16 @@ impl<T: Real> Solution<T> {
         vector![x, y, x * square_less_one(shifted) * (first + second)]
     }
 
-    /// Returns g G₀ at N, the quotient Y/Y₀ for Y = y/x, by two ratios of Γ.
+    /// Returns the quotient Y/Y₀ of Y = y/x and its value at n = 0. `shifted` is N = n + τ. The
+    /// quotient is a product of two ratios of Γ.
     fn gamma_quotient(&self, shifted: &T) -> T {
         let sigma = (self.xi - T::one()) * T::half();
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)
     }
 
-    /// Returns G₀² W_n, where with M = j + τ
-    ///   W_n = Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²).
-    /// For n < 0 the sum over n ≤ j < 0 is subtracted. A recurrence gives the quotients of Γ
-    /// without overflow.
+    /// Returns G₀² W_n with the constant G₀ of the formula for orbits. With M = j + τ, W_n =
+    /// Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²). For n < 0, the sum over n ≤
+    /// j < 0 is subtracted. A recurrence gives the quotients of Γ without overflow.
     fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };

@@ -1,4 +1,4 @@
-//! Trajectories of E8, by powers and logarithms of t.
+//! Trajectories of E8 by powers and logarithms of t.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -7,12 +7,13 @@ use super::E8;
 use crate::solution::{ReciprocalFlow, ReciprocalTrajectory};
 use crate::special::Real;
 
-/// A trajectory of E8 (Table 5, i = 8). With T = t + α, β = y/x + ln|T| and L = β − ln|T|:
+/// A trajectory of E8 (Hone and Petrera, Table 5, i = 8). With T = t + α, β = y/x + ln|T| and L = β
+/// − ln|T|, where α, β and γ are constants, the point at time t and the integral H are
 ///
 ///   x = 1/T, y = L/T, z = γT − L²/T, with H = x e^(−y/x) = ±e^(−β).
 ///
-/// The paper has T > 0; absolute values extend the formula to x < 0. Beyond the pole, where the
-/// trajectory ends, y and z are NaN.
+/// The formula of the paper requires T > 0. Absolute values extend it to x < 0. The trajectory ends
+/// at the pole; beyond it, y and z are NaN.
 pub type FlowSolution<T> = ReciprocalTrajectory<E8, T>;
 
 impl<T: Real> ReciprocalFlow<T> for E8 {

@@ -1,25 +1,26 @@
-//! The transcendental integrals of dE8.
+//! The transcendental integrals of the map of E8.
 
 use kahan_core::nalgebra::SVector;
 
 use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
-/// Returns Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (Section 6.2). NaN for x = 0
-/// and at poles of ψ.
+/// Returns Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of the map of E8 (Hone and Petrera,
+/// Section 6.2). It is NaN for x = 0 and at poles of ψ.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
     let level = T::one() / (T::from_int(2) * *eps * point[0]);
     point[1] / point[0] + digamma(&(level + T::half()))
 }
 
-/// Returns K̂₈, the second integral of dE8. The paper doesn't state it as a function of the point
-/// (erratum B7). With N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j − 1/(N+j+1/2):
+/// Returns K̂₈, the second integral of the map of E8. The paper does not state it as a function of
+/// the point (erratum B7). With N = 1/(2εx), Y_0 = y/x and Y_{j+1} = Y_j − 1/(N+j+1/2), the
+/// integral is given by
 ///
 /// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// Terms up to N + j ≈ 22 (78 for [`Float256`](crate::special::Float256)) are summed; an asymptotic
-/// expansion sums the remaining terms in full precision. For x < 0 this takes about 1/(2ε|x|)
-/// terms. Fails if εx = 0.
+/// Terms up to N + j ≈ 22 are summed (78 for [`Float256`](crate::special::Float256)). An asymptotic
+/// expansion sums the other terms in full precision. For x < 0, about 1/(2ε|x|) terms are summed.
+/// Fails if εx = 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
     let scaled = T::from_int(2) * *eps * x;

@@ -1,22 +1,23 @@
-//! Orbits of dE8 by rational recurrences, exact over big rationals.
+//! Orbits of the map of E8 by rational recurrences, exact over big rationals.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
 
 use crate::solution::{OutOfDomain, integer, require};
 
-/// An orbit of dE8 in Y = y/x and Z = z/x (Section 6). With N = n + τ and x = 1/(2εN):
+/// An orbit of the map of E8 in the variables Y = y/x and Z = z/x (Hone and Petrera, Section 6).
+/// With N = n + τ and x = 1/(2εN), the recurrences are
 ///
 ///   Y_{n+1} = Y_n − 1/(N + 1/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + Y_n + Y_{n+1} + 2Y_nY_{n+1}.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recurrence<T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// The shift τ = 1/(2εx₀) of n.
+    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
     pub tau: T,
-    /// Y₀ = y₀/x₀.
+    /// The value Y₀ = y₀/x₀ at n = 0.
     pub slope_y: T,
-    /// Z₀ = z₀/x₀.
+    /// The value Z₀ = z₀/x₀ at n = 0.
     pub slope_z: T,
 }
 
@@ -30,13 +31,13 @@ impl<T: Scalar> Recurrence<T> {
         Ok(Self { eps: eps.clone(), tau, slope_y: y / x.clone(), slope_z: z / x })
     }
 
-    /// Returns the point after n steps, also for n < 0, by |n| steps of the recurrences. At a pole
-    /// on the way, exact scalars panic and floats become infinite or NaN.
+    /// Returns the point after n steps; n may be negative. The recurrences take |n| steps. At a
+    /// pole on the way, exact scalars panic and floats become infinite or NaN.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let half = T::one() / integer(2);
         let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());
         for j in if n < 0 { n..0 } else { 0..n } {
-            // Backward steps invert the recurrence, the last step first.
+            // Backward steps invert the recurrence. The last step comes first.
             let index = if n < 0 { n - 1 - j } else { j };
             let shifted = integer::<T>(index) + self.tau.clone();
             let step = T::one() / (shifted.clone() + half.clone());

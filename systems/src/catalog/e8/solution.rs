@@ -1,4 +1,4 @@
-//! Orbits of dE8, by the digamma function.
+//! Orbits of the map of E8 by the digamma function.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -6,30 +6,31 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, shift_and_divisor};
 use crate::special::{Real, digamma};
 
-/// An orbit of dE8 (Section 6.2, with erratum A3 corrected). With N = n + τ, β = 2εy₀, γ = 2εz₀ and
-/// U_n = ψ(N+1/2) − ψ(τ+1/2):
+/// An orbit of the map of E8 (Hone and Petrera, Section 6.2, with erratum A3 corrected). With N =
+/// n + τ, β = 2εy₀, γ = 2εz₀, U_n = ψ(N+1/2) − ψ(τ+1/2) and a sum V_n, the point after n steps is
 ///
 ///   x = 1/(2εN), y = (τβ − U_n)/(2εN),
 ///   z = τ[4n(n+2τ)(β²τ+β+γ) + 4τ²γ − γ]/(2ε(4τ²−1)N) − 4(4N²−1)V_n/(2εN).
 ///
-/// In `f64` the error is at most 24(1 + |n|) ulp of the point's norm times max(1, |ε| norm).
+/// In `f64` the error is at most 24(1 + |n|) ulp of the point's norm, multiplied by max(1, |ε|
+/// norm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// ε, half the time step.
+    /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// The shift τ = 1/(2εx₀) of n.
+    /// The shift τ = 1/(2εx₀) of n, where x₀ is x at n = 0.
     pub tau: T,
-    /// β = 2εy₀.
+    /// The constant β = 2εy₀, where y₀ is y at n = 0.
     pub beta: T,
-    /// γ = 2εz₀.
+    /// The constant γ = 2εz₀, where z₀ is z at n = 0.
     pub gamma: T,
 }
 
-/// The greatest |n| for which U_n is summed; for small n the difference of ψ would cancel.
+/// The greatest |n| for which a sum replaces the difference of two ψ, which cancels for small n.
 const SUMMED: i64 = 256;
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails if εx = 0 or ε²x² = 1 (4τ² = 1).
+    /// Returns the orbit through `point` at n = 0. Fails if εx = 0, or if ε²x² = 1.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
@@ -37,8 +38,8 @@ impl<T: Real> Solution<T> {
         Ok(Self { tau, beta: double * y, gamma: double * z, eps: *eps })
     }
 
-    /// Returns the point after n steps, also for n < 0, by |n| terms of a sum; not finite at a
-    /// pole.
+    /// Returns the point after n steps; n may be negative. A sum of |n| terms is computed. The
+    /// point is not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, tau, beta, gamma } = self;
         let shifted = T::from_int(n) + *tau;
@@ -53,7 +54,7 @@ impl<T: Real> Solution<T> {
         vector![x, y, x * (first - second)]
     }
 
-    /// Returns U_n = ψ(N+1/2) − ψ(τ+1/2) = Σ_{j<n} 1/(j+τ+1/2).
+    /// Returns U_n = ψ(N+1/2) − ψ(τ+1/2) = Σ_{j<n} 1/(j+τ+1/2), where N = n + τ.
     fn digamma_difference(&self, n: i64) -> T {
         let middle = self.tau + T::half();
         if n.abs() > SUMMED {
@@ -63,9 +64,9 @@ impl<T: Real> Solution<T> {
         range.fold(T::zero(), |sum, j| sum + sign / (T::from_int(j) + middle))
     }
 
-    /// Returns V_n, where with M = j + τ
-    ///   V_n = Σ_{j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)).
-    /// For n < 0 the sum over n ≤ j < 0 is subtracted.
+    /// Returns V_n. With M = j + τ and U_j = ψ(M+1/2) − ψ(τ+1/2), it is V_n = Σ_{j<n} {1+2βτ +
+    /// U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)). For n < 0, the sum over n ≤ j
+    /// < 0 is subtracted.
     pub fn sum(&self, n: i64) -> T {
         let Self { tau, beta, .. } = self;
         let two = T::from_int(2);

@@ -1,4 +1,4 @@
-//! Trajectories of E9 in closed form: ξ = 0, 1, −1, 2, 1/2.
+//! Trajectories of E9 in closed form, for ξ = 0, 1, −1, 2 and 1/2.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -7,49 +7,52 @@ use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// A trajectory of E9 in closed form; [`Quadrature`](super::Quadrature) covers other ξ.
+/// A trajectory of E9 in closed form. For other values of ξ there is
+/// [`Quadrature`](super::Quadrature).
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlowSolution<T> {
-    /// ξ = 0 (erratum B9): y is constant; x = λ sech λT, z = λ tanh λT as for E3.
+    /// The case ξ = 0 (erratum B9). The coordinate y is constant, and x = λ sech λT, z = λ tanh λT
+    /// as for E3.
     Zero {
-        /// The trajectory of (x, 0, z).
+        /// The trajectory of the point (x, 0, z).
         plane: e3::FlowSolution<T>,
-        /// The constant y.
+        /// The constant coordinate y.
         y: T,
     },
-    /// ξ = 1: E3.
+    /// The case ξ = 1, which is E3.
     One(e3::FlowSolution<T>),
-    /// ξ = −1: E4.
+    /// The case ξ = −1, which is E4.
     MinusOne(e4::FlowSolution<T>),
-    /// ξ = 2 (erratum A9): elementary functions.
+    /// The case ξ = 2 (erratum A9), which has elementary functions.
     Two(Elementary<T>),
-    /// ξ = 1/2: the trajectory for ξ = 2 through (y, x, z), at time t/2.
+    /// The case ξ = 1/2. It is the trajectory for ξ = 2 through (y, x, z), at time t/2.
     Half(Elementary<T>),
 }
 
-/// A trajectory of E9 for ξ = 2. With w = 1/x² = 2/k² + 2b cosh(kt + φ):
+/// A trajectory of E9 for ξ = 2. With w = 1/x² = 2/k² + 2b cosh(kt + φ), the point at time t is
 ///
 ///   x = s/√w, y = c/w, z = ẇ/(2w),
 ///
-/// where c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²) and k²b² = c² + 1/k².
+/// where s is the sign of x. The constants are c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²) and b
+/// with k²b² = c² + 1/k².
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elementary<T> {
-    /// k, twice the radius of the sphere.
+    /// The constant k, which is twice the radius of the sphere.
     pub k: T,
-    /// b > 0, from k²b² = c² + 1/k².
+    /// The constant b > 0, for which k²b² = c² + 1/k².
     pub b: T,
-    /// The value c of H₉ = y x^(−2).
+    /// The constant c, which is the value of the integral H₉ = y x^(−2).
     pub c: T,
     /// The phase φ at t = 0.
     pub phase: T,
-    /// The sign s of x.
+    /// The sign s = ±1 of x.
     pub sign: T,
 }
 
 impl<T: Real> FlowSolution<T> {
-    /// Returns the trajectory through `point` at t = 0. Fails unless ξ is 0, 1, −1, 2 or 1/2, and
-    /// in the planes x = 0 (ξ = 0, 2), y = 0 (ξ = 1/2) and on the line x = y = 0 (ξ = ±1). These
-    /// points are fixed, or have trajectories of another form.
+    /// Returns the trajectory through `point` at t = 0. Fails unless ξ is 0, 1, −1, 2 or 1/2. Also
+    /// fails in the plane x = 0 for ξ = 0 and 2, in the plane y = 0 for ξ = 1/2, and on the line
+    /// x = y = 0 for ξ = ±1. Points there are fixed, or have trajectories of another form.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let two = T::from_int(2);
@@ -69,7 +72,7 @@ impl<T: Real> FlowSolution<T> {
         }
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         match self {
             Self::Zero { plane, y } => {
@@ -88,8 +91,8 @@ impl<T: Real> FlowSolution<T> {
 }
 
 impl<T: Real> Elementary<T> {
-    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails if x = 0: the plane x = 0
-    /// is invariant, with solutions of E3's form.
+    /// Returns the trajectory for ξ = 2 through `point` at t = 0. Fails if x = 0, because solutions
+    /// in this invariant plane have the form of E3's.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
@@ -98,12 +101,12 @@ impl<T: Real> Elementary<T> {
         let square = x.square();
         let c = y / square;
         let b = (c.square() + T::one() / k.square()).sqrt() / k;
-        // ẇ = 2wz = 2bk sinh φ at t = 0
+        // At t = 0, ẇ = 2wz = 2bk sinh φ, where w = 1/x².
         let phase = (z / (square * k * b)).asinh();
         Ok(Self { k, b, c, phase, sign: x.sign() })
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { k, b, c, phase, sign } = self;
         let two = T::from_int(2);

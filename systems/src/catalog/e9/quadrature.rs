@@ -1,4 +1,4 @@
-//! Trajectories of E9 for any ξ, with time as an integral; their spheres and fixed points.
+//! Trajectories of E9 for any ξ, whose time is an integral, with their spheres and fixed points.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -12,9 +12,9 @@ pub fn sphere_radius<T: Real>(point: &SVector<T, 3>) -> T {
     (x.square() + y.square() + z.square()).sqrt()
 }
 
-/// Returns the fixed points of E9 on the sphere of this radius r: (0, 0, ±r), and for ξ < 0 the
-/// four points (±a√(−ξ), ±a, 0) with a²(1 − ξ) = r². For ξ = 0 every (0, y, z) is fixed, but only
-/// (0, 0, ±r) are returned.
+/// Returns the fixed points of E9 on the sphere of radius r. They are (0, 0, ±r), and for ξ < 0
+/// also the four points (±a√(−ξ), ±a, 0) with a²(1 − ξ) = r². For ξ = 0 every point (0, y, z) is
+/// fixed, but only (0, 0, ±r) are returned.
 pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     let zero = T::zero;
     let mut points = vec![vector![zero(), zero(), *radius], vector![zero(), zero(), -*radius]];
@@ -28,30 +28,31 @@ pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     points
 }
 
-/// A trajectory of E9 for x > 0, y > 0, by its quadrature (Section 6.3 with erratum A8). With c =
-/// H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z²:
+/// A trajectory of E9 for x > 0 and y > 0, by a quadrature (Hone and Petrera, Section 6.3 with
+/// erratum A8). With c = H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z², it satisfies
 ///
 ///   dt = ∓dx/(x √(r² − x² − c²x^{2ξ})), y = c x^ξ, z = ±√(r² − x² − c²x^{2ξ}).
 ///
-/// x → −x and y → −y are symmetries. For ξ > 0 the trajectory joins the fixed points (0, 0, ∓r),
-/// with one turning point z = 0 at the largest x. For ξ < 0 it is closed, with two turning points.
+/// The maps x → −x and y → −y are symmetries. For ξ > 0 the trajectory joins the fixed points (0,
+/// 0, ∓r), with one turning point z = 0 at the largest x. For ξ < 0 the trajectory is closed and
+/// has two turning points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadrature<T> {
     /// The parameter ξ of the system.
     pub xi: T,
     /// The radius r of the sphere.
     pub radius: T,
-    /// The value c of H₉ = y x^(−ξ).
+    /// The constant c, which is the value of the integral H₉ = y x^(−ξ).
     pub c: T,
-    /// The largest x, where z = 0.
+    /// The largest x on the trajectory, where z = 0.
     pub largest: T,
-    /// For ξ < 0 the smallest x, where z = 0.
+    /// For ξ < 0, the smallest x on the trajectory, where z = 0.
     pub smallest: Option<T>,
 }
 
 impl<T: Real> Quadrature<T> {
-    /// Returns the trajectory through `point`. Fails unless x, y > 0, ξ ≠ 0, and z² > 0 somewhere
-    /// on it.
+    /// Returns the trajectory through `point`. Fails unless x > 0, y > 0, ξ ≠ 0, and z² > 0
+    /// somewhere on the trajectory.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, _] = (*point).into();
         require(x.is_positive() && y.is_positive(), "x > 0 and y > 0")?;
@@ -60,12 +61,13 @@ impl<T: Real> Quadrature<T> {
         let c = y * x.power_real(&-*xi);
         let turning = TurningFunction { xi, radius: &radius, c: &c };
         if xi.is_positive() {
-            // z² decreases with x > 0, so its zero lies between the point's x and r.
+            // For x > 0, z² decreases as x grows, so its zero lies between the point's x and the
+            // radius r.
             let largest = turning.zero(x, radius);
             return Ok(Self { xi: *xi, largest, smallest: None, radius, c });
         }
-        // x² + c²x^{2ξ} is least at x_m with x_m^{2−2ξ} = −ξc². One zero of z² lies between x_m and
-        // r, the other between x_m and the x with c²x^{2ξ} = r².
+        // The sum x² + c²x^{2ξ} is least at the x_m with x_m^{2−2ξ} = −ξc². One zero of z² lies
+        // between x_m and the radius r. The other lies between x_m and the x with c²x^{2ξ} = r².
         let base = (-*xi) * c.square();
         let middle = base.power_real(&(T::half() / (T::one() - *xi)));
         require(turning.height_square(&middle).is_positive(), "not a fixed point")?;
@@ -75,33 +77,37 @@ impl<T: Real> Quadrature<T> {
         Ok(Self { xi: *xi, largest, smallest: Some(smallest), radius, c })
     }
 
-    /// Returns the point with this x and z ≥ 0; NaN beyond a turning point.
+    /// Returns the point with this x and with z ≥ 0. Beyond a turning point it is NaN.
     pub fn point(&self, x: &T) -> SVector<T, 3> {
         let turning = TurningFunction { xi: &self.xi, radius: &self.radius, c: &self.c };
         let y = self.c * x.power_real(&self.xi);
         vector![*x, y, turning.height_square(x).sqrt()]
     }
 
-    /// Returns the time from the turning point at the largest x to this x, on the half z > 0, where
-    /// x decreases. NaN beyond a turning point; infinite as x → 0 for ξ > 0. With x = x_max e^(−s²)
-    /// the integrand is analytic, and `exp_m1` keeps the digits of z² near the turning point. Near
-    /// a fixed point for ξ < 0, where z² is small throughout, the relative error is about the
-    /// rounding error of r² divided by z².
+    /// Returns the time from the turning point with the largest x to this x, on the half with z >
+    /// 0, where x decreases. It is NaN beyond a turning point, and becomes infinite as x → 0 for
+    /// ξ > 0.
+    ///
+    /// With x = x_max e^(−s²) the integrand is analytic, and `exp_m1` keeps the digits of z² near
+    /// the turning point. Near a fixed point for ξ < 0, z² is small on the whole trajectory. The
+    /// relative error is then about the rounding error of r² divided by z².
     pub fn time_from_largest(&self, x: &T) -> T {
         self.time_from(&self.largest, x, -T::one())
     }
 
-    /// Returns the period of a closed trajectory; `None` for ξ > 0.
+    /// Returns the period of a closed trajectory; `None` for ξ > 0, where trajectories are not
+    /// closed.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Starts each half at its own turning point, which avoids the other's singularity.
+        // Start each half at its own turning point, so that the singularity at the other one is
+        // avoided.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
     }
 
-    /// Returns ∫ dx/(xz) from a turning point x* to x = x* e^(σS²), as ∫₀^S 2s ds/z with z² =
-    /// −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
+    /// Returns the integral ∫ dx/(xz) from a turning point x* to x = x* e^(σS²). It is computed as
+    /// ∫₀^S 2s ds/z with z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
     fn time_from(&self, turning: &T, x: &T, sigma: T) -> T {
         let two = T::from_int(2);
         let end = (sigma * (*x / *turning).ln()).sqrt();
@@ -116,7 +122,7 @@ impl<T: Real> Quadrature<T> {
     }
 }
 
-/// The function z² = r² − x² − c²x^{2ξ} of x.
+/// The function z² = r² − x² − c²x^{2ξ} of x, where r is the radius.
 struct TurningFunction<'a, T> {
     xi: &'a T,
     radius: &'a T,
@@ -129,8 +135,8 @@ impl<T: Real> TurningFunction<'_, T> {
         self.radius.square() - x.square() - y.square()
     }
 
-    /// Finds the zero of z² between two points, with z² ≥ 0 at the first and z² ≤ 0 at the second,
-    /// by Newton's method and bisection.
+    /// Finds the zero of z² between two points by Newton's method and bisection. The function must
+    /// be nonnegative at `inside` and nonpositive at `outside`.
     fn zero(&self, inside: T, outside: T) -> T {
         let (mut inside, mut outside) = (inside, outside);
         let mut x = (inside + outside) * T::half();

@@ -1,4 +1,5 @@
-//! Orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (Section 7).
+//! Orbits of the map of E9 for ξ = 0, 1, −1. For other ξ the map is not integrable (Hone and
+//! Petrera, Section 7).
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -7,25 +8,25 @@ use crate::solution::OutOfDomain;
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// An orbit of dE9 in closed form.
+/// An orbit of the map of E9 in closed form.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solution<T> {
-    /// ξ = 0: y is constant, and (x, 0, z) is an orbit of dE3.
+    /// The case ξ = 0. The coordinate y is constant, and (x, 0, z) is on an orbit of the map of E3.
     Zero {
-        /// The orbit of (x, 0, z).
+        /// The orbit of the point (x, 0, z).
         plane: e3::Solution<T>,
-        /// The constant y.
+        /// The constant coordinate y.
         y: T,
     },
-    /// ξ = 1: dE3.
+    /// The case ξ = 1, which is the map of E3.
     One(e3::Solution<T>),
-    /// ξ = −1: dE4.
+    /// The case ξ = −1, which is the map of E4.
     MinusOne(e4::Solution<T>),
 }
 
 impl<T: Real> Solution<T> {
-    /// Returns the orbit through `point` at n = 0. Fails unless ξ is 0, 1 or −1, or if
-    /// [`e3::Solution::through`] or [`e4::Solution::through`] fails.
+    /// Returns the orbit through `point` at n = 0. Fails unless ξ is 0, 1 or −1. Also fails if
+    /// [`e3::Solution::through`] or [`e4::Solution::through`] does.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         if xi.is_zero() {
             let [x, y, z] = (*point).into();
@@ -40,7 +41,7 @@ impl<T: Real> Solution<T> {
         }
     }
 
-    /// Returns the point after n steps, also for n < 0.
+    /// Returns the point after n steps; n may be negative.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         match self {
             Self::Zero { plane, y } => {

@@ -1,6 +1,7 @@
-//! Orbits and trajectories of the Euler top, from those of E4. In (x − y, x + y, z), E4 is the
-//! Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of variables, so
-//! permutations and scalings of the axes map solutions to solutions.
+//! Orbits and trajectories of the Euler top, derived from those of E4. In the coordinates (x − y,
+//! x + y, z), E4 is the Euler top with α = (−1, −1, 1). Kahan's map commutes with linear changes of
+//! variables. Permuting and scaling the axes therefore maps solutions of one top to solutions of
+//! another.
 
 use kahan_core::nalgebra::SVector;
 
@@ -8,21 +9,21 @@ use crate::e4;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// The linear change of variables from an Euler top to E4: a permutation and a scaling of the axes.
-/// With β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cⱼcₖ/cᵢ = rᵢ. So
+/// The linear change of variables from an Euler top to E4, which permutes and scales the axes. With
+/// β = (−1, −1, 1) and rᵢ = βᵢ/αᵢ, the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ if cⱼcₖ/cᵢ = rᵢ. Then
 /// cᵢ² = rⱼrₖ, which is positive if all rᵢ have one sign. The permutation moves the axis whose α
-/// differs in sign to the third place.
+/// has another sign than the others to the third place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
-    /// The axes of the top that become the first, second and third coordinate.
+    /// The axes of the top that become the first, second and third coordinate of E4.
     pub axes: [usize; 3],
-    /// The scaling cᵢ of each axis, in this order.
+    /// The factor cᵢ that scales each axis, in the order of `axes`.
     pub scaling: [T; 3],
 }
 
 impl<T: Real> Reduction<T> {
-    /// Returns the change of variables for α₁, α₂, α₃. Fails if a coefficient is zero or all have
-    /// one sign: over the reals, no change of variables maps such a top to E4.
+    /// Returns the change of variables for the coefficients α₁, α₂, α₃. Fails if a coefficient is
+    /// zero or if all have one sign, because no real change of variables maps such a top to E4.
     pub fn of(coefficients: &[T; 3]) -> Result<Self, OutOfDomain> {
         let nonzero = coefficients.iter().all(|a| a.is_positive() || a.is_negative());
         require(nonzero, "a1, a2, a3 != 0")?;
@@ -58,9 +59,9 @@ impl<T: Real> Reduction<T> {
     }
 }
 
-/// An orbit of the Euler top's map, for coefficients of different signs (derived here; see Sections
-/// 2 and 5). In `f64` the error at n is at most 16 ulp of the point's norm times the condition
-/// given for [`e4::Solution`].
+/// An orbit of the Euler top's map, for coefficients that do not all have one sign. The formula is
+/// derived here (see Sections 2 and 5 of the paper). In `f64` the error of the point after n steps
+/// is at most 16 ulp of the point's norm, multiplied by the condition that [`e4::Solution`] gives.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -74,31 +75,32 @@ impl<T: Real> Reduction<T> {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
-    /// The change of variables.
+    /// The change of variables from the top to E4.
     pub reduction: Reduction<T>,
-    /// The orbit of dE4, with equal ε and n.
+    /// The orbit of the map of E4, with equal ε and n.
     pub orbit: e4::Solution<T>,
 }
 
 impl<T: Real> Solution<T> {
     /// Returns the orbit through `point` at n = 0 for the coefficients α₁, α₂, α₃. Fails if
-    /// [`Reduction::of`] or [`e4::Solution::through`] fails.
+    /// [`Reduction::of`] or [`e4::Solution::through`] does.
     pub fn through(coefficients: &[T; 3], point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let reduction = Reduction::of(coefficients)?;
         let orbit = e4::Solution::through(&reduction.to_e4(point), eps)?;
         Ok(Self { reduction, orbit })
     }
 
-    /// Returns the point after n steps, also for n < 0.
+    /// Returns the point after n steps; n may be negative.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         self.reduction.back_from_e4(&self.orbit.at(n))
     }
 }
 
-/// A trajectory of the Euler top with coefficients of different signs (derived here).
+/// A trajectory of the Euler top, for coefficients that do not all have one sign. The formula is
+/// derived here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
-    /// The change of variables.
+    /// The change of variables from the top to E4.
     pub reduction: Reduction<T>,
     /// The trajectory of E4, with equal time.
     pub trajectory: e4::FlowSolution<T>,
@@ -106,14 +108,14 @@ pub struct FlowSolution<T> {
 
 impl<T: Real> FlowSolution<T> {
     /// Returns the trajectory through `point` at t = 0 for the coefficients α₁, α₂, α₃. Fails if
-    /// [`Reduction::of`] or [`e4::FlowSolution::through`] fails.
+    /// [`Reduction::of`] or [`e4::FlowSolution::through`] does.
     pub fn through(coefficients: &[T; 3], point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let reduction = Reduction::of(coefficients)?;
         let trajectory = e4::FlowSolution::through(&reduction.to_e4(point))?;
         Ok(Self { reduction, trajectory })
     }
 
-    /// Returns the point at time t, for any real t.
+    /// Returns the point at time t, which may be any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         self.reduction.back_from_e4(&self.trajectory.at(t))
     }

@@ -1,4 +1,4 @@
-//! Operators of [`Float256`], and its traits for Kahan maps.
+//! Implements the operators of [`Float256`], and its traits for Kahan maps.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -64,7 +64,7 @@ impl Scalar for Float256 {
         Self::from_rational(&c.to_ratio())
     }
 
-    /// Compares magnitudes, as for floats; an undefined value is never the better pivot.
+    /// Compares absolute values, as floats do. An undefined value is never the better pivot.
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.magnitude_exceeds(than)
     }

@@ -1,4 +1,4 @@
-//! Elementary functions of [`Float256`], correctly rounded by the library, and special functions.
+//! Elementary functions of [`Float256`], which the library rounds correctly, and special functions.
 
 use std::sync::OnceLock;
 
@@ -83,7 +83,7 @@ impl Real for Float256 {
         if repr.exponent() >= 0 {
             return *self;
         }
-        // The right shift rounds negative integers towards minus infinity, as `floor` requires.
+        // The right shift rounds negative integers towards minus infinity, as `floor` must.
         Self::from_repr(Repr::new(repr.significand() >> repr.exponent().unsigned_abs(), 0))
     }
 

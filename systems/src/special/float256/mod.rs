@@ -1,7 +1,7 @@
-//! Real numbers of 256 bits (77 decimal digits); every operation rounds once to nearest.
-//! `dashu-float` supplies arithmetic and correctly rounded elementary functions. [`Float256`] has a
-//! fixed precision, runs through Kahan maps and formulas, and never panics: without a finite real
-//! value a result is undefined. Infinities and signed zeros are deliberately absent.
+//! Real numbers of 256 bits, or 77 decimal digits. Every operation rounds once, to nearest. The
+//! crate `dashu-float` supplies arithmetic and correctly rounded elementary functions. [`Float256`]
+//! has a fixed precision, and can be used in Kahan maps and formulas. It never panics: if there is
+//! no finite real value, the result is undefined. There are no infinities and no signed zeros.
 
 mod arithmetic;
 mod elementary;
@@ -18,11 +18,13 @@ use kahan_core::num_rational::BigRational;
 
 pub use text::ParsePreciseError;
 
-/// A real number of 256 bits (77 decimal digits), or undefined.
+/// A real number of 256 bits (77 decimal digits), or an undefined value.
 ///
-/// Arithmetic, square roots, conversions and elementary functions round once, to nearest. Infinite
-/// and complex results (1/0, ln 0, √−1) are *undefined*: like NaN, they propagate, and differ from
-/// themselves. [`Display`](core::fmt::Display) writes 60 significant digits, `{:.n}` writes n, and
+/// Arithmetic, square roots, conversions and elementary functions round once, to nearest. Results
+/// that are infinite or complex (1/0, ln 0, √−1) are *undefined*. Like NaN, undefined values
+/// propagate and differ from themselves.
+///
+/// [`Display`](core::fmt::Display) writes 60 significant digits, and `{:.n}` writes n.
 /// [`FromStr`](core::str::FromStr) reads decimals (`-1.5e-3`) and fractions (`3/7`), rounded once.
 /// An elementary function costs about a hundred sums or products.
 ///
@@ -37,12 +39,13 @@ pub use text::ParsePreciseError;
 #[derive(Clone, Copy)]
 pub struct Float256(Option<Number>);
 
-/// ±significand·2^exponent; the significand is odd, or zero with exponent 0.
+/// The number ±significand·2^exponent. The significand is odd; for the number zero, it and the
+/// exponent are 0.
 #[derive(Clone, Copy, PartialEq)]
 struct Number {
     sign: Sign,
-    /// The 64-bit words, lowest first. Rounded results of the library may be a few bits longer than
-    /// `BITS`.
+    /// The 64-bit words of the significand, lowest first. Rounded results of the library may be a
+    /// few bits longer than `BITS`.
     words: [Word; BITS / Word::BITS as usize + 1],
     exponent: isize,
 }
@@ -54,18 +57,18 @@ const CONTEXT: Context<HalfEven> = Context::new(BITS);
 type Outcome = Result<Rounded<FBig<HalfEven, 2>>, FpError>;
 
 thread_local! {
-    /// π and ln 2, computed once in each thread.
+    /// The constants π and ln 2, computed once in each thread.
     static CACHE: RefCell<ConstCache> = const { RefCell::new(ConstCache::new()) };
 }
 
 impl Float256 {
-    /// The value of results that are not finite and real.
+    /// The value of results that are not finite or not real.
     pub const UNDEFINED: Self = Self(None);
 
     /// The number of bits of the significand.
     pub const BITS: usize = BITS;
 
-    /// Returns whether the value is a number.
+    /// Returns whether the value is a number, not undefined.
     pub fn is_defined(&self) -> bool {
         self.0.is_some()
     }
@@ -84,7 +87,7 @@ impl Float256 {
         quotient(&integer(q.numer().to_signed_bytes_le()), &integer(q.denom().to_signed_bytes_le()))
     }
 
-    /// Returns the nearest `f64`; NaN if undefined.
+    /// Returns the nearest `f64`; NaN if the value is undefined.
     pub fn to_f64(&self) -> f64 {
         self.repr().map_or(f64::NAN, |repr| repr.to_f64().value())
     }
@@ -115,7 +118,7 @@ impl Float256 {
     }
 }
 
-/// Returns p/q, rounded once to nearest; undefined for q = 0.
+/// Returns p/q, rounded once to nearest. The result is undefined if q = 0.
 fn quotient(p: &IBig, q: &IBig) -> Float256 {
     use dashu_int::ops::{Abs, BitTest, DivRem};
 
@@ -126,7 +129,8 @@ fn quotient(p: &IBig, q: &IBig) -> Float256 {
         return Float256::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // Two extra bits and a sticky bit for the remainder ensure that the division rounds only once.
+    // The quotient gets two extra bits, and a last bit that is 1 if there is a remainder. The
+    // division then rounds only once.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();
     let (whole, rest) = (p.abs() << shift).div_rem(q.abs());
@@ -157,7 +161,7 @@ impl From<i64> for Float256 {
 }
 
 impl From<f64> for Float256 {
-    /// Converts exactly; undefined for infinite x and NaN.
+    /// The conversion is exact. Infinities and NaN become undefined.
     fn from(x: f64) -> Self {
         Repr::try_from(x).map_or(Self::UNDEFINED, Self::from_repr)
     }

@@ -1,4 +1,4 @@
-//! [`Float256`] as text: decimals of any length, rounded once when read or written.
+//! Reads and writes [`Float256`] as decimals of any length, with one rounding.
 
 use core::fmt;
 use core::str::FromStr;
@@ -9,7 +9,7 @@ use dashu_int::IBig;
 
 use super::{Float256, quotient};
 
-/// The error for text that is neither a decimal nor a fraction of integers.
+/// The error that a text is neither a decimal nor a fraction of integers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParsePreciseError(String);
 
@@ -21,7 +21,7 @@ impl fmt::Display for ParsePreciseError {
 
 impl core::error::Error for ParsePreciseError {}
 
-/// The largest decimal exponent accepted; larger ones would exhaust the memory.
+/// The largest decimal exponent that is accepted. Larger exponents would exhaust the memory.
 const EXPONENT_LIMIT: isize = 100_000;
 
 impl FromStr for Float256 {
@@ -49,8 +49,8 @@ impl FromStr for Float256 {
 }
 
 impl Float256 {
-    /// Writes `digits` significant decimal digits (at least one), rounded to nearest. Uses an
-    /// exponent below 10⁻⁵ and from 10ⁿ on, where n is `digits`.
+    /// Writes `digits` significant decimal digits (at least one), rounded to nearest. Numbers below
+    /// 10⁻⁵, and from 10ⁿ on with n = `digits`, are written with an exponent.
     pub fn to_digits(&self, digits: usize) -> String {
         let Some(repr) = self.repr() else { return "undefined".to_owned() };
         if repr.significand().is_zero() {
@@ -62,8 +62,8 @@ impl Float256 {
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
         let (sign, figures) = text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-        // The number is d.ddd × 10^scale; trailing zeros that the base conversion dropped are
-        // restored.
+        // The number is d.ddd × 10^scale. If the base conversion dropped zeros at the end, they are
+        // added again.
         let scale = exponent + figures.len() as isize - 1;
         let figures = format!("{figures:0<digits$}");
         if !(-5..digits as isize).contains(&scale) {
@@ -81,7 +81,7 @@ impl Float256 {
     }
 }
 
-/// Writes 60 significant digits, or the format's precision.
+/// The number of significant digits is the format's precision, or 60 without one.
 impl fmt::Display for Float256 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.to_digits(f.precision().unwrap_or(60)))

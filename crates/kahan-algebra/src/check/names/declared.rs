@@ -1,4 +1,5 @@
-//! Names declared by a block: states, and parameters by its header or, without one, by use.
+//! Collects the names that a block declares. States come from the equations. Parameters come from
+//! the header or, without a header, from their use.
 
 use rustc_hash::FxHashSet;
 
@@ -28,7 +29,8 @@ impl Scope {
         self.symbols.parameters.push(name.to_owned());
     }
 
-    /// Builds the scope of a block without constants and claims; states of a family are its arrays.
+    /// Builds the scope of a block, without constants and claims. In a family, the states are the
+    /// arrays.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
@@ -104,7 +106,8 @@ impl Scope {
         }
     }
 
-    /// Declares every undeclared name in the equations as a parameter, for a block without header.
+    /// Declares every unknown name in the equations as a parameter. This applies to blocks without
+    /// a header.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
@@ -120,7 +123,7 @@ impl Scope {
                 continue;
             }
             if is_never_free(text, |name| self.is_state_name(name)) {
-                // Skips the name: its later lookup reports it as undeclared.
+                // This name is not declared; it is reported when it is looked up.
                 continue;
             }
             if is_keyword(text) {

@@ -1,5 +1,5 @@
-//! Runs plans in floats with a given rounding. Every expansion of the macro runs this without
-//! optimisation, hence the plain loops over plain floats.
+//! Runs plans in floats with a given rounding. Every expansion of the macro runs this code without
+//! optimisation, so it uses plain loops over plain floats.
 
 use kahan_program::Arithmetic;
 use kahan_syntax::rational::Rational;
@@ -7,10 +7,10 @@ use kahan_syntax::rational::Rational;
 use super::super::{Operation, Plan};
 use crate::plan::Input;
 
-/// The unit roundoff u of floats of 30 bits.
+/// The unit roundoff of floats with 30 significant bits.
 pub(super) const SHORT_UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 
-/// Rounds to 30 bits by Veltkamp's splitting: the factor 2²³ + 1 removes 23 bits.
+/// Rounds to 30 significant bits by Veltkamp's splitting. The factor 2²³ + 1 removes 23 of 53 bits.
 pub(super) fn short(value: f64) -> f64 {
     let large = 8_388_609.0 * value;
     large - (large - value)
@@ -30,7 +30,8 @@ impl<'a> FloatPlan<'a> {
         FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// Returns the outputs. `round` applies to each result, in a multiply-add also to the product.
+    /// Runs the plan and returns its outputs. `round` is applied to the result of each operation,
+    /// and to the product inside a multiply-add.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         for (value, operation) in values.iter_mut().zip(&self.plan.operations) {

@@ -1,4 +1,4 @@
-//! A form of a step with its price.
+//! A candidate for the form of a step, with its price.
 
 use kahan_syntax::table::distinct;
 
@@ -8,13 +8,14 @@ use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 
-/// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// A finished form, in which x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 pub(in crate::plan) struct Candidate {
     pub(in crate::plan) builder: PlanBuilder,
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
     pub(in crate::plan) price: u64,
-    /// Operations from a state to the next, the cost when many orbits run in lanes.
+    /// The number of operations from a state to the next. It is the cost when many orbits run in
+    /// SIMD lanes.
     pub(in crate::plan) operations: usize,
     derived: usize,
 }
@@ -30,8 +31,8 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Builds a form from numerators, each with its reciprocal and a flag for a negated product. A
-    /// zero numerator gets no reciprocal.
+    /// Builds a candidate from numerators. Each numerator comes with its reciprocal, and with a
+    /// flag that negates the product. A zero numerator gets no reciprocal.
     pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
@@ -45,7 +46,8 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether every prepared constant is rounded only once, unless the writer `folds`.
+    /// Returns whether every prepared constant is rounded only once. If the writer `folds`
+    /// constants, returns `true`.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -59,19 +61,20 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether every prepared constant that `step` needs is rounded only once, unless the
-    /// writer `folds`. Every form that contains `step` needs these constants.
+    /// Returns whether every prepared constant that `step` needs is rounded only once, or the
+    /// writer `folds` constants. Every form that contains `step` needs these constants.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }
 }
 
-/// Returns a price of operations and cycles, plus a penalty for constants rounded more than once.
+/// Returns a price that adds operations and cycles, with a penalty for each constant that is
+/// rounded more than once.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
     let cost = kernel.cost();
-    // A negated numerator costs nothing: it is subtracted in the last operation.
+    // A negated numerator costs nothing, because the last operation subtracts it.
     let operations = cost.operations() - negated.len() + DERIVED * derived;
     FormGoal::Early.price(operations, cost.critical_path)
 }

@@ -1,4 +1,4 @@
-//! The candidate forms of a step, from the reduced polynomials or from determinants of A.
+//! Collects the candidate forms of a step, from the reduced polynomials or from determinants of A.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
@@ -25,19 +25,21 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Number of cheapest denominators whose numerators are written as products of factors.
+/// For this many of the cheapest denominators, the numerators are also written as products of
+/// factors.
 const TRIED: usize = 2;
-/// The most terms of all factors together for which products are compared with determinants.
+/// The most terms in all factors together for which products are compared with determinants.
 const FACTOR_TERMS: usize = 32;
 
-/// Number of row orders compared for blocks of a field with few terms.
+/// The number of row orders that are compared for the blocks of a field with few terms.
 const ROTATIONS: usize = 3;
-/// Blocks of a field with more terms use a single row order.
+/// The most terms of a field for which several row orders are compared. Blocks of larger fields use
+/// a single order.
 const COMPARED_TERMS: usize = 60;
-/// Maximal number of terms of a reduced map that is written out beside another form.
+/// The most terms of a reduced map that is written out although another form exists.
 const WRITTEN_TERMS: usize = 120;
 
-/// Number of row orders compared for blocks solved whole.
+/// The number of row orders that are compared for blocks solved by minors only.
 const ORDERS: usize = 3;
 
 pub(in crate::plan) struct Forms<'a> {
@@ -46,8 +48,8 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms that may have a shorter recurrence: with two divisions, or divided by the time
-    /// step.
+    /// Returns forms that may have a shorter recurrence. They have two divisions, or are divided by
+    /// the time step.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -55,9 +57,9 @@ impl Forms<'_> {
     }
 }
 
-/// Returns the forms of a field's step, from `kept` sums only, if given. Otherwise from A and from
-/// the reduced map, if it is within the budget. `None` if the field is too large for straight-line
-/// code.
+/// Returns the candidate forms of a field's step. If `kept` is given, they come from its products
+/// of sums. Otherwise they come from A, and from the reduced map if it is within the budget.
+/// Returns `None` if the field is too large for straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&FieldWithSubexpressions>,
@@ -83,14 +85,14 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether the step may solve A: if the map is beyond the budget, or if it has more than
-/// three variables and only a constant common factor.
+/// Returns whether forms may solve A by blocks. They may if the map exceeds the budget, or if there
+/// are more than three variables and the common factor is constant.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
 
 /// Returns forms that may lose fewer digits in long steps than `best`, cheapest first. They solve
-/// blocks whole, and each costs at most 3/2 of `best`.
+/// blocks by minors only, and each costs at most 3/2 of `best`.
 pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
@@ -144,7 +146,8 @@ impl FactoredMap<'_> {
         factors.map(|(factor, _)| factor.len()).sum()
     }
 
-    /// Writes the denominator in each way: nested, as a product, and as a determinant of A.
+    /// Writes the denominator in several ways: in nested form, as a product, and as a determinant
+    /// of A.
     fn denominators(&self, empty: &Writer) -> Vec<WithDenominator> {
         let mut starts = Vec::new();
         let polynomial = &self.map.reduced.denominator;
@@ -163,8 +166,8 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes determinants of A, whose entries are shorter than the expansion. Requires that no
-    /// common factor was divided out.
+    /// Writes the denominator as a determinant of A, whose entries are shorter than the expansion.
+    /// This requires that no common factor was divided out.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -172,16 +175,18 @@ impl FactoredMap<'_> {
         }
         let matrix = scaled_matrix(self.field);
         let mut starts = Vec::new();
-        // The row that is expanded last; with two rows both choices are equal.
+        // The variable `last` is the row that is expanded last. With two rows, both choices give
+        // equal forms.
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // If D̂ differs from d by a constant, so do the numerators.
+            // If the determinant D̂ differs from the reduced denominator d by a constant, the
+            // numerators differ too, and d is not remembered.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
             }
-            // With gathered coefficients the written denominator is shorter than the determinant.
+            // With gathered coefficients, the written denominator is shorter than the determinant.
             if map_is_unscaled(self.map) && empty.scaling.folds {
                 let mut writer = empty.clone();
                 let denominator = writer.write_scaled(&self.map.reduced.denominator, FormGoal::Early);
@@ -200,7 +205,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
         let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A cyclic permutation of three rows is even.
+        // A cyclic permutation of three rows is even, so it changes no sign.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }
@@ -215,15 +220,16 @@ impl FactoredMap<'_> {
     }
 
     /// Returns the form with two divisions, if the denominator has [two
-    /// factors](Self::two_factors). It shortens the recurrence, which then contains only one
-    /// factor.
+    /// factors](Self::two_factors). Its recurrence contains only one of the factors and is
+    /// therefore shorter.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
     }
 }
 
-/// Returns whether the determinants equal d and εn exactly, not up to a constant.
+/// Returns whether the determinants equal the reduced denominator d and numerators εn exactly. In
+/// general they do so only up to a constant.
 fn map_is_unscaled(map: &RationalMap) -> bool {
     map.denominator == map.reduced.denominator
 }

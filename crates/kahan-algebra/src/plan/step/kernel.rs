@@ -1,15 +1,16 @@
-//! The kernel of a step: the operations repeated for each state.
+//! The kernel of a step, which consists of the operations that are repeated for each state.
 
 use crate::plan::{Node, Plan};
 
-/// The plan from states and prepared constants ([`Input::Prepared`](crate::plan::Input::Prepared))
-/// to the increments x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// The plan that computes the increments x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ from states and
+/// prepared constants ([`Input::Prepared`](crate::plan::Input::Prepared)).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// The outputs: one numerator for each component, then the distinct reciprocals, each ±c/d or
-    /// ±c/d/d′ with a power of two c.
+    /// The plan of the kernel. Its outputs are one numerator for each component, then the distinct
+    /// reciprocals. A reciprocal is ±c/d or ±c/d/d′, where d and d′ are denominators and c is a
+    /// power of two.
     pub plan: Plan,
-    /// For each component the index of its reciprocal; `None` for an increment without a division.
+    /// For each component the index of its reciprocal; `None` if the increment needs no division.
     pub reciprocal_of: Vec<Option<usize>>,
 }
 
@@ -32,7 +33,8 @@ impl Kernel {
         &self.plan.outputs[self.dimension()..]
     }
 
-    /// Returns numerator and reciprocal of each component from the values of the plan's outputs.
+    /// Returns the numerator and the reciprocal of each component. `results` are the values of the
+    /// plan's outputs.
     ///
     /// # Panics
     /// If `results` is shorter than the outputs of the plan.

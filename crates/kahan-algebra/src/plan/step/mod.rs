@@ -1,8 +1,8 @@
-//! The plan of a step: constants prepared once for ε and the parameters, and a kernel run at each
-//! state.
+//! The plan of a step. Constants are prepared once for ε and the parameters, and a kernel runs at
+//! each state.
 //!
 //! - `split` separates prepared constants from the `kernel`.
-//! - `signs` and `reciprocals` choose signs in the kernel after the fusion of multiply-adds.
+//! - `signs` and `reciprocals` choose signs in the kernel after multiply-adds were fused.
 //! - `recurrence` measures the cycles from a state to the next.
 
 pub(in crate::plan) mod kernel;
@@ -26,48 +26,49 @@ pub const LARGEST_SIZE: u32 = 1000;
 /// The cost of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// Operations from a state to the next; a multiply-add counts twice.
+    /// The number of operations from a state to the next. A multiply-add counts twice.
     pub operations: u32,
     /// The number of divisions among the operations.
     pub divisions: u32,
-    /// Cycles from one state to the next in a long orbit.
+    /// The number of cycles from one state to the next in a long orbit.
     pub critical_path: u32,
 }
 
-/// A straight-line step: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// The straight-line plan of a step x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepPlan {
-    /// The prepared constants in order, computed from ε and the parameters.
+    /// The plan of the prepared constants, in order, from ε and the parameters.
     pub constants: Plan,
-    /// The operations repeated for each state.
+    /// The operations that are repeated for each state.
     pub kernel: Kernel,
-    /// Whether preparation divides by ε. The plan then serves only floats, and only ε away from
-    /// zero.
+    /// Whether the prepared constants contain a quotient with divisor ε. Such a plan serves only
+    /// floats, and only ε away from zero.
     pub has_inverse_step: bool,
-    /// The plan for lanes, if it differs. A second division can shorten the recurrence of one
-    /// orbit, but many orbits wait for the divider. If `self` [divides by
+    /// The plan for SIMD lanes, if it differs. A second division can shorten the recurrence of one
+    /// orbit, but many orbits at a time wait for the divider. If `self` [divides by
     /// ε](Self::has_inverse_step), `general` also serves all other scalars, and ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest ‖εf′‖∞ among 1, 10, 100 and 1000 up to which the step loses about as few digits
-    /// as elimination with partial pivoting, measured at seeded points; 0 if it loses more at 1.
+    /// The largest of the sizes 1, 10, 100 and 1000 of ‖εf′‖∞ up to which the step loses about as
+    /// few digits as elimination with partial pivoting. The loss is measured at seeded points. The
+    /// value is 0 if the step loses more digits at size 1.
     pub holds_to: u32,
 }
 
 impl StepPlan {
-    /// Returns the plan for this arithmetic at this ε.
+    /// Returns the plan that serves this arithmetic at this ε.
     #[must_use]
     pub fn at<A: OverRationals>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
         if arithmetic.is_moderate(eps) { self } else { self.for_any_step() }
     }
 
-    /// Returns the plan for every scalar and every ε.
+    /// Returns the plan that serves every scalar and every ε.
     #[must_use]
     pub fn for_any_step(&self) -> &Self {
         self.general.as_deref().filter(|_| self.has_inverse_step).unwrap_or(self)
     }
 
-    /// Returns the operations from a state to the next: the kernel, the multiplications by
-    /// reciprocals, and an addition for each component.
+    /// Returns the number of operations from a state to the next. They are those of the kernel, the
+    /// multiplications by reciprocals, and an addition for each component.
     #[must_use]
     pub fn operations(&self) -> usize {
         let products = self.kernel.reciprocal_of.iter().flatten().count();
@@ -85,8 +86,9 @@ impl StepPlan {
         }
     }
 
-    /// Returns the plan of x̃ from x and the prepared constants: the kernel, then one multiply-add
-    /// for each component. A numerator −n is subtracted rather than negated, as compilers do.
+    /// Returns the plan of x̃ from x and the prepared constants. The kernel is followed by one
+    /// multiply-add for each component. A numerator −n is subtracted rather than negated, as
+    /// compilers do.
     #[must_use]
     pub fn next(&self, symbols: &Symbols) -> Plan {
         let mut operations = self.kernel.plan.operations.clone();
@@ -108,15 +110,16 @@ impl StepPlan {
                 (None, None) => Operation::Add(state, numerator),
             }));
         }
-        // Merges equal operations and drops unused ones.
+        // Merge equal operations and drop unused ones.
         Plan::together([&Plan { operations, outputs }])
     }
 
     /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// True for three components only: one is left over from every pair, and shuffles cost up to an
-    /// eighth of a step. Two components fill a vector. For more, the fences would make steps too
-    /// large to be inlined into loops.
+    /// This is so only for three components. They leave one value over when pairs are packed, and
+    /// moving values between registers costs up to an eighth of a step. Two components fill a
+    /// vector. With more than three, the code that keeps values apart would make steps too large to
+    /// be inlined into loops.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3
@@ -151,8 +154,8 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are still inputs at this stage; `mapped` substitutes them
-        // later. Hence every division found here is one by ε.
+        // Reciprocals of parameters are still inputs at this stage, because `mapped` substitutes
+        // them later. Every division found here is therefore a division by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
@@ -166,11 +169,12 @@ impl StepPlan {
 }
 
 impl PlanBuilder {
-    /// Divides the increment of a single variable directly: x̃ = x ± 2εn/d. Returns the quotient
-    /// for a reciprocal ±1/d or ±2/d; `None` for other reciprocals.
+    /// Writes the step of a field with one variable by a direct division: x̃ = x ± 2εn/d. Returns
+    /// the quotient for a reciprocal ±1/d or ±2/d, and `None` for other reciprocals.
     ///
-    /// A shared reciprocal saves divisions for several components. For one component, the product
-    /// would lengthen the recurrence and round once more, and an orbit might miss a pole.
+    /// A shared reciprocal saves divisions if there are several components. For one component,
+    /// multiplying by it would lengthen the recurrence and round once more, and an orbit might miss
+    /// a pole.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
         let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };

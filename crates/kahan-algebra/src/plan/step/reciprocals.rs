@@ -1,17 +1,19 @@
-//! Chooses the sign of each reciprocal, c/d or −c/d, to minimise negated numerators.
+//! Chooses the sign of each reciprocal, c/d or −c/d, so that few numerators are negated.
 //!
 //! Rounding is symmetric, so no bit of x̃ changes. Floats merge a negation with the last
-//! subtraction, but other scalars (error bounds, lanes, double-doubles) would execute it.
+//! subtraction. Other scalars, such as error bounds, SIMD lanes and double-doubles, would have to
+//! compute it.
 
 use kahan_syntax::rational::Rational;
 
 use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 
-/// Returns the kernel with chosen signs of reciprocals. Cost: operations · components.
+/// Returns the kernel with chosen signs of reciprocals. The cost is proportional to operations ·
+/// components.
 #[must_use]
 pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     let plan = &kernel.plan;
-    // For each component the first division of its reciprocal.
+    // For each component, find the first division of its reciprocal.
     let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
     let bases: Vec<Option<Node>> =
         kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
@@ -56,7 +58,7 @@ pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
     base(plan, node).is_some()
 }
 
-/// Returns the first division, c/d, of a reciprocal c/d/d′.
+/// Returns the first division of a reciprocal: c/d of c/d/d′.
 fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);

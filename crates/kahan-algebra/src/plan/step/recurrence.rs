@@ -1,8 +1,8 @@
-//! The time of a step in an orbit, where each step waits for the previous one.
+//! Estimates the time of a step in an orbit, where each step waits for the previous one.
 //!
 //! The relevant path is the longest dependency cycle from a state through several steps back to
-//! itself. The longest path through one step would overestimate it: components that no denominator
-//! contains may finish later.
+//! itself. The longest path through a single step would overestimate the time, because components
+//! that no denominator contains may finish later.
 
 use crate::poly::Variable;
 
@@ -10,14 +10,14 @@ use crate::plan::{Input, Node, Operation, PlanBuilder, StepPlan};
 use kahan_program::cost::{ADD, FUSED, MULTIPLY};
 
 impl StepPlan {
-    /// Returns the cycles from one state to the next in a long orbit, rounded up.
+    /// Returns the number of cycles from one state to the next in a long orbit, rounded up.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Returns the largest mean cycles per step over dependency cycles of up to n steps, in units
-    /// of 1/60 cycle. Means over seven or more steps are rounded down.
+    /// Returns the mean number of processor cycles per step on the slowest dependency cycle of up
+    /// to n steps. The unit is 1/60 cycle. Means over seven or more steps are rounded down.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
@@ -31,7 +31,8 @@ impl StepPlan {
         longest
     }
 
-    /// Entry (i, j) is the number of cycles from x_j to x̃ᵢ; `None` if x̃ᵢ does not depend on x_j.
+    /// Returns the delays of a step. Entry (i, j) is the number of cycles from xⱼ to x̃ᵢ; `None` if
+    /// x̃ᵢ does not depend on xⱼ.
     fn delays(&self) -> Vec<Vec<Option<u32>>> {
         let n = self.kernel.dimension();
         let columns: Vec<Vec<Option<u32>>> = (0..n).map(|j| self.delays_from(j)).collect();
@@ -61,11 +62,11 @@ impl StepPlan {
     }
 }
 
-/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of all steps that move the
-/// states `moving` by multiples of one reciprocal.
+/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of steps that change the states
+/// `moving` by multiples of one reciprocal.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // A single component divides directly and needs no product.
+    // A single component is divided directly and needs no product.
     let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
@@ -80,7 +81,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {
                 let summand = |summand: Node| match operations[summand.0] {
-                    // A product may become part of a multiply-add.
+                    // The product may become part of a multiply-add.
                     Operation::Multiply(c, d) => Some(arrival[c.0].max(arrival[d.0])? + FUSED),
                     _ => Some(arrival[summand.0]? + ADD),
                 };
@@ -96,10 +97,11 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// Time units in a cycle. A multiple of 1 to 6 keeps means over up to six steps integral.
+/// The number of time units in a cycle. It is divisible by 1 to 6, so means over up to six steps
+/// are integers.
 const UNIT: u64 = 60;
 
-/// Returns the longest paths through two steps in sequence.
+/// Returns the longest paths through two consecutive steps.
 fn composed(first: &[Vec<Option<u32>>], second: &[Vec<Option<u32>>]) -> Vec<Vec<Option<u32>>> {
     let n = first.len();
     let through = |i: usize, j: usize| (0..n).filter_map(|k| Some(second[i][k]? + first[k][j]?)).max();

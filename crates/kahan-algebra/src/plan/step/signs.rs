@@ -1,19 +1,21 @@
-//! Chooses the sign of each value in a kernel with prepared differences.
+//! Chooses the sign of each value in a kernel that uses prepared differences.
 //!
-//! A constant a − b may be prepared as b − a; dependent values then change their sign. Signs are
-//! chosen so that fewer sums subtract and fewer results are negated. Rounding is symmetric, so no
-//! bit changes. Similar components then use equal instructions, and compilers that vectorise scalar
-//! code save a fifth of them. Kernels without prepared differences stay unchanged.
+//! A constant a − b may be prepared as b − a; the values that depend on it then change their signs.
+//! The signs are chosen so that fewer sums subtract and fewer results are negated. Rounding is
+//! symmetric, so no bit of x̃ changes. Similar components then consist of equal instructions, so
+//! compilers that vectorise scalar code save a fifth of the instructions. Kernels without prepared
+//! differences are left unchanged.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// The cost of a negated result, relative to 1 for a subtraction among additions.
+/// The cost of a negated result. For comparison, a sum that subtracts has cost 1.
 const NEGATION: usize = 4;
 
 const ROUNDS: usize = 4;
 
-/// Returns constants and kernel with chosen signs; neither operations nor critical path increase.
-/// Cost: a few times operations² for each prepared difference and each subtracting sum.
+/// Returns constants and kernel with chosen signs. Neither the number of operations nor the
+/// critical path increases. The cost of the search is a few times operations², for each prepared
+/// difference and each sum that subtracts.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
@@ -33,20 +35,20 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (turn_constants(&constants, &turned), rebuilt)
 }
 
-/// A search over the signs of prepared differences and mixed sums. A choice lists the `reversed`
-/// ones.
+/// A search over the signs of prepared differences and of sums that mix signs. A choice is a list
+/// with a flag `reversed` for each operation.
 struct Search<'a> {
     kernel: &'a Plan,
-    /// For each prepared constant its node in the kernel, if the constant is a difference.
+    /// For each prepared constant that is a difference, its node in the kernel.
     prepared: Vec<Option<Node>>,
-    /// Whether the sign of an operation is a free choice.
+    /// For each operation, whether its sign is a free choice.
     is_free: Vec<bool>,
 }
 
 struct Signs {
-    /// Whether the value is stored with opposite sign.
+    /// For each value, whether it is stored with the opposite sign.
     negative: Vec<bool>,
-    /// Whether a choice at this operation affects the cost.
+    /// For each operation, whether a choice there affects the cost.
     is_choice: Vec<bool>,
     cost: usize,
 }
@@ -67,9 +69,10 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// Returns the best choice found by [`Self::locally_improved`] from several starts: the initial one;
-    /// each constant reversed, separately or in addition; and everything reversed that a negated
-    /// result depends on. A constant in several sums pays off only if all of them change together.
+    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. These are
+    /// the initial choice, choices with one constant reversed, separately or in addition, and
+    /// choices that reverse everything on which a negated result depends. Reversing a constant that
+    /// occurs in several sums pays off only if all of them change together.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.locally_improved(none.clone());
@@ -97,7 +100,7 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Reverses every free choice that a value depends on.
+    /// Reverses every free choice on which a value depends.
     fn turn_all_before(&self, node: Node, reversed: &mut [bool]) {
         let mut is_before = vec![false; self.kernel.operations.len()];
         is_before[node.0] = true;
@@ -171,7 +174,7 @@ impl<'a> Search<'a> {
             let (first, second) = summands(operation, |node| signs.negative[node.0]);
             let (first, second) = (first != signs.negative[index], second != signs.negative[index]);
             let operation = match *operation {
-                // The stored operand already has the opposite sign.
+                // The operand is already stored with the opposite sign.
                 Operation::Negate(a) => return renamed[a.0],
                 Operation::Add(a, b) | Operation::Subtract(a, b) => match (first, second) {
                     (false, false) => Operation::Add(new(a), new(b)),
@@ -202,8 +205,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Returns whether each summand of a sum is stored with opposite sign; (false, false) for other
-/// operations.
+/// Returns for the two summands of a sum whether each is stored with the opposite sign. For other
+/// operations returns (false, false).
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

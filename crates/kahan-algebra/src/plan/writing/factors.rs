@@ -1,18 +1,18 @@
-//! Factors several polynomials over one base. Finds common factors of two polynomials, common
-//! factors of coefficients, and factors of quadratics with a square discriminant; steps rarely need
-//! others.
+//! Writes several polynomials as products over one set of factors. The factors are common factors
+//! of two polynomials, common factors of coefficients, and factors of quadratics whose discriminant
+//! is a square. Steps rarely need others.
 
 use kahan_syntax::rational::Rational;
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
-/// The most work spent on factors; beyond it polynomials stay unfactored.
+/// The most work spent on factors. When it is spent, polynomials are left unfactored.
 const WORK: u64 = 20_000;
 const TERMS: usize = 60;
-/// The most terms of a polynomial whose discriminants are computed.
+/// The most terms of a polynomial for which discriminants are computed.
 const QUADRATIC_TERMS: usize = 16;
 
-/// coefficient · monomial · ∏ factorᵉ
+/// A polynomial written as coefficient · monomial · ∏ factor^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::plan) struct Factored {
     pub(in crate::plan) coefficient: Rational,
@@ -40,7 +40,8 @@ pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
     polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
 }
 
-/// Returns pairwise coprime polynomials without monomial factors that factor the given ones.
+/// Returns pairwise coprime polynomials without monomial factors. The given polynomials are
+/// products of their powers, up to monomials and constants.
 fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     let mut budget = Budget::new(TERMS * TERMS, WORK);
     let mut waiting: Vec<Polynomial> = polynomials.iter().map(|polynomial| core(polynomial)).collect();
@@ -66,8 +67,8 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     base
 }
 
-/// Divides by the coefficient and monomial common to all terms; makes the leading coefficient
-/// positive.
+/// Divides by the coefficient and the monomial that all terms share, and makes the leading
+/// coefficient positive.
 fn core(polynomial: &Polynomial) -> Polynomial {
     polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
 }
@@ -84,14 +85,15 @@ fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynom
     gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the common factor of the coefficients with respect to some variable, if not constant.
+/// Returns the common factor of the coefficients with respect to some variable, if it is not
+/// constant.
 fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // A coefficient of one term has only monomial factors, which were removed before.
+        // A coefficient with a single term has only monomial factors, which were removed before.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }
@@ -100,7 +102,8 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     })
 }
 
-/// Returns a factor of av² + bv + c. If b² − 4ac = s², it is the gcd with 2av + b − s.
+/// Returns a factor of a quadratic av² + bv + c in some variable v. If b² − 4ac = s², the factor is
+/// its gcd with 2av + b − s.
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;
@@ -184,7 +187,8 @@ mod tests {
         }
     }
 
-    /// E6: two numerators share y + ε(x² − z²); the discriminant of the third factors it.
+    /// In E6, two numerators share the factor y + ε(x² − z²), and the third is factored by its
+    /// discriminant.
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
@@ -192,8 +196,8 @@ mod tests {
         assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
     }
 
-    /// E3: z + ε(x² + y²) is shared; x² + y² is the common factor of the coefficients of zᵏ in the
-    /// third numerator.
+    /// In E3, numerators share the factor z + ε(x² + y²). In the third numerator, x² + y² is the
+    /// common factor of the coefficients of the powers of z.
     #[test]
     fn what_coefficients_share_is_a_factor() {
         let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");

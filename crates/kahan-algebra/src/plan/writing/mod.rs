@@ -1,10 +1,10 @@
 //! Turns polynomials into operations.
 //!
-//! - `scaling` makes products of ε with parameters and states variables of their own.
-//! - `nesting` chooses the variable to factor out of terms, `factors` computes a common base of
-//!   factors, `numerators` chooses the order of multiplications.
-//! - `writer` writes a polynomial into a `draft`, which tracks when each value is ready, and reuses
-//!   existing operations.
+//! - `scaling` replaces products of ε with parameters and states by new variables.
+//! - `nesting` chooses the variable to factor out of terms, `factors` computes a common set of
+//!   factors, and `numerators` chooses the order of multiplications.
+//! - `writer` writes a polynomial into a `draft` and reuses existing operations. The draft tracks
+//!   when each value is ready.
 
 pub(in crate::plan) mod factors;
 pub(in crate::plan) mod nesting;

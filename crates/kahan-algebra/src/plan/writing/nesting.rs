@@ -1,8 +1,9 @@
 //! Chooses the nested form of a polynomial by estimated cost.
 //!
-//! A form is a sum of terms and of products v·q; each choice of v gives another form. Its estimate
-//! counts operations, without sharing, and the cycle in which the value is ready. A budget limits
-//! the examined terms; beyond it, all variables of a polynomial are factored out at once.
+//! A form is a sum of terms and of products v·q of a variable v and a polynomial q. Each choice of
+//! v gives another form. The estimate of a form counts operations, without sharing, and the cycle
+//! in which the value is ready. A budget limits the number of examined terms. When it is spent, all
+//! variables of a polynomial are factored out at once.
 
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -19,22 +20,24 @@ use kahan_program::cost::{ADD, MULTIPLY};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// The most terms for which all forms are compared; longer ones factor out their most frequent
-/// variable.
+/// The most terms of a polynomial for which all forms are compared. In longer polynomials, the most
+/// frequent variable is factored out.
 const COMPARED: usize = 12;
 
 const MOST_LOOKED_AT: usize = 1_000_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum FormGoal {
-    /// Early readiness, for the denominator: all other operations wait for it.
+    /// The value should be ready early. This goal is for the denominator, for which all other
+    /// operations wait.
     Early,
-    /// Few operations, for numerators: they are computed during the division.
+    /// The value should need few operations. This goal is for numerators, which are computed during
+    /// the division.
     Few,
 }
 
 impl FormGoal {
-    /// Returns the price to minimise; under `Early` a cycle costs as much as an operation.
+    /// Returns the price to minimise. With the goal `Early`, a cycle costs as much as an operation.
     pub(in crate::plan) fn price(self, operations: usize, ready: u32) -> u64 {
         match self {
             FormGoal::Early => 16 * operations as u64 + 16 * u64::from(ready),
@@ -56,11 +59,11 @@ struct Estimate {
     form: SumForm,
 }
 
-/// The chosen form of a polynomial; its summands are made on demand.
+/// The chosen form of a polynomial. Its summands are made when needed.
 #[derive(Debug)]
 enum SumForm {
     Flat,
-    /// A product v·q, and the remaining terms with their own estimate.
+    /// A product v·q, and the other terms with an estimate of their own.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
     Grouped(Vec<Summand>),
 }
@@ -146,7 +149,8 @@ impl Nesting {
         self.goal.price(estimate.operations, gathered(&estimate.summands))
     }
 
-    /// Returns variables in at least two terms; for long polynomials only the most frequent one.
+    /// Returns the variables that occur in at least two terms. For a long polynomial returns only
+    /// the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
         let counts = polynomial.frequencies().into_iter();
         let counts = counts.filter(|&(variable, count)| count > 1 && self.may_be_out(variable));
@@ -157,13 +161,14 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out; other variables belong to prepared
+    /// Returns whether a variable may be factored out. The other variables belong to prepared
     /// constants.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
 
-    /// Estimates the sum term by term, with all state-independent terms as one prepared summand.
+    /// Estimates the form that adds term by term. All terms without states form one prepared
+    /// summand.
     fn flat(&self, polynomial: &Polynomial) -> Estimate {
         let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: SumForm::Flat };
         let mut has_fixed = false;
@@ -232,8 +237,8 @@ impl Nesting {
         Estimate { operations, summands, form: SumForm::Grouped(own) }
     }
 
-    /// Returns variable · quotient as a summand, its number of operations, and the cycle when it is
-    /// ready.
+    /// Returns the product variable · quotient as a summand, with its number of operations and the
+    /// cycle in which it is ready.
     fn product(&self, variable: Variable, quotient: Polynomial) -> (Summand, usize, u32) {
         let mut monomial = quotient.monomial_content();
         let inner = if monomial.is_one() {
@@ -257,20 +262,23 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
 }
 
-/// The penalty in operations for a prepared constant that is rounded twice.
+/// The penalty, in operations, for a prepared constant that is rounded twice.
 pub(in crate::plan) const DERIVED: usize = 3;
 
-/// Returns the cycle in which a sum is ready that always adds the two earliest values.
+/// Returns the cycle in which a sum is ready if the two values that are ready first are always
+/// added first.
 fn gathered(ready: &[u32]) -> u32 {
     combined(ready.to_vec(), ADD)
 }
 
-/// Returns the cycle in which a product is ready that always multiplies the two earliest values.
+/// Returns the cycle in which a product is ready if the two values that are ready first are always
+/// multiplied first.
 fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-/// Returns the cycle in which one value is left if the earliest two become one after `latency`.
+/// Returns the cycle in which a single value is left. In each operation, which takes `latency`
+/// cycles, the two values that are ready first are combined.
 fn combined(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
     while let [.., later, _] = ready[..] {
@@ -286,7 +294,8 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// The sum of all products of 200 states; one variable at a time would examine 2 000 000 terms.
+    /// The polynomial is the sum of all products of 200 states. Factoring out one variable at a
+    /// time would examine 2 000 000 terms.
     #[test]
     fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
         let state = |k: usize| Monomial::variable(Variable(k as u16));

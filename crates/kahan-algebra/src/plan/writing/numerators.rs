@@ -1,5 +1,5 @@
-//! Writes the numerators, times powers of ε, as products of factors. Products of two factors that
-//! several numerators contain are computed once.
+//! Writes the numerators, multiplied by powers of ε, as products of factors. If several numerators
+//! contain a product of two factors, it is computed once.
 
 use crate::poly::{Polynomial, Variable};
 
@@ -10,7 +10,7 @@ use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::scaling::over_eps;
 use crate::plan::writing::writer::Writer;
 
-/// A power of ε that multiplies each numerator n.
+/// The power of ε by which a numerator is multiplied.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plan) enum Power {
     Eps,
@@ -25,7 +25,8 @@ impl Power {
         }
     }
 
-    /// Divides factors by ε where possible; returns the product and the remaining power.
+    /// Divides factors by ε where possible. Returns the new product, and the power of ε that is
+    /// left to divide by.
     fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
         let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
         let mut product = product.clone();
@@ -63,8 +64,8 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds a product times a power of ε. Multiplies the factor by ε where that costs the fewest
-    /// operations.
+    /// Adds a product multiplied by a power of ε. The power is multiplied into the factor where
+    /// that costs the fewest operations.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();
@@ -79,7 +80,7 @@ impl Products {
         self.lists.push(writer.cheapest(&places, write, |list| list.nodes.len()));
     }
 
-    /// Multiplies out all products, beginning with pairs of factors that several products contain.
+    /// Multiplies out all products. Pairs of factors that several products contain come first.
     pub(in crate::plan) fn finish(mut self, writer: &mut Writer) -> Vec<Signed> {
         while let Some((a, b)) = self.shared_pair() {
             let node = writer.draft.multiply(a, b);
@@ -131,7 +132,8 @@ impl Factors {
     }
 }
 
-/// Multiplies the monomial (place 0) or factor k (place k) of a product by the power of ε.
+/// Multiplies one part of a product by the power of ε. Place 0 is the monomial, and place k is
+/// factor k.
 fn with_power_at(writer: &mut Writer, product: &Factored, power: Power, place: usize) -> Factors {
     let epsilon = writer.scaling.epsilon();
     let mut list = Factors::default();

@@ -1,8 +1,10 @@
-//! Distributes powers of ε over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
+//! Distributes powers of ε over the states and parameters of each term, so that ε²x²y becomes
+//! (εx)(εx)y.
 //!
 //! If εx is computed first, terms need no multiplication by ε, and ε is the only rounded constant.
-//! A scaled symbol is a variable numbered after all others. Forms divided by the time step also use
-//! the [inverse time step](crate::plan::forms::inverse), the last of these variables.
+//! A scaled symbol such as εx is a variable that is numbered after all unscaled ones. Forms that
+//! are divided by the time step also use the [inverse time step](crate::plan::forms::inverse),
+//! which is the last of these variables.
 
 use kahan_syntax::rational::Rational;
 
@@ -11,31 +13,34 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use kahan_program::cost::{DIVIDE, MULTIPLY};
 
-/// The first variable of gathered coefficients; symbols have lower numbers.
+/// The first variable that names a gathered coefficient. Symbols have lower numbers.
 const COEFFICIENTS: u16 = 1 << 15;
-/// The variable of 1/(2ε), the same for all forms.
+/// The variable that names 1/(2ε) in all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
-/// The approximate cycle in which a state of the next point is ready, after a division.
+/// The approximate cycle in which the image of a state under the step is ready, after a division.
 const LATE: u32 = 2 * DIVIDE;
 
 /// The kind of symbol that absorbs powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
-    /// States first, for fields whose parameters occur in some terms only.
+    /// The states absorb powers of ε first. This suits fields whose parameters occur only in some
+    /// terms.
     States,
-    /// Parameters first: εa₁ is prepared, so x needs no scaling.
+    /// The parameters absorb powers of ε first. If εa₁ is prepared, x needs no scaling in the term
+    /// a₁x.
     Parameters,
 }
 
-/// The numbering of plain and scaled symbols.
+/// The numbering of unscaled and scaled symbols.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Scaling {
     states: usize,
-    /// The number of unscaled symbols: states, parameters, ε and second states.
+    /// The number of unscaled symbols, which are the states, parameters, ε and second states.
     offset: u16,
     epsilon: Variable,
     first: ScalingPriority,
-    /// Whether all constants of a term are multiplied into one prepared constant, rounded twice.
+    /// Whether all constants of a term are multiplied into one prepared constant, which is then
+    /// rounded twice.
     pub(in crate::plan) folds: bool,
 }
 
@@ -68,7 +73,7 @@ impl Scaling {
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
-    /// Returns the cycle in which a variable is ready; `None` if it depends on no state.
+    /// Returns the cycle in which a variable is ready; `None` if the variable depends on no state.
     pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
         let Variable(index) = variable;
         if index >= INVERSE_STEP.0 {
@@ -85,8 +90,9 @@ impl Scaling {
         }
     }
 
-    /// Returns the distinct ways to distribute ε. If a term has fewer powers of ε than states, some
-    /// states stay unscaled: the first ones in each order of preference.
+    /// Returns the polynomial with ε distributed in each distinct way. If a term has fewer powers
+    /// of ε than states, some states stay unscaled. These are the first ones in the order of
+    /// preference, and each way uses another order.
     pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];
@@ -145,8 +151,9 @@ impl Scaling {
     }
 }
 
-/// Returns whether div f is a nonzero constant: volumes then shrink or grow everywhere at one rate.
-/// No measure or integral exists that rounding constants twice could make drift.
+/// Returns whether div f is a nonzero constant, so that volumes shrink or grow everywhere at one
+/// rate. Then no invariant measure or integral exists that could drift because constants are
+/// rounded twice.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
@@ -156,7 +163,7 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Returns orders of these states, one beginning with each state.
+/// Returns several orders of these states. Each state comes first in one of them.
 fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
     (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }
@@ -167,7 +174,8 @@ pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
 
-/// Returns the scalings to try, the preferred one first; a single one if there are no parameters.
+/// Returns the scalings to try, beginning with the preferred one. Without parameters there is a
+/// single one.
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
@@ -177,7 +185,7 @@ pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     }
 }
 
-/// Returns p/εᵏ as a polynomial in the other symbols, ε and h = 1/(2ε).
+/// Returns p/εᵏ as a polynomial in ε, h = 1/(2ε) and the other symbols, where k is `power`.
 pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
     let divided = polynomial.terms().map(|(monomial, coefficient)| {
         let cancelled = monomial.exponent(epsilon).min(power);
@@ -192,7 +200,8 @@ pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Va
 mod tests {
     use super::*;
 
-    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; divided by ε, one ε remains in the last term.
+    /// For example, (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy with h = 1/(2ε). If the polynomial is
+    /// divided only by ε, one ε is left in the last term.
     #[test]
     fn eps_cancels_as_far_as_a_term_has_it() {
         let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));

@@ -1,5 +1,6 @@
-//! Writes scaled polynomials as operations and reuses existing operations: equal polynomials up to
-//! sign, and sums that shorten the polynomial if a multiple is subtracted.
+//! Writes scaled polynomials as operations and reuses existing operations. These are equal
+//! polynomials up to sign, and sums that shorten the polynomial if a multiple of the sum is
+//! subtracted.
 
 mod cheapest;
 mod coefficients;
@@ -20,37 +21,40 @@ use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// The most terms of a polynomial in which multiples of sums are sought; the cost is quadratic.
+/// The most terms of a polynomial in which multiples of sums are sought. The cost of the search is
+/// quadratic.
 const REUSED: usize = 24;
 
-/// Up to this many terms a common constant is not factored out: its products may exist already.
+/// In polynomials of up to this many terms, a common constant is not factored out, because its
+/// products may exist already.
 const SHARED: usize = 3;
 
-/// A matrix entry: its operation, and its polynomial over scaled symbols if known.
+/// An entry of a matrix: its operation, and its polynomial over scaled symbols if that is known.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct MatrixEntry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
     pub(in crate::plan) written: Signed,
 }
 
-/// A draft that remembers the polynomial that each operation computes.
+/// A draft that also remembers which polynomial each operation computes.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Writer {
     pub(in crate::plan) draft: PlanDraft,
     pub(in crate::plan) scaling: Scaling,
-    /// The remembered polynomials, with positive leading coefficients, in order of creation.
+    /// The remembered polynomials in order of creation. Their leading coefficients are positive.
     made: Numbered<Rc<Polynomial>>,
     steps: Vec<Signed>,
     sums: Vec<usize>,
     put: Vec<(Variable, Node)>,
-    /// The gathered coefficients: sums of constants, each prepared as one constant.
+    /// The gathered coefficients, which are sums of constants. Each is prepared as one constant.
     coefficients: Vec<Polynomial>,
-    /// The chosen forms for `FormGoal::Early` and `FormGoal::Few`.
+    /// The chosen forms for the goals `FormGoal::Early` and `FormGoal::Few`.
     nestings: Rc<[Nesting; 2]>,
 }
 
 impl Writer {
-    /// Returns an empty writer for each distribution of ε. Clones share their estimates of forms.
+    /// Returns an empty writer for each distribution of ε. Clones of a writer share their estimates
+    /// of forms.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }
@@ -90,13 +94,14 @@ impl Writer {
         self.draft.builder.divide(half, eps)
     }
 
-    /// Returns the node of an unscaled symbol; states of the next point are results of operations.
+    /// Returns the node of an unscaled symbol. If the symbol is the image of a state, the node is
+    /// the result of an operation.
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
     }
 
-    /// Returns c/d. With c = 2 the increment 2εn/d needs no multiplication by 2.
+    /// Returns the node of c/d. With c = 2, the increment 2εn/d needs no multiplication by 2.
     pub(in crate::plan) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
         let c = self.draft.constant(c);
         self.draft.builder.divide(c, denominator)
@@ -122,7 +127,8 @@ impl Writer {
         written.flipped(sign)
     }
 
-    /// Writes a polynomial in unscaled symbols and ε, with the first distribution of powers of ε.
+    /// Writes a polynomial in unscaled symbols and ε. The first distribution of powers of ε is
+    /// used.
     pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: FormGoal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
@@ -134,7 +140,7 @@ impl Writer {
         self.remember(&scaled, written);
     }
 
-    /// Writes a matrix entry with the first distribution of powers of ε.
+    /// Writes an entry of a matrix. The first distribution of powers of ε is used.
     pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: FormGoal) -> MatrixEntry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
@@ -210,7 +216,8 @@ impl Writer {
         let nesting = &nestings[usize::from(goal == FormGoal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        // Writes low degrees first, since their products may be factors of others.
+        // Write summands of low degree first, because their products may be factors of other
+        // summands.
         let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Summand::Term(monomial, _) => monomial.degree(),
             Summand::Product(..) => 0,
@@ -245,7 +252,7 @@ impl Writer {
     }
 }
 
-/// Returns whether the leading coefficient is negative, and the polynomial with a positive one.
+/// Makes the leading coefficient positive. Returns whether it was negative, and the new polynomial.
 fn normalised(polynomial: &Polynomial) -> (bool, Rc<Polynomial>) {
     let negative = polynomial.leading_term().is_some_and(|(_, coefficient)| coefficient.is_negative());
     (negative, Rc::new(if negative { -polynomial } else { polynomial.clone() }))

@@ -4,7 +4,7 @@ use super::super::powers::{Power, Powers};
 use super::{Monomial, Variable};
 
 impl Monomial {
-    /// Returns the product.
+    /// Returns the product of two monomials.
     pub fn mul(&self, other: &Self) -> Self {
         if other.is_one() {
             return self.clone();
@@ -28,7 +28,7 @@ impl Monomial {
         Self { degree: self.degree + other.degree, powers }
     }
 
-    /// Multiplies by a power of a variable.
+    /// Multiplies the monomial by a power of a variable.
     pub fn multiply_by(&mut self, variable: Variable, exponent: u32) {
         if exponent == 0 {
             return;
@@ -46,7 +46,7 @@ impl Monomial {
         }
     }
 
-    /// Returns the quotient by a variable; `None` if the variable is absent.
+    /// Returns the quotient by a variable; `None` if the monomial does not contain the variable.
     pub fn lowered(&self, variable: Variable) -> Option<Self> {
         let powers = self.powers();
         let mut place = 0;
@@ -66,7 +66,7 @@ impl Monomial {
         Some(lowered)
     }
 
-    /// Returns the quotient; `None` if `divisor` does not divide.
+    /// Returns the quotient; `None` unless `divisor` divides the monomial.
     pub fn div(&self, divisor: &Self) -> Option<Self> {
         if !divisor.divides(self) {
             return None;
@@ -87,7 +87,7 @@ impl Monomial {
         Some(Self { degree: self.degree - divisor.degree, powers })
     }
 
-    /// Returns whether the monomial divides `multiple`, without allocation.
+    /// Returns whether the monomial divides `multiple`. Nothing is allocated.
     pub fn divides(&self, multiple: &Self) -> bool {
         if self.degree > multiple.degree {
             return false;
@@ -105,7 +105,7 @@ impl Monomial {
         j == right.len()
     }
 
-    /// Returns the power.
+    /// Returns the monomial to the power `exponent`.
     pub fn pow(&self, exponent: u32) -> Self {
         if exponent == 0 {
             return Self::one();
@@ -118,7 +118,7 @@ impl Monomial {
         power
     }
 
-    /// Returns the greatest common divisor: the lower exponent of each variable.
+    /// Returns the greatest common divisor, which has the lower exponent of each variable.
     pub fn gcd(&self, other: &Self) -> Self {
         let mut common = Self::one();
         for &(variable, exponent) in self.powers() {

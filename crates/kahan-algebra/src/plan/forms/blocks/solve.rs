@@ -1,4 +1,4 @@
-//! Writes the solution of all blocks as forms of a step.
+//! Writes the solution of all blocks as candidate forms of a step.
 
 use std::ops::Range;
 
@@ -17,10 +17,10 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// The most terms of a right-hand side with several distributions of ε to compare.
+/// The most terms of a right-hand side for which several distributions of ε are compared.
 const COMPARED_TERMS: usize = 12;
 
-/// x̃ᵢ − xᵢ: a signed numerator and its reciprocal.
+/// The increment x̃ᵢ − xᵢ, as a signed numerator and the reciprocal that multiplies it.
 type Increment = (Signed, Option<Node>);
 
 #[derive(Clone)]
@@ -30,7 +30,8 @@ struct Solution {
 }
 
 impl BlockOrder {
-    /// Returns the rotations of rows to try: at most `most`, and only distinct ones.
+    /// Returns the numbers by which to rotate rows. There are at most `most`, and all give distinct
+    /// orders.
     fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -40,8 +41,8 @@ impl BlockOrder {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each rotation of rows, at most `row_rotations`. All share the rows of the
-    /// first block.
+    /// Returns a candidate for each rotation of rows, but at most `row_rotations`. All candidates
+    /// share the rows of the first block.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -73,7 +74,8 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // An odd permutation of rows changes all signs, which cancel in the quotients.
+            // An odd permutation of rows changes the signs of all determinants. They cancel in the
+            // quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);
@@ -95,7 +97,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Adds x + x̃ of the known states.
+    /// Writes the sum x + x̃ for each state whose image is known.
     fn put_sums(&self, writer: &mut Writer) {
         for i in 0..self.first {
             let second = self.field.symbols.variable(Symbol::SecondState(i));
@@ -106,7 +108,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Adds x̃ᵢ = xᵢ + numerator · reciprocal, or for a tangent vector only the increment.
+    /// Writes x̃ᵢ = xᵢ + numerator · reciprocal. For a tangent vector, writes only the increment.
     fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
         let symbols = &self.field.symbols;
         let second: Variable = symbols.variable(Symbol::SecondState(i));

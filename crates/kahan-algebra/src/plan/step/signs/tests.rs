@@ -17,7 +17,8 @@ fn values(constants: &Plan, kernel: &Plan) -> Vec<Option<Rational>> {
     kernel.evaluate(&Exact, |read| read.value(&prepared, |variable| Some(input(variable))))
 }
 
-/// With c = b − a the results 1 − cx, −cy and −cxy need neither subtraction nor negation.
+/// If c = b − a is prepared, the results 1 − cx, −cy and −cxy need neither subtraction nor
+/// negation.
 #[test]
 fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     let mut builder = PlanBuilder::default();
@@ -37,7 +38,7 @@ fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     );
 }
 
-/// Covers multiply-adds of all three kinds, and a value used with both signs.
+/// The program contains multiply-adds of all three kinds, and a value that is used with both signs.
 #[test]
 fn fused_operations_keep_their_values() {
     let mut builder = PlanBuilder::default();

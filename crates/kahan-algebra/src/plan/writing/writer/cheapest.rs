@@ -1,4 +1,4 @@
-//! Tries several ways to write a value and keeps the one with the fewest operations.
+//! Tries several ways to write a value, and keeps the one with the fewest operations.
 
 use crate::poly::Polynomial;
 
@@ -9,7 +9,8 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
-    /// Writes a polynomial in unscaled symbols and ε with the cheapest distribution of powers of ε.
+    /// Writes a polynomial in unscaled symbols and ε, with the distribution of powers of ε that
+    /// costs least.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, FormGoal::Few), |_| 0)
@@ -33,8 +34,8 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Tries all ways to write a value; keeps the one with the lowest sum of operations and
-    /// `price`, the first of equals. Requires at least one way.
+    /// Tries all ways to write a value. Keeps the way with the lowest sum of operations and
+    /// `price`; among equals, the first. There must be at least one way.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
@@ -52,7 +53,7 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // Writes the first attempt last: it is often the best and then needs no rewriting.
+        // Write the first way last. It is often the best, and then need not be written again.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {

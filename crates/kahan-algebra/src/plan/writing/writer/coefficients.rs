@@ -1,4 +1,5 @@
-//! Gathers each sum of constants that multiplies a product of states into one prepared coefficient.
+//! Gathers sums of constants that multiply a product of states. Each sum becomes one prepared
+//! coefficient.
 
 use kahan_syntax::rational::Rational;
 
@@ -7,13 +8,13 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use super::Writer;
 use crate::plan::writing::plan_draft::Signed;
 
-/// The most gathered coefficients: each new one is compared with all and takes a variable.
+/// The most gathered coefficients. Each new one takes a variable and is compared with all others.
 const MOST_GATHERED: usize = 1024;
 
 impl Writer {
-    /// Replaces each sum of constants that multiplies a product of states by a coefficient. Gathers
-    /// sums that contain products of constants only if they may be rounded twice. `None` without
-    /// such a sum.
+    /// Replaces each sum of constants that multiplies a product of states by a coefficient. Sums
+    /// that contain products of constants are gathered only if constants may be rounded twice.
+    /// Returns `None` if there is no sum to gather.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;

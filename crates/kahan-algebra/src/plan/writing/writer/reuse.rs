@@ -1,4 +1,4 @@
-//! Writes a polynomial as multiples of existing sums and a remainder.
+//! Writes a polynomial as multiples of existing sums, plus a remainder.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::Table;
@@ -10,8 +10,8 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
-    /// Writes the polynomial as multiples of existing sums and a remainder; `None` if none shortens
-    /// it.
+    /// Writes the polynomial as multiples of existing sums, plus a remainder. Returns `None` if no
+    /// existing sum shortens it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
         let mut multipliers: Table<usize, Polynomial> = Table::new();
@@ -36,8 +36,9 @@ impl Writer {
         Some(self.draft.signed_sum(&terms))
     }
 
-    /// Returns the sum g and the term m with the shortest remainder P − m·g, and the remainder. It
-    /// must be shorter than P by at least two terms.
+    /// Finds the existing sum g and the term m for which the remainder P − m·g of the polynomial P
+    /// is shortest. Returns the index of g, the term m and the remainder, which must be shorter
+    /// than P by at least two terms.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, KnownMultiple)> = None;
         for (index, &number) in self.sums.iter().enumerate() {
@@ -60,20 +61,22 @@ impl Writer {
 struct KnownMultiple {
     monomial: Monomial,
     ratio: Rational,
-    /// The number of terms of P − m·g.
+    /// The number of terms of the remainder P − m·g.
     left: usize,
 }
 
-/// Returns the term m with the fewest terms of P − m·g, if fewer than `least`. Ties go to the first
-/// quotient in the order of terms of P and g.
+/// Returns the term m for which P − m·g has the fewest terms, if there are fewer than `least`. P is
+/// `polynomial`, g is `sum`. Among equals, the first quotient in the order of terms of P and g
+/// wins.
 fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<KnownMultiple> {
     let mut best: Option<KnownMultiple> = None;
     for term in polynomial.as_terms() {
         let mut place = 0;
         loop {
             let below = best.as_ref().map_or(least, |best| best.left);
-            // The required overlap of P and m·g: the number of common monomials plus the number of
-            // equal coefficients. Monomials of g before `place` are not in the overlap.
+            // Compute the required overlap of P and m·g, which is the number of common monomials
+            // plus the number of equal coefficients. Monomials of g before `place` are not in the
+            // overlap.
             let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
             if common + place > 2 * sum.len() {
                 break;
@@ -87,8 +90,8 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
     best
 }
 
-/// Returns m = quotient of a term of P by a term of g, if the overlap of P and m·g is at least
-/// `common`. Most candidates fail early.
+/// Returns the quotient m of a term of P by a term of g, if the overlap of P and m·g is at least
+/// `common`. Most candidates are rejected early.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,

@@ -1,4 +1,5 @@
-//! Writes terms. Their constants are merged with scaled symbols where this costs no operation.
+//! Writes terms. The constants of a term are merged with scaled symbols where this costs no
+//! operation.
 
 use kahan_syntax::rational::Rational;
 
@@ -57,8 +58,8 @@ impl Writer {
         (factors, negative)
     }
 
-    /// Returns the factors with all constants multiplied into one, including the ε of a scaled
-    /// state.
+    /// Returns the factors of a term. All constants are multiplied into one, including the ε of a
+    /// scaled state.
     pub(super) fn folded_factors(&mut self, size: &Rational, symbols: &[Variable]) -> Vec<Node> {
         let is_state = |variable: &Variable| self.scaling.ready(*variable).is_some();
         let (mut states, constants): (Vec<Variable>, Vec<Variable>) =
@@ -84,7 +85,7 @@ impl Writer {
         factors
     }
 
-    /// Returns (cε)·v with cε prepared.
+    /// Returns the node of (cε)·v, where v is `symbol` and cε is a prepared constant.
     pub(super) fn scaled_by(&mut self, c: &Rational, symbol: Option<Variable>) -> Node {
         let (eps, c) = (self.draft.input(self.scaling.epsilon()), self.draft.constant(c));
         let prepared = self.draft.multiply(c, eps);
