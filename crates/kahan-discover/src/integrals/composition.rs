@@ -1,7 +1,7 @@
 //! Integrals that compositions preserve, tested on the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘
 //! φ_{γ₁ε}.
 //!
-//! Compositions of higher order have this pattern; here γ is random.
+//! Compositions of higher order have this pattern. Here the numbers γ₁ and γ₂ are random.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -14,7 +14,7 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::hilbert::{Hilbert, random_relations};
 
-/// The integrals that survive composition.
+/// The integrals that composed maps preserve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
@@ -45,7 +45,7 @@ impl ModularStep for Composed {
 }
 
 /// Follows an orbit of the composed map modulo a prime, at random parameters, ε and γ. Formulas use
-/// the ε of the composition. `None` if the map has no value or the deadline passes.
+/// the ε of the whole composition. `None` if the map is undefined or the deadline passes.
 pub fn survivors(
     searched: &SearchField,
     formulas: &[Formula],

@@ -1,4 +1,4 @@
-//! The search for formulas with the relations of some degree.
+//! Searches formulas, given the relations of some degree.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -17,7 +17,8 @@ use crate::poisson::brackets::{Brackets, PoissonTensor, brackets, of_structure, 
 use crate::poisson::modified::Modified;
 use crate::report::{DensitySearch, ModifiedPlace};
 
-/// The share of time for formulas if compact forms give all integrals, or a bracket the density.
+/// The share of the time for formulas, if compact forms give all integrals or a bracket gives the
+/// density.
 pub(super) const SHARE_FOR_FORMULAS: f64 = 0.1;
 
 /// The inputs of the search for formulas: the field, its map, and the integrals known by theorems.
@@ -35,8 +36,9 @@ pub(super) struct Search<'a> {
     pub(super) is_even: bool,
     /// The random point at which independence is tested.
     pub(super) place: &'a SampledStep,
-    /// Callbacks for a stage that begins, and for a proved claim.
+    /// A callback that receives the name of a stage when the stage begins.
     pub(super) begins: &'a dyn Fn(&str),
+    /// A callback that receives a proved claim and its text.
     pub(super) tell: &'a dyn Fn(&Claim, &str),
 }
 
@@ -59,7 +61,8 @@ impl SearchResult {
 }
 
 impl Search<'_> {
-    /// Searches formulas, bases, densities and brackets; reuses the densities found `before`.
+    /// Searches formulas, bases, densities and brackets. The densities found `before` are used
+    /// again.
     pub(super) fn found(
         &self,
         hilbert: Option<&Hilbert>,
