@@ -1,4 +1,4 @@
-//! Discovery of the structures that Kahan's map of a quadratic field preserves.
+//! Discovers the structures that Kahan's map of a quadratic field preserves.
 //!
 //! The input is a checked system. The output is a [`Report`] on growth of degrees, the number of
 //! independent algebraic integrals, formulas of integrals, densities, Poisson brackets and drifts,

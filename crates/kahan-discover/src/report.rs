@@ -23,9 +23,9 @@ pub const MOST_READABLE: usize = 4000;
 /// The fixed values and the limits of a search.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// A fixed ε, half the time step; `None` for a generic ε.
+    /// The value of ε, half the time step, if it is fixed. `None` for a generic ε.
     pub eps: Option<Rational>,
-    /// The fixed parameters by name; the others are generic.
+    /// The names and values of fixed parameters. The other parameters are generic.
     pub parameters: Vec<(String, Rational)>,
     /// The highest degree of relations. If `None`, the number of variables determines a default
     /// degree. Higher degrees follow while integrals may be missing and time is left. Results of
@@ -63,7 +63,7 @@ pub struct StructureReport {
     pub divergence: String,
     /// Whether det(I − t f′(x)) is even in t.
     pub is_even: bool,
-    /// Linear integrals of the flow, which the map preserves.
+    /// Linear integrals of the flow. The map preserves all of them.
     pub linear_integrals: Vec<String>,
     /// Independent quadratic integrals of the flow. The map may not preserve them.
     pub quadratic_integrals: Vec<String>,
@@ -88,7 +88,7 @@ pub struct DensitySearch {
 /// A decomposition f = K∇H of the field f with a constant antisymmetric matrix K.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
-    /// The number of this K, counted from 1; `None` if it is the only one.
+    /// The number of this K, counted from 1. `None` if there is only one K.
     pub number: Option<usize>,
     /// The matrix K, row by row.
     pub tensor: Vec<Vec<String>>,
@@ -155,7 +155,7 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// Returns the reason in one word.
+    /// Returns the reason for the end of the search in one word.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -213,7 +213,7 @@ pub struct Report {
     /// growth excludes integrals; for this, a drift has infinite order on the pencil of preserved
     /// curves.
     pub linear_iterates: Option<usize>,
-    /// The Hilbert function of a generic orbit; `None` if every orbit ended at a pole.
+    /// The Hilbert function of a generic orbit. `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
     /// The number of independent algebraic integrals that orbits show or that are proved. It counts
     /// formulas, integrals in bases, modified Hamiltonians, and integrals for which no formula was
@@ -309,7 +309,8 @@ pub enum DiscoverError {
     Collapse,
     /// The field has more variables than a search accepts; the error holds their number.
     TooManyVariables(usize),
-    /// The map in lowest terms exceeds the budget of terms, so its poles cannot be listed.
+    /// The map in lowest terms exceeds the budget of terms, so the poles of the map cannot be
+    /// listed.
     TooLong,
 }
 

@@ -80,7 +80,7 @@ pub(crate) struct Ticking {
 }
 
 impl Ticking {
-    /// Ends the computation at the call of `look` with this number, counted from 1.
+    /// Ends the computation at the call of `look` with this number. Calls are counted from 1.
     pub(crate) fn ending_at_look(number: u64) -> Self {
         Ticking { last_look: Some(number), ..Ticking::default() }
     }

@@ -11,8 +11,8 @@ use std::time::Duration;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::Claim;
 
-/// The observer of a long computation. Default methods provide no clock and one thread, and ignore
-/// all calls.
+/// The observer of a long computation. The default methods provide no clock and one thread, and
+/// ignore all calls.
 pub trait Watch: Sync {
     /// Returns the time since a fixed moment. `None` without a clock; time limits then do not
     /// apply.

@@ -91,7 +91,7 @@ pub struct Judged {
     pub trials: u64,
     /// The seed of points and fields.
     pub seed: u64,
-    /// The duration in seconds; `None` without a clock.
+    /// The duration of the survey in seconds; `None` without a clock.
     pub seconds: Option<f64>,
     /// The counts for each regime, kind of step and scalar, and the violations of the error bound.
     #[serde(flatten)]
@@ -107,7 +107,7 @@ impl Extremes {
     /// At least one field is needed. Claims of the fields are ignored.
     ///
     /// # Errors
-    /// [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
+    /// Returns [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
     pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, CannotJudge> {
         let begun = watch.now();
         let of_study = |study: &Study| {

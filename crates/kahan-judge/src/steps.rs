@@ -31,7 +31,7 @@ pub(crate) trait StepMethods<T>: Debug + Send + Sync {
 /// Returns the steps of a map over a scalar.
 ///
 /// # Errors
-/// [`UnsupportedDimension`] for maps with more than eight variables.
+/// Returns [`UnsupportedDimension`] for maps with more than eight variables.
 pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn StepMethods<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),

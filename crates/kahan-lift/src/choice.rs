@@ -31,7 +31,7 @@ pub enum LiftCriterion {
 }
 
 impl LiftCriterion {
-    /// All criteria.
+    /// All criteria by which a lift may be chosen.
     pub const ALL: [LiftCriterion; 5] = [
         LiftCriterion::Automatic,
         LiftCriterion::Energy,

@@ -12,7 +12,7 @@ use crate::search::Problem;
 
 #[derive(Debug)]
 pub(crate) struct Equations {
-    /// The header, if the block has one.
+    /// The header of the block, if the block has one.
     pub header: Option<Header>,
     pub stated: EquationNames,
     pub ring: Ring,

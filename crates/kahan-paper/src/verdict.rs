@@ -34,7 +34,7 @@ pub struct OpenQuestion {
     pub detail: &'static str,
 }
 
-/// Claims with their outcomes, and totals.
+/// Claims with their outcomes, and the totals over all claims.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
     /// The claims with their outcomes. Those of the paper are in its order.

@@ -38,8 +38,8 @@ impl Rounded {
         Self { exact: &self.exact * &other.exact, error }
     }
 
-    /// Divides without rounding: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b), where e_a and e_b bound
-    /// the errors of the operands â and b̂. `None` if e_b is at least half of |b|.
+    /// Divides without rounding: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b), where e_a and e_b
+    /// bound the errors of the operands â and b̂. `None` if e_b is at least half of |b|.
     pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
         let exact = self.exact.checked_div(&divisor.exact)?;
         let size = divisor.size();

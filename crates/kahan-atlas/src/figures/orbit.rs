@@ -1,4 +1,4 @@
-//! An orbit of the paper with its heights, and measurements of their growth.
+//! An orbit of the paper with its heights, and measurements of how the heights grow.
 
 use maud::{Markup, html};
 

@@ -40,7 +40,8 @@ pub struct Formula {
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
-    /// The irreducible factors of an integral that depend on states; empty for densities.
+    /// The irreducible factors of an integral that depend on states. The list is empty for
+    /// densities.
     pub factors: Vec<Polynomial>,
 }
 
@@ -57,7 +58,7 @@ impl Formula {
 pub struct Claims<'a> {
     system: &'a System,
     bare: System,
-    /// The equations as tokens; they seed the random points of the proofs.
+    /// The equations of the field as tokens, which seed the random points of the proofs.
     equations: Vec<Token>,
     /// The clause of fixed values, for example ` when a = 1, eps = 1/2`, or empty.
     pub(crate) condition: String,
@@ -96,7 +97,7 @@ impl<'a> Claims<'a> {
         self.condition.is_empty().then_some(own.name.text.as_str())
     }
 
-    /// Returns an unused name from the stem and index, with underscores appended if needed. The
+    /// Returns an unused name that consists of the stem, the index, and underscores if needed. The
     /// name of a density that will be [replaced](Self::own_density) counts as unused.
     pub(crate) fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {

@@ -11,7 +11,7 @@ const MOST_VARIABLES: usize = 12;
 /// Returns ∏q · det A(x,ε), where qᵢ is the denominator of component i of the field.
 ///
 /// # Errors
-/// [`OverBudget`] beyond the budget or 12 variables.
+/// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
 pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     of_matrix(&scaled_matrix(field), budget)
 }
@@ -21,7 +21,7 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
 /// bordered by f and g.
 ///
 /// # Errors
-/// [`OverBudget`] beyond the budget or 12 variables.
+/// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
 pub fn bordered_determinant(
     field: &Field,
     covector: &[Polynomial],

@@ -8,9 +8,9 @@ use crate::densities::darboux::random_step;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. Exponents have
-/// the given `signs`, and Σ |exponent|·degree = `degree`. The product is tested at two random
-/// points modulo 2⁶¹ − 1; the caller proves it.
+/// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. The exponents
+/// have the given `signs`, and Σ |exponent|·degree equals `degree`. The product is tested at two
+/// random points modulo 2⁶¹ − 1; the caller proves it.
 pub(crate) fn product(
     searched: &SearchField,
     factors: &[Polynomial],

@@ -1,4 +1,4 @@
-//! Possible cofactors of polynomials under the map.
+//! Lists the possible cofactors of polynomials under the map.
 //!
 //! In homogeneous coordinates, x₀ = 1, the map is F = (N₁ … Nₙ, D) of degree δ. Let P∘F = C·Q with
 //! P and Q of degree d. Then C has degree d(δ − 1) and vanishes only on hypersurfaces that F

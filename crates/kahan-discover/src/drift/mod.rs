@@ -51,7 +51,7 @@ const MOST_CHARACTERS: usize = 1000;
 /// A proved drift.
 #[derive(Clone, Debug)]
 pub struct Drift {
-    /// The claim in the language of `kahan!`: `drift F1 = … by …;`.
+    /// The claim in the language of `kahan!`, for example `drift F1 = … by …;`.
     pub text: String,
     /// The claim as read from the text.
     pub claim: Claim,
@@ -297,7 +297,7 @@ impl Search<'_> {
         self.claims.name("F", Some(self.found.len() + 1))
     }
 
-    /// Adds the drift above/below if its claim is short and proved.
+    /// Adds the drift above/below, if the claim of the drift is short and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);

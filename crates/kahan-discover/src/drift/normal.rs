@@ -180,8 +180,8 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     sum
 }
 
-/// Returns a basis of the row vectors v with vM = 0, by elimination in Mᵀ. Each vector has 1 in one
-/// column without a pivot, and 0 in the other columns without a pivot.
+/// Returns a basis of the row vectors v with vM = 0, by elimination in the transposed matrix. Each
+/// vector has 1 in one column without a pivot, and 0 in the other columns without a pivot.
 fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
     let columns = matrix.len();
     let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();

@@ -54,7 +54,8 @@ impl Accepted<'_> {
         }
     }
 
-    /// Accepts known integrals once the search reaches their degree, or becomes expensive.
+    /// Accepts known integrals once the search reaches the degree of the integral, or becomes
+    /// expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();

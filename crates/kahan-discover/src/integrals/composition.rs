@@ -1,7 +1,7 @@
-//! Integrals that compositions preserve, tested on the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘
-//! φ_{γ₁ε}.
+//! Finds the integrals that compositions of the map φ preserve. They are tested on the symmetric
+//! product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂.
 //!
-//! Compositions of higher order have this pattern. Here the numbers γ₁ and γ₂ are random.
+//! Compositions of higher order have this pattern.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -19,9 +19,10 @@ use crate::orbits::hilbert::{Hilbert, random_relations};
 pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
-    /// For each formula, whether the composed map preserves it.
+    /// Tells for each formula whether the composed map preserves the formula.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas that the composed map does not preserve, but whose quotient it does.
+    /// Pairs of formulas whose quotient the composed map preserves, but not the formulas
+    /// themselves.
     pub quotients: Vec<(usize, usize)>,
 }
 

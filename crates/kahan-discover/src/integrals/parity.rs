@@ -1,4 +1,4 @@
-//! Sign changes of states that map orbits to orbits.
+//! Finds the sign changes of states that map orbits to orbits.
 //!
 //! If f(Sx) = ±S f(x) with S = diag(±1), then φ(Sx) = Sφ(x) at ε or −ε, and S maps the closure of
 //! the orbit of x to that of Sx. A coefficient of the reduced relations then changes by the signs
@@ -42,7 +42,7 @@ pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     solutions.filter(|solution| *solution != 0).take(MOST).collect()
 }
 
-/// Returns the sign of a monomial under each generator, one bit each.
+/// Returns the sign of a monomial under each generator. Each sign is one bit of the result.
 #[must_use]
 pub fn character(generators: &[u64], exponents: &[u32]) -> u64 {
     let odd = exponents.iter().enumerate().filter(|(_, exponent)| *exponent % 2 == 1);

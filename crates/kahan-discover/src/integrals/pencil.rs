@@ -20,7 +20,7 @@ pub(crate) const SPARE: usize = 4;
 pub struct Pencil {
     /// The degree of the polynomials.
     pub degree: u32,
-    /// The space; quotients of its elements are integrals.
+    /// The space of polynomials. Quotients of its elements are integrals.
     pub space: PolynomialSpace,
     pub(crate) source: Source,
 }

@@ -1,4 +1,4 @@
-//! Independent integrals over ℚ(parameters, ε), reconstructed and proved.
+//! Reconstructs independent integrals over ℚ(parameters, ε), and proves them.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;

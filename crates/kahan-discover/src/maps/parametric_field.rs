@@ -100,7 +100,7 @@ impl ParametricField {
     }
 }
 
-/// Evaluates a polynomial; `None` if the prime divides a denominator of its coefficients.
+/// Evaluates a polynomial. `None` if the prime divides a denominator of the coefficients.
 pub(crate) fn evaluate(
     modulus: &Modulus,
     polynomial: &Polynomial,

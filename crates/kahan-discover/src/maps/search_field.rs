@@ -13,7 +13,7 @@ use crate::maps::parametric_field::{ParametricField, evaluate};
 use crate::modular::modulus::Modulus;
 use crate::modular::weights::Weights;
 
-/// A field, and the value of ε if it is fixed.
+/// A field with fixed or generic ε. The value of ε is stored if it is fixed.
 #[derive(Clone, Debug)]
 pub struct SearchField {
     family: ParametricField,
@@ -94,7 +94,7 @@ impl SearchField {
         &self.weights
     }
 
-    /// Returns ε if it is fixed.
+    /// Returns the value of ε if it is fixed.
     #[must_use]
     pub fn eps(&self) -> Option<&Rational> {
         self.eps.as_ref()
@@ -162,7 +162,7 @@ impl SearchField {
         })
     }
 
-    /// Substitutes the fixed ε, if any.
+    /// Substitutes the value of ε if it is fixed.
     #[must_use]
     pub fn at_eps(&self, polynomial: Polynomial) -> Polynomial {
         match &self.eps {

@@ -1,4 +1,4 @@
-//! Matrices modulo a prime: reduced row echelon form, rank and null space.
+//! Matrices modulo a prime, with reduced row echelon form, rank and null space.
 //!
 //! Rows are equations, and columns are unknowns. A column becomes a pivot if it is no linear
 //! combination of earlier columns. With monomials in ascending order, every null vector expresses
@@ -12,7 +12,8 @@ use crate::modular::modulus::Modulus;
 pub struct Echelon {
     /// The pivot columns, ascending.
     pub pivots: Vec<usize>,
-    /// One row for each pivot: 1 in its own pivot column, 0 in the other pivot columns.
+    /// The rows, one for each pivot. A row has 1 in its own pivot column, and 0 in the other pivot
+    /// columns.
     pub rows: Vec<Vec<u64>>,
     columns: usize,
 }

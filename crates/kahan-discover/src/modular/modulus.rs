@@ -128,7 +128,7 @@ impl Modulus {
         if a == 0 { 0 } else { self.prime - a }
     }
 
-    /// Returns 1/a; `None` for 0.
+    /// Returns 1/a. `None` for a = 0.
     #[must_use]
     pub fn inverse(&self, a: u64) -> Option<u64> {
         // The stored ã is a·2⁶⁴, so 1/ã must be multiplied by 2¹²⁸.
@@ -154,7 +154,7 @@ impl Modulus {
         true
     }
 
-    /// Returns a^exponent; 0⁰ is 1.
+    /// Returns a^exponent, where 0⁰ is 1.
     #[must_use]
     pub fn power(&self, a: u64, exponent: u32) -> u64 {
         let (mut power, mut base, mut exponent) = (self.one, a, exponent);

@@ -79,7 +79,7 @@ impl Monomials {
     /// Returns the number of monomials of degree at most `degree`.
     ///
     /// # Panics
-    /// Beyond the highest degree.
+    /// If `degree` exceeds the highest degree of the list.
     #[must_use]
     pub fn up_to(&self, degree: u32) -> usize {
         self.counts[degree as usize]

@@ -22,19 +22,19 @@ pub enum Growth {
     Undecided,
 }
 
-/// A growth class with its evidence.
+/// A kind of growth with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthVerdict {
     /// The class.
     pub growth: Growth,
     /// The observation in words.
     pub evidence: String,
-    /// The proof of exponential growth; `None` if growth was only observed.
+    /// The proof of exponential growth. `None` if growth was only observed.
     pub proof: Option<GrowthProof>,
 }
 
 impl Growth {
-    /// Returns the class in one word.
+    /// Returns the kind of growth in one word.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -46,7 +46,7 @@ impl Growth {
         }
     }
 
-    /// Returns the algebraic entropy; 0 unless growth is exponential.
+    /// Returns the algebraic entropy, which is 0 unless growth is exponential.
     #[must_use]
     pub fn entropy(&self) -> f64 {
         match self {

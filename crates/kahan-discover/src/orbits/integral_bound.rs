@@ -1,4 +1,4 @@
-//! Upper bounds on the number of integrals, from the fixed points of the map.
+//! Computes upper bounds on the number of integrals, from the fixed points of the map.
 //!
 //! The input is a field. The output is the least bound found, with a zero of the field modulo a
 //! prime that proves the bound ([`integral_bound`]). Zeros are found by trial: some states are
@@ -139,7 +139,7 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
 enum RestrictedComponent {
     /// The component depends on no other state.
     Constant(u64),
-    /// The component is c₀ + c₁x + c₂x² in one other state x.
+    /// The component is c₀ + c₁x + c₂x² for one unknown state x.
     Single { state: usize, coefficients: [u64; 3] },
     /// The component depends on several other states.
     Several,

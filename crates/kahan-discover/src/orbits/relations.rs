@@ -1,4 +1,4 @@
-//! Polynomial relations on one orbit.
+//! Finds the polynomial relations on one orbit.
 //!
 //! The values of all monomials up to a degree along an orbit form a matrix. Its null vectors are
 //! the polynomials that vanish on the orbit, hence on the orbit's Zariski closure. In reduced form

@@ -34,7 +34,7 @@ const SPARE: usize = 6;
 /// A decomposition f = K∇H with K constant and antisymmetric.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hamiltonian {
-    /// The matrix K, row by row; its entries are free of states.
+    /// The matrix K, row by row. Its entries are free of states.
     pub tensor: Vec<Vec<RationalFunction>>,
     /// The function H, a polynomial in the states over parameters, of degree at most three.
     pub hamiltonian: RationalFunction,

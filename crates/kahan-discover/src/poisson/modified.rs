@@ -1,4 +1,4 @@
-//! The modified Hamiltonians of the map, one for each constant K with f = K∇H.
+//! Finds the modified Hamiltonians of the map, one for each constant K with f = K∇H.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;

@@ -1,4 +1,5 @@
-//! Polynomials of low degree in the scanned parameters that vanish at special grid points only.
+//! Finds polynomials of low degree in the scanned parameters that vanish at special grid points
+//! only.
 //!
 //! Simple polynomials come first: a single value, linear polynomials, two monomials. Special points
 //! where an earlier polynomial vanishes are no evidence for later polynomials. Numbers are residues
@@ -15,7 +16,7 @@ use crate::modular::modulus::{Modulus, rational_from_residue};
 use crate::modular::monomials::Monomials;
 
 pub(super) struct Grid {
-    /// The values of the parameters, one row for each point.
+    /// The values of the parameters, with one row for each point.
     pub(super) points: Vec<Vec<Rational>>,
     pub(super) special: Vec<bool>,
 }
@@ -24,7 +25,7 @@ pub(super) struct Grid {
 pub(super) struct VanishingPolynomial {
     /// The polynomial. Its variable with index k stands for the scanned parameter k.
     pub(super) polynomial: Polynomial,
-    /// The special points at which it vanishes.
+    /// The special points at which the polynomial vanishes.
     pub(super) points: Vec<usize>,
 }
 

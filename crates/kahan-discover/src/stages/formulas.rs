@@ -23,12 +23,13 @@ use super::Deadlines;
 /// The integrals that a search with relations of some degree finds.
 pub(super) struct Integrals {
     pub(super) integrals: Vec<Formula>,
-    /// All proved formulas, including long ones that bases replace.
+    /// All proved formulas, including long formulas that bases replace.
     pub(super) all: Vec<Formula>,
     pub(super) bases: Vec<Basis>,
-    /// The number of independent integrals, including those without a formula.
+    /// The number of independent integrals, including integrals without a formula.
     pub(super) independent: usize,
-    /// For each modified Hamiltonian, whether it is proved as a claim, and its form.
+    /// For each modified Hamiltonian: whether it is proved as a claim, and the form in which it is
+    /// given.
     pub(super) modified: Vec<(bool, ModifiedPlace)>,
 }
 

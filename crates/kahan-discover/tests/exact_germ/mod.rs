@@ -18,7 +18,8 @@ pub(crate) struct ExactGerm {
 }
 
 impl ExactGerm {
-    /// Returns a point of the curve chosen by `seed`; `None` if the curve is linear in no state.
+    /// Returns a point of the curve that `seed` determines. `None` if the curve is linear in no
+    /// state.
     pub(crate) fn on(field: &Field, eps: &Rational, curve: &Polynomial, seed: i64) -> Option<Self> {
         let symbols = &field.symbols;
         let n = field.dimension();

@@ -1,4 +1,4 @@
-//! Reports of fields, and checks that hold for all of them.
+//! Makes reports of fields, and checks what must hold for all of them.
 
 use kahan_algebra::{lexer, read};
 use kahan_discover::orbits::hilbert::default_degree;

@@ -1,4 +1,4 @@
-//! Sentences on maps of the plane.
+//! Writes sentences on maps of the plane.
 
 use crate::orbits::growth::Growth;
 use crate::orbits::plane::GrowthProof;

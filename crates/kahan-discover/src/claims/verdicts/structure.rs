@@ -1,4 +1,4 @@
-//! Sentences on the structure of the field.
+//! Writes sentences on the structure of the field.
 
 use crate::poisson::hamiltonian::is_within_reach;
 use crate::report::{HamiltonianReport, Report};

@@ -237,7 +237,7 @@ pub(crate) fn is_product(text: &str) -> bool {
     })
 }
 
-/// Tells whether the text is one sum in parentheses, perhaps with an exponent.
+/// Tells whether the text is a single sum in parentheses, perhaps with an exponent.
 fn is_group(text: &str) -> bool {
     let inner = text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('^');
     let mut depth = 0;

@@ -73,7 +73,7 @@ impl Basis {
     /// coefficient of the unit is 1. The first [`points`](Self::points) points of `orbit` are used.
     ///
     /// # Errors
-    /// See [`BasisError`].
+    /// Returns the reason why the coefficients cannot be computed, as a [`BasisError`].
     pub fn evaluate_exact(&self, orbit: &[Vec<Rational>]) -> Result<Vec<Rational>, BasisError> {
         self.check(orbit)?;
         let value = |exponents: &[u32], point: &[Rational]| {
@@ -113,7 +113,7 @@ impl Basis {
     /// The coefficient of the unit is 1. All points of `orbit` are used; they must be consecutive.
     ///
     /// # Errors
-    /// See [`BasisError`].
+    /// Returns the reason why the coefficients cannot be computed, as a [`BasisError`].
     pub fn evaluate(&self, orbit: &[Vec<f64>]) -> Result<BasisValues, BasisError> {
         self.check(orbit)?;
         let value = |exponents: &[u32], point: &[f64]| {

@@ -179,8 +179,8 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // Known tensors usually have shorter texts than basis elements. Sums of basis elements may be
-    // shorter still, since each element is divided by its common factors.
+    // Prefer known tensors, which usually have shorter texts than basis elements. Sums of basis
+    // elements may be shorter still, since each element is divided by its common factors.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
