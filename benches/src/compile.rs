@@ -1,9 +1,9 @@
-//! The cost of compiling a block: the macro's own time, and the compiler's time beyond that of an
-//! empty crate.
+//! Measures the cost of compiling a block: the macro's own time, and the compiler's time beyond
+//! that of an empty crate.
 //!
 //! Each block is built in a temporary library with one call of its step, so nothing is linked;
-//! dependencies are built before. The figure is the least of several builds, alternating with those
-//! of other blocks.
+//! dependencies are built before. The figure is the least of several builds, which alternate with
+//! builds of other blocks.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ use tempfile::TempDir;
 
 use crate::progress::Progress;
 
-/// Catalog files, whose blocks have claims.
+/// Files of the catalog, whose blocks have claims.
 const CATALOG: [(&str, &str); 6] = [
     ("LotkaVolterra", include_str!("../../systems/src/catalog/lotka_volterra.rs")),
     ("EulerTop", include_str!("../../systems/src/catalog/euler.rs")),
@@ -25,19 +25,20 @@ const CATALOG: [(&str, &str); 6] = [
     ("E6", include_str!("../../systems/src/catalog/e6.rs")),
 ];
 
-/// The figures of an earlier state for comparison; its first lines name that state.
+/// The figures of an earlier commit for comparison. The first lines name that commit.
 pub(crate) const BEFORE: &str = include_str!("../before.tsv");
 
-/// The time for one block in milliseconds. Builds are measured in processor time, which other
-/// programs affect least.
+/// The time for one block in milliseconds. Builds are measured in processor time, on which other
+/// programs have the least effect.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cost {
-    /// The system, and whether the block has claims.
+    /// The name of the system, and whether the block has claims.
     pub(crate) block: String,
     pub(crate) expansion: f64,
-    /// The unoptimised compiler time beyond an empty crate, including the macro.
+    /// The compiler time beyond that of an empty crate in an unoptimised build, including the
+    /// macro.
     pub(crate) debug: f64,
-    /// The optimised compiler time beyond an empty crate.
+    /// The compiler time beyond that of an empty crate in an optimised build.
     pub(crate) release: f64,
 }
 
@@ -46,7 +47,7 @@ struct Probe {
     source: String,
 }
 
-/// Measures every block with a checkout's `kahan-core`, in rounds with an empty crate.
+/// Measures every block with the `kahan-core` of a checkout, in rounds that include an empty crate.
 pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
     let core = fs::canonicalize(checkout.join("kahan-core"))
         .with_context(|| format!("{} has no folder kahan-core; is it a checkout?", checkout.display()))?;
@@ -158,7 +159,7 @@ impl Folder {
     }
 }
 
-/// Returns the processor seconds of ended child processes.
+/// Returns the processor time in seconds of child processes that have ended.
 #[cfg(unix)]
 fn processor_time() -> f64 {
     use nix::sys::resource::{UsageWho, getrusage};
@@ -171,7 +172,8 @@ fn processor_time() -> f64 {
     })
 }
 
-/// Returns wall-clock time instead, on other systems.
+/// Returns wall-clock time, since this system does not report the processor time of child
+/// processes.
 #[cfg(not(unix))]
 fn processor_time() -> f64 {
     use std::sync::LazyLock;

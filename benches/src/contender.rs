@@ -1,6 +1,6 @@
-//! A method that advances a state, run for a number of steps. The loop of dependent steps is
-//! compiled separately for each contender, so all loops are alike. Chains restart every [`SEGMENT`]
-//! steps, so that orbits stay in a range where arithmetic takes its usual time.
+//! A contender is a method that advances a state for a number of steps. The loop of dependent steps
+//! is compiled separately for each contender, so all loops are alike. Chains restart every
+//! [`SEGMENT`] steps, so that orbits stay in a range where arithmetic takes its usual time.
 
 use std::hint::black_box;
 
@@ -9,11 +9,11 @@ const SEGMENT: usize = 2048;
 /// The role of a contender in the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
-    /// The reference of all ratios: the generated, prepared step.
+    /// The reference of all ratios, which is the generated, prepared step.
     Baseline,
-    /// Generated code, called in another way.
+    /// Generated code that is called in another way.
     Generated,
-    /// Careful code for this system.
+    /// Code that was carefully written for this system.
     ByHand,
     /// Another method that a user could choose.
     Rival,
@@ -41,7 +41,8 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// Makes a contender of `orbit`, which takes an initial state and a number of steps.
+    /// Makes a contender from the function `orbit`, which takes an initial state and a number of
+    /// steps.
     pub(crate) fn of_orbit<const N: usize>(
         name: &'static str,
         role: Role,

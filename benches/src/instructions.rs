@@ -1,5 +1,6 @@
-//! Instructions per step, counted by valgrind's callgrind and free of timing noise. The program
-//! runs a contender twice with different numbers of steps; the difference counts only the loop.
+//! Counts instructions per step with valgrind's callgrind, which is free of timing noise. The
+//! program runs a contender twice with different numbers of steps. The difference counts only the
+//! loop.
 
 use std::env;
 use std::process::{Command, Stdio};
@@ -8,7 +9,7 @@ use anyhow::{Context, Result, bail};
 
 pub(crate) const RUN_ONE: &str = "run-one";
 
-/// The steps of the shorter run; the longer run has twice as many.
+/// The number of steps in the shorter run. The longer run has twice as many.
 const STEPS: usize = 2048;
 
 pub(crate) fn can_be_counted() -> bool {

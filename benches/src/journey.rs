@@ -1,6 +1,6 @@
-//! Integrations over a fixed time, which compare integrators of different kinds: methods to reach
-//! [`SPAN`] from an initial state, with their tolerances, and their distance from the flow at the
-//! end.
+//! Integrations over a fixed time, which compare integrators of different kinds. Each is a method
+//! that reaches the time [`SPAN`] from an initial state, with its tolerance, and its distance from
+//! the flow at the end.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
@@ -9,7 +9,7 @@ use crate::rivals::{diffsol, dop853, midpoint, runge_kutta};
 
 pub(crate) const SPAN: f64 = 8.0;
 
-/// The step 2ε of fixed-step methods.
+/// The time step 2ε of methods with fixed steps.
 pub(crate) const STEP: f64 = 1.0 / 64.0;
 
 /// The absolute and relative tolerance of adaptive methods.

@@ -1,16 +1,16 @@
-//! Limits and measured figures.
+//! Measured figures, and the limits that they may not exceed.
 
 use serde_json::{Value, json};
 
 use crate::table::Table;
 
-/// A figure, with its limit if there is one.
+/// A measured figure, with its limit if there is one.
 pub(crate) struct Limit {
     pub(crate) figure: String,
     pub(crate) at_most: Option<f64>,
-    /// `None` if it cannot be measured here.
+    /// The measured figure. `None` if it cannot be measured here.
     pub(crate) measured: Option<f64>,
-    /// `×` for a ratio, `ms` for a time.
+    /// The unit of the figure: `×` for a ratio, `ms` for a time.
     pub(crate) unit: &'static str,
 }
 

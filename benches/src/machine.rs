@@ -1,11 +1,12 @@
-//! The machine, compiler and commit of a measurement.
+//! Describes the machine, compiler and commit of a measurement.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use std::thread::available_parallelism;
 
-/// Returns the processor with its relevant vector instructions, and the number of cores.
+/// Returns the name of the processor with its relevant vector instructions, and the number of
+/// cores.
 pub(crate) fn processor() -> String {
     let cores = available_parallelism().map_or_else(|_| "unknown".to_owned(), |cores| cores.to_string());
     format!("{}, {cores} cores to use", model())

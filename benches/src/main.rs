@@ -1,5 +1,5 @@
-//! Benchmarks: generated steps against hand-written code and other integrators, ensembles against
-//! the machine's bounds, and the cost of compiling.
+//! Benchmarks that compare generated steps with hand-written code and other integrators, and
+//! ensembles with the machine's bounds. They also measure the cost of compiling.
 
 mod by_hand;
 mod cli;

@@ -1,6 +1,6 @@
-//! Order 8 against DOP853, each at its cheapest setting with a trajectory error below [`ERROR`]
-//! from t = 0 to [`HORIZON`]. The reference is the composition in double-double with a sixteenth of
-//! the step, whose error is 16⁸ times smaller.
+//! Compares compositions of order 8 with DOP853. Each method runs at its cheapest setting with a
+//! trajectory error below [`ERROR`] from t = 0 to [`HORIZON`]. The reference is the composition in
+//! double-double with a sixteenth of the step, whose error is 16⁸ times smaller.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars};
@@ -9,7 +9,7 @@ use crate::rivals::dop853;
 
 pub(crate) const HORIZON: f64 = 64.0;
 
-/// The largest error along the trajectory, relative to the largest component.
+/// The largest permitted error along the trajectory, relative to the largest component.
 pub(crate) const ERROR: f64 = 1e-8;
 
 /// The number of equidistant times at which errors are measured.
@@ -23,7 +23,7 @@ pub(crate) struct Run {
     pub(crate) go: Box<dyn Fn()>,
 }
 
-/// Returns both methods for a system; the composition is second.
+/// Returns the runs of both methods for a system. The composition is the second one.
 pub(crate) fn runs<M, const N: usize>(map: M, start: [f64; N]) -> [Run; 2]
 where
     M: ExtendScalars<f64, N> + Copy + 'static,

@@ -1,4 +1,4 @@
-//! A progress bar on standard error, hidden unless standard error is a terminal.
+//! A progress bar on standard error, which is hidden unless standard error is a terminal.
 
 use std::io::{IsTerminal, stderr};
 

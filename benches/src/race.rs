@@ -1,11 +1,11 @@
-//! Alternating timing of several runners. Returns the quartiles of their times, and of their ratios
-//! to the first runner within each round, so that temporary slowdowns affect both sides of a ratio.
+//! Times several runners in alternation. Returns the quartiles of their times, and of their ratios
+//! to the first runner within each round. Temporary slowdowns then affect both sides of a ratio.
 
 use std::time::{Duration, Instant};
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// The number of rounds; each times every runner once.
+    /// The number of rounds. A round times every runner once.
     pub(crate) rounds: usize,
     pub(crate) sample: Duration,
 }
@@ -40,7 +40,7 @@ impl Quartiles {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
-    /// The least nanoseconds per unit over all rounds, as on an undisturbed machine.
+    /// The least nanoseconds per unit of work over all rounds, as on an undisturbed machine.
     pub(crate) nanoseconds: f64,
     pub(crate) ratio: Quartiles,
 }
@@ -51,8 +51,9 @@ pub(crate) fn seconds(run: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64()
 }
 
-/// Times `runners` alternately. `seconds(i, units)` runs `units` units of runner i and returns the
-/// seconds; the order rotates from round to round. Panics without a runner.
+/// Times `runners` alternately. The function `seconds(i, units)` runs `units` units of work of
+/// runner i and returns the seconds. The order rotates from round to round. Panics without a
+/// runner.
 pub(crate) fn race(
     runners: usize,
     effort: Effort,
@@ -79,12 +80,14 @@ pub(crate) fn race(
 
 const PASSES: usize = 3;
 
-/// Returns the least nanoseconds per unit for several races with these numbers of `runners`.
+/// Returns the least nanoseconds per unit of work for several races. Race i has `runners[i]`
+/// runners.
 ///
 /// The races run one after the other, several times, because a disturbance by another program may
-/// last longer than one race. Disturbances delay code that fills the processor's units more than
-/// dependent chains, so medians are unsuitable. `seconds(race, i, units)` runs `units` units of
-/// runner i. Fails with the first error of `seconds`; panics if a race has no runner.
+/// last longer than one race. Disturbances delay code that keeps all parts of the processor busy
+/// more than dependent chains, so medians are unsuitable. The function `seconds(race, i, units)`
+/// runs `units` units of work of runner i. Fails with the first error of `seconds`; panics if a
+/// race has no runner.
 pub(crate) fn least_times<E>(
     runners: &[usize],
     effort: Effort,
@@ -113,7 +116,7 @@ pub(crate) fn least_times<E>(
 fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
     let mut units = 1;
     loop {
-        // Use the least of three, because an interrupted trial would give too few units.
+        // Use the least of three trials, because an interrupted trial would give too few units.
         let taken = (0..3).map(|_| seconds(units)).fold(f64::INFINITY, f64::min);
         if taken > 0.1 * sample.as_secs_f64() {
             return ((units as f64 * sample.as_secs_f64() / taken) as usize).max(1);
@@ -135,7 +138,7 @@ mod tests {
     #[test]
     fn the_least_time_is_kept_for_each_runner_of_each_race() {
         let effort = Effort { rounds: 3, sample: Duration::from_micros(20) };
-        // A simulated disturbance doubles the times of the first calls, for longer than one pass.
+        // The simulated disturbance doubles the times of the first calls, for longer than one pass.
         let mut calls = 0;
         let times = least_times(&[1, 2], effort, |race, i, units| {
             calls += 1;

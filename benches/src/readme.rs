@@ -1,6 +1,6 @@
-//! The measured parts of `docs/reference/speed.md`: the picture of a trade, and the tables of
-//! speed, tiers and extremes. Results of this checkout's command and timings replace the text
-//! between the markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`; the other text is
+//! Writes the measured parts of `docs/reference/speed.md`: the picture of a trade, and the tables
+//! of speed, tiers and extremes. Results of this checkout's command, and timings, replace the text
+//! between the markers `<!-- begin: NAME -->` and `<!-- end: NAME -->`. The other text is
 //! unchanged.
 
 use std::path::Path;
@@ -21,7 +21,7 @@ const SCENE: [&str; 8] = ["trade", "e6", "--at", "1,1/2,1/3", "--horizon", "100"
 
 const TRIALS: &str = "1000000";
 
-/// The tiers in the order of the table: name in the timings, call, and promise.
+/// The rows of the table of tiers, in order: the name in the timings, the call, and its guarantee.
 const PROMISES: [(&str, &str, &str); 6] = [
     ("fast", "`step`, `orbit`", "a few u in short steps away from poles; nothing is looked at"),
     ("compensated", "`orbit(..).compensated()`", "the same, and the rounding of a step falls to O(ε)·u"),
@@ -35,7 +35,7 @@ const PROMISES: [(&str, &str, &str); 6] = [
     ("f32", "`f32`", "the fast tier with u = 2⁻²⁴"),
 ];
 
-/// The systems in the table of speed, with their names there.
+/// The systems in the table of speed, each with its name there.
 const NAMES: [(&str, &str); 8] = [
     ("LotkaVolterra", "Lotka–Volterra"),
     ("EulerTop", "Euler top"),

@@ -1,4 +1,4 @@
-//! The eight systems with all contenders.
+//! The eight systems, each with all contenders.
 
 use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
@@ -15,7 +15,7 @@ pub(crate) const STATIC_LU: &str = "Kahan by SMatrix LU";
 pub(crate) struct System {
     pub(crate) name: &'static str,
     pub(crate) dimension: usize,
-    /// Contenders for one step; the first one, the generated step, is the reference.
+    /// The contenders for one step. The first contender, the generated step, is the reference.
     pub(crate) steps: Vec<Contender>,
     pub(crate) journeys: Vec<Journey>,
 }

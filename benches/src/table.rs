@@ -1,8 +1,8 @@
-//! Tables in Markdown, aligned so that they are readable as text.
+//! Writes tables in Markdown, aligned so that they are readable as text.
 
 use std::fmt;
 
-/// Rows of text under headings; the first column is left-aligned, the others right-aligned.
+/// Rows of text under headings. The first column is left-aligned, and the others are right-aligned.
 pub(crate) struct Table {
     pub(crate) head: Vec<String>,
     pub(crate) rows: Vec<Vec<String>>,
@@ -13,7 +13,7 @@ impl Table {
         Self { head: head.iter().map(|&title| title.to_owned()).collect(), rows: Vec::new() }
     }
 
-    /// Panics unless the row has a cell for each column.
+    /// Adds a row. Panics unless the row has a cell for each column.
     pub(crate) fn push(&mut self, row: Vec<String>) {
         assert_eq!(row.len(), self.head.len(), "a row of {row:?}");
         self.rows.push(row);

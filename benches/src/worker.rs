@@ -1,4 +1,4 @@
-//! Processes that time tasks on request, in a default and a native build.
+//! Starts processes that time tasks on request, in a default and a native build.
 
 use std::env;
 use std::io::{BufRead, BufReader, Write};
@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The packages of these processes; each has a program with its name.
+/// The package of the process that times ensembles. Its program has the name of the package.
 pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
 pub(crate) const RUN_TIME: &str = "kahan-bench-run-time";
 pub(crate) const TIERS: &str = "kahan-bench-tiers";
@@ -15,7 +15,7 @@ pub(crate) const TIERS: &str = "kahan-bench-tiers";
 pub(crate) struct Task {
     pub(crate) system: String,
     pub(crate) what: String,
-    /// The additions, multiplications and multiply-adds of one step.
+    /// The number of additions, multiplications and multiply-adds of one step.
     pub(crate) operations: usize,
 }
 
@@ -26,10 +26,11 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a worker and returns its path; native builds use a separate target folder.
+/// Builds a process and returns the path of its program. Native builds use a separate target
+/// folder.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
-    // The path is …/target/release/program.
+    // The path of the program ends in target/release/program.
     let target = program.ancestors().nth(2).context("this program does not lie in a target folder")?;
     let target = if native { target.join("native") } else { target.to_path_buf() };
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));

@@ -1,7 +1,7 @@
-//! A common trait of both back ends, generated code and the run-time interpreter, so that one test
-//! suite runs on both. A system at given parameters, points and ε (half the time step) come in as
-//! exact numbers. Every object of the method goes out as a plain vector, or as `None` where the map
-//! or a claim has no value.
+//! A common trait of two back ends, generated code and the run-time interpreter, so that one test
+//! suite runs on both. The input is a system at given parameters, points and ε (half the time step)
+//! as exact numbers. The output is every object of the method as a plain vector, or `None` where
+//! the map or a claim is undefined.
 
 mod generated;
 mod interpreter;
@@ -11,40 +11,42 @@ use crate::exact::{Matrix, Q, Vector};
 pub use generated::Generated;
 pub use interpreter::{Interpreted, Read};
 
-/// The objects of a system at a point.
+/// The objects of Kahan's method for a system, at a point.
 pub trait BackEnd {
     /// Returns the back end's name, for messages.
     fn label(&self) -> String;
-    /// f(x)
+    /// Returns the field f(x).
     fn field(&self, x: &[Q]) -> Vector;
-    /// f′(x)
+    /// Returns the Jacobian matrix f′(x) of the field.
     fn field_jacobian(&self, x: &[Q]) -> Matrix;
-    /// Q(x,y)
+    /// Returns Q(x,y), the symmetric bilinear form of the field's quadratic part.
     fn bilinear(&self, x: &[Q], y: &[Q]) -> Vector;
-    /// Q(x,y) + ½B(x+y) + c
+    /// Returns the polarised field Q(x,y) + ½B(x+y) + c, where Q, B and c are the quadratic, linear
+    /// and constant part of the field.
     fn polarized(&self, x: &[Q], y: &[Q]) -> Vector;
-    /// A(x,ε)
+    /// Returns the matrix A(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn matrix(&self, x: &[Q], eps: &Q) -> Matrix;
-    /// b(x,ε)
+    /// Returns the right-hand side b(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn rhs(&self, x: &[Q], eps: &Q) -> Vector;
-    /// x̃; `None` at a pole.
+    /// Returns the next point x̃; `None` at a pole.
     fn step(&self, x: &[Q], eps: &Q) -> Option<Vector>;
-    /// ∂x̃/∂x; `None` at a pole.
+    /// Returns the Jacobian matrix ∂x̃/∂x of the map; `None` at a pole.
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix>;
-    /// (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`; `None` at a pole.
+    /// Returns (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`; `None` at a pole.
     fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector>;
-    /// det A(x,ε)
+    /// Returns the determinant of the matrix A(x,ε).
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q;
-    /// det ∂x̃/∂x; `None` at a pole.
+    /// Returns the determinant of ∂x̃/∂x; `None` at a pole.
     fn det_jacobian(&self, x: &[Q], eps: &Q) -> Option<Q>;
-    /// (N, D) = (adj A·b, det A)
+    /// Returns (N, D) = (adj A·b, det A), with x̃ = N/D wherever D ≠ 0.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q);
-    /// x₀, x₁, … x_steps, up to the last point before a pole, and whether a pole ended the orbit.
+    /// Returns the points x₀, x₁, … x_steps, up to the point before a pole, and whether a pole
+    /// ended the orbit.
     fn orbit(&self, x: &[Q], eps: &Q, steps: usize) -> (Vec<Vector>, bool);
-    /// The unconditional integrals in order; `None` where one has no value.
+    /// Returns the integrals without a condition, in order. `None` where one of them is undefined.
     fn integrals(&self, x: &[Q], eps: &Q) -> Option<Vector>;
-    /// The unconditional density; `None` without a value or a declaration.
+    /// Returns the density without a condition. `None` if it is undefined or not declared.
     fn density(&self, x: &[Q], eps: &Q) -> Option<Q>;
-    /// An unconditional bracket; `None` without a value or a declaration.
+    /// Returns a bracket without a condition. `None` if it is undefined or not declared.
     fn bracket(&self, name: &str, x: &[Q], eps: &Q) -> Option<Matrix>;
 }

@@ -1,5 +1,6 @@
-//! Exact numbers for tests: rationals, vectors, matrices and seeded random numbers. Determinants
-//! use Laplace's expansion, which is slow but independent of the eliminations under test.
+//! Exact numbers for tests: rational numbers, vectors, matrices, and seeded random numbers.
+//! Determinants use Laplace's expansion, which is slow but independent of the eliminations under
+//! test.
 
 use kahan_algebra::prime_field::SplitMix64;
 use num_bigint::BigInt;
@@ -12,7 +13,7 @@ pub type Vector = Vec<Q>;
 /// A matrix by rows.
 pub type Matrix = Vec<Vec<Q>>;
 
-/// p/d.
+/// Returns the fraction p/d.
 #[must_use]
 pub fn q(p: i64, d: i64) -> Q {
     Q::new(p.into(), d.into())
@@ -27,7 +28,7 @@ pub fn number(text: &str) -> Q {
     Q::new(integer(p), integer(d))
 }
 
-/// Reads numbers separated by commas: `3/7, -2`.
+/// Reads numbers separated by commas, for example `3/7, -2`.
 #[must_use]
 pub fn numbers(text: &str) -> Vector {
     text.split(',').map(|entry| number(entry.trim())).collect()
@@ -39,44 +40,44 @@ pub fn shown(x: &[Q]) -> String {
     x.iter().map(Q::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// a + b
+/// Returns the vector a + b.
 #[must_use]
 pub fn sum(a: &[Q], b: &[Q]) -> Vector {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
 
-/// a − b
+/// Returns the vector a − b.
 #[must_use]
 pub fn difference(a: &[Q], b: &[Q]) -> Vector {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// factor · v
+/// Returns the vector factor · v.
 #[must_use]
 pub fn scaled(factor: &Q, v: &[Q]) -> Vector {
     v.iter().map(|entry| factor * entry).collect()
 }
 
-/// M v
+/// Returns the product of the matrix M and the vector v.
 #[must_use]
 pub fn product(m: &[Vec<Q>], v: &[Q]) -> Vector {
     m.iter().map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum()).collect()
 }
 
-/// M N
+/// Returns the product of the matrices M and N.
 #[must_use]
 pub fn matrix_product(m: &[Vec<Q>], n: &[Vec<Q>]) -> Matrix {
     let columns = transposed(n);
     m.iter().map(|row| product(&columns, row)).collect()
 }
 
-/// Mᵀ
+/// Returns the transposed matrix Mᵀ.
 #[must_use]
 pub fn transposed(m: &[Vec<Q>]) -> Matrix {
     (0..m.len()).map(|j| m.iter().map(|row| row[j].clone()).collect()).collect()
 }
 
-/// det M by Laplace's expansion along the first column.
+/// Returns det M by Laplace's expansion along the first column.
 #[must_use]
 pub fn determinant(m: &[Vec<Q>]) -> Q {
     let Some(first) = m.first() else { return q(1, 1) };
@@ -94,7 +95,8 @@ pub fn determinant(m: &[Vec<Q>]) -> Q {
     total
 }
 
-/// adj(M) b: entry i is det M with column i replaced by b (Cramer's rule without the division).
+/// Returns adj(M) b. Entry i is the determinant of M with column i replaced by b, as in Cramer's
+/// rule without the division.
 #[must_use]
 pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     let replaced = |column: usize| -> Matrix {
@@ -108,14 +110,15 @@ pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     (0..m.len()).map(|column| determinant(&replaced(column))).collect()
 }
 
-/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 4; small denominators keep exact arithmetic cheap.
+/// Seeded random fractions p/d with |p| ≤ 9 and 1 ≤ d ≤ 4. Small denominators keep exact arithmetic
+/// cheap.
 #[derive(Clone, Debug)]
 pub struct Rationals {
     random: SplitMix64,
 }
 
 impl Rationals {
-    /// Makes the sequence of a seed.
+    /// Makes the sequence of numbers that belongs to a seed.
     #[must_use]
     pub fn seeded(seed: u64) -> Self {
         Self { random: SplitMix64::new(seed) }
@@ -137,7 +140,7 @@ impl Rationals {
         }
     }
 
-    /// Draws a point of `n` numbers.
+    /// Draws a point with `n` coordinates.
     pub fn point(&mut self, n: usize) -> Vector {
         (0..n).map(|_| self.draw()).collect()
     }

@@ -1,8 +1,8 @@
-//! Formulas of the paper as text, evaluated or compared as polynomials.
+//! Reads formulas of the paper from text, and evaluates them or compares them as polynomials.
 //!
-//! Names and a formula in the language of claims come in; the formula may contain `eps` and
-//! divisors. Values at exact numbers, or a normal form, go out. The formula is parsed as a claim of
-//! a block whose states are the names; nothing is proved.
+//! The input consists of names and a formula in the language of claims, which may contain `eps` and
+//! divisors. The output is the value at exact numbers, or a normal form. The formula is parsed as a
+//! claim of a block whose states are the names; nothing is proved.
 
 use kahan_algebra::arithmetic::{Exact, Function, Functions};
 use kahan_algebra::lexer::lex;
@@ -13,13 +13,14 @@ use kahan_algebra::system::System;
 
 use crate::exact::{Q, q};
 
-/// A formula in some names and `eps`; variable k is the k-th name, followed by ε.
+/// A formula in some names and `eps`. Variable k is the k-th name, and ε follows the names.
 #[derive(Clone, Debug)]
 pub struct Expression {
     plan: Plan,
 }
 
-/// Reads and checks a block without proving its claims. Panics with the mistakes, if any.
+/// Reads and checks a block without proving its claims. If there are mistakes, panics and shows
+/// them.
 #[must_use]
 pub fn read_unproved(text: &str) -> System {
     let system = kahan_algebra::read_unproved(&lex(text).tokens).system();
@@ -36,7 +37,7 @@ impl Expression {
         Self { plan: claim.plan }
     }
 
-    /// Evaluates the formula at values of the names and ε; `None` if a divisor is zero.
+    /// Evaluates the formula at values of the names and ε. `None` if a divisor is zero.
     #[must_use]
     pub fn at(&self, values: &[Q], eps: &Q) -> Option<Q> {
         let value = |index: usize| values.get(index).unwrap_or(eps).clone();

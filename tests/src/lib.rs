@@ -1,4 +1,4 @@
-//! Modules shared by the tests: exact numbers, back ends, reference files, random fields, rounding
+//! Modules that tests share: exact numbers, back ends, reference files, random fields, and rounding
 //! bounds.
 
 pub mod back_end;

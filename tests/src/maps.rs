@@ -1,8 +1,8 @@
-//! Generated maps behind traits, over any scalar and dimension.
+//! Generated maps behind traits, over any scalar and in any dimension.
 //!
-//! [`Steps`] and [`Map`] cover the catalog and the random fields, in the order and with the
-//! parameters of `subject::paper`, `subject::further` and `subject::random`. Tests over these
-//! traits are compiled once instead of once for each system.
+//! [`Steps`] and [`Map`] cover the catalog and the random fields. The order and the parameters are
+//! those of `subject::paper`, `subject::further` and `subject::random`. Tests over these traits are
+//! compiled once instead of once for each system.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, ExtendScalars, KahanAt, Orbit, SingularStep};
@@ -16,59 +16,60 @@ pub type Rows<T> = Vec<Vec<T>>;
 
 /// The steps of a map.
 pub trait Steps<T> {
-    /// x̃, finite or not.
+    /// Returns the next point x̃, finite or not.
     fn step(&self, x: &[T], eps: T) -> Vec<T>;
-    /// x̃, or the reason why it has no value.
+    /// Returns the next point x̃, or the reason why it is undefined.
     fn try_step(&self, x: &[T], eps: T) -> Result<Vec<T>, SingularStep>;
 }
 
-/// The objects of a map.
+/// The objects of Kahan's method for a map.
 pub trait Map<T>: Steps<T> {
-    /// f(x)
+    /// Returns the field f(x).
     fn field(&self, x: &[T]) -> Vec<T>;
-    /// f′(x)
+    /// Returns the Jacobian matrix f′(x) of the field.
     fn field_jacobian(&self, x: &[T]) -> Rows<T>;
-    /// Q(x,y)
+    /// Returns Q(x,y), the symmetric bilinear form of the field's quadratic part.
     fn bilinear(&self, x: &[T], y: &[T]) -> Vec<T>;
-    /// Q(x,y) + ½B(x+y) + c
+    /// Returns the polarised field Q(x,y) + ½B(x+y) + c, where Q, B and c are the quadratic, linear
+    /// and constant part of the field.
     fn polarized(&self, x: &[T], y: &[T]) -> Vec<T>;
-    /// A(x,ε)
+    /// Returns the matrix A(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn matrix(&self, x: &[T], eps: T) -> Rows<T>;
-    /// b(x,ε)
+    /// Returns the right-hand side b(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn rhs(&self, x: &[T], eps: T) -> Vec<T>;
-    /// The inverse map.
+    /// Returns the image under the inverse map.
     fn step_back(&self, x: &[T], eps: T) -> Vec<T>;
-    /// ∂x̃/∂x
+    /// Returns the Jacobian matrix ∂x̃/∂x of the map.
     fn jacobian(&self, x: &[T], eps: T) -> Rows<T>;
-    /// det A(x,ε)
+    /// Returns the determinant of the matrix A(x,ε).
     fn det_matrix(&self, x: &[T], eps: T) -> T;
-    /// det ∂x̃/∂x
+    /// Returns the determinant of ∂x̃/∂x.
     fn det_jacobian(&self, x: &[T], eps: T) -> T;
-    /// (N, D) = (adj A·b, det A)
+    /// Returns (N, D) = (adj A·b, det A), with x̃ = N/D wherever D ≠ 0.
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
-    /// (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`.
+    /// Returns (∂x̃/∂x)·v for a tangent vector v, given x̃ as `next`.
     fn push_forward(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
-    /// The prepared map.
+    /// Returns the map prepared at ε.
     fn at(&self, eps: T) -> Box<dyn Prepared<T>>;
-    /// x₀, x₁, …
+    /// Returns the orbit x₀, x₁, … that starts at x.
     fn orbit(&self, x: &[T], eps: T) -> Box<dyn Points<T>>;
 }
 
 /// A map prepared at an ε.
 pub trait Prepared<T> {
-    /// x̃, finite or not.
+    /// Returns the next point x̃, finite or not.
     fn step(&self, x: &[T]) -> Vec<T>;
-    /// x̃, or the reason why it has no value.
+    /// Returns the next point x̃, or the reason why it is undefined.
     fn try_step(&self, x: &[T]) -> Result<Vec<T>, SingularStep>;
-    /// ∂x̃/∂x
+    /// Returns the Jacobian matrix ∂x̃/∂x of the map.
     fn jacobian(&self, x: &[T]) -> Rows<T>;
-    /// x₀, x₁, …
+    /// Returns the orbit x₀, x₁, … that starts at x.
     fn orbit(&self, x: &[T]) -> Box<dyn Points<T>>;
 }
 
 /// The points of an orbit.
 pub trait Points<T> {
-    /// Returns the next point; `None` after the last.
+    /// Returns the next point; `None` after the final point.
     fn next_point(&mut self) -> Option<Vec<T>>;
     /// Returns whether a pole ended the orbit.
     fn has_stopped(&self) -> bool;
@@ -249,7 +250,7 @@ macro_rules! at_random_parameters {
 
 macro_rules! random_maps {
     (in_floats { $($floats:tt)* } over_rationals { $($rationals:tt)* }) => {
-        /// Returns the random fields compiled over floats.
+        /// Returns the random fields that are compiled over floats.
         #[must_use]
         pub fn random_in_floats<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
             at_random_parameters!($($floats)*)
@@ -265,14 +266,14 @@ macro_rules! random_maps {
 
 crate::with_random_systems!(random_maps);
 
-/// Returns the systems of the paper and the random fields compiled over floats.
+/// Returns the systems of the paper, and the random fields that are compiled over floats.
 #[must_use]
 pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random_in_floats()).collect()
 }
 
-/// Returns x₁, …, x_steps in four ways: by `step`, the prepared map, its orbit, and the map's
-/// orbit.
+/// Returns the points x₁, …, x_steps in four ways: by `step`, by the prepared map, by its orbit,
+/// and by the map's orbit.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {
@@ -287,7 +288,7 @@ pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [V
     [by(&|x| map.step(x, eps)), by(&|x| prepared.step(x)), of(prepared.orbit(x)), of(map.orbit(x, eps))]
 }
 
-/// Calls every method; returns the number of points of an orbit, at most four.
+/// Calls every method of a map. Returns the number of points of an orbit, at most four.
 pub fn call_everything<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T) -> usize {
     let _ = (map.field(x), map.field_jacobian(x), map.bilinear(x, x), map.polarized(x, x));
     let _ = (map.matrix(x, eps), map.rhs(x, eps), map.rational_map(x, eps), map.det_matrix(x, eps));

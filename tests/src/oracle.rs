@@ -1,6 +1,6 @@
-//! Reads the reference files: exact values of every object, orbits, and points on det A = 0.
-//! `data/generate.py` writes and describes `data/SYSTEM.json`. A value that is undefined at a point
-//! is `None`.
+//! Reads the reference files, which contain exact values of every object, orbits, and points with
+//! det A = 0. The script `data/generate.py` writes and describes `data/SYSTEM.json`. A value that
+//! is undefined at a point is `None`.
 
 use serde_json::Value;
 
@@ -9,15 +9,15 @@ use crate::exact::{Matrix, Q, Vector, number};
 /// The systems with a reference file.
 pub const SYSTEMS: [&str; 11] = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
 
-/// A reference file.
+/// The reference file of a system.
 #[derive(Clone, Debug)]
 pub struct File(Value);
 
-/// An entry of a file: a case, an orbit, or a singular point.
+/// An entry of a reference file: a case, an orbit, or a point at which A is singular.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry<'a>(&'a Value, &'a Value);
 
-/// Reads the file of a system. Panics if it is missing.
+/// Reads the reference file of a system. Panics if the file is missing.
 #[must_use]
 pub fn file(system: &str) -> File {
     let path = format!("{}/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
@@ -26,7 +26,7 @@ pub fn file(system: &str) -> File {
 }
 
 impl File {
-    /// Returns the entries under `cases`, `orbits` or `singular`. Panics without entries.
+    /// Returns the entries under `cases`, `orbits` or `singular`. Panics if there are none.
     #[must_use]
     pub fn entries(&self, key: &str) -> Vec<Entry<'_>> {
         let list = self.0[key].as_array().unwrap_or_else(|| panic!("no {key}"));
@@ -52,7 +52,7 @@ impl<'a> Entry<'a> {
         self.0.get(key).filter(|value| !value.is_null())
     }
 
-    /// Returns whether the key is present, even with `null`.
+    /// Returns whether the entry has this key, even with the value `null`.
     #[must_use]
     pub fn mentions(&self, key: &str) -> bool {
         self.0.get(key).is_some()
@@ -65,19 +65,19 @@ impl<'a> Entry<'a> {
         names.iter().map(|name| scalar(&self.0["params"][name.as_str().unwrap_or_default()])).collect()
     }
 
-    /// Returns a number.
+    /// Returns the number under this key.
     #[must_use]
     pub fn scalar(&self, key: &str) -> Option<Q> {
         self.get(key).map(scalar)
     }
 
-    /// Returns a vector.
+    /// Returns the vector under this key.
     #[must_use]
     pub fn vector(&self, key: &str) -> Option<Vector> {
         self.get(key).map(vector)
     }
 
-    /// Returns a matrix or a list of points.
+    /// Returns the matrix, or the list of points, under this key.
     #[must_use]
     pub fn matrix(&self, key: &str) -> Option<Matrix> {
         self.get(key).map(matrix)

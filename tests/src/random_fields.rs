@@ -1,8 +1,8 @@
 //! The random fields of `random_systems.rs`, compiled by the macro over ℚ.
 //!
 //! Code over floats dominates the build time of the tests, so only the fields in `IN_FLOATS` get
-//! such steps: every kind from two dimensions on, and every dimension. `KAHAN_GOLDEN=overwrite
-//! cargo test -p kahan-tests back_ends` rewrites the file.
+//! steps over floats. They include every kind from two dimensions on, and every dimension.
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends` rewrites the file.
 
 pub use kahan_judge::random_fields::RandomField;
 use kahan_judge::random_fields::{
@@ -12,7 +12,7 @@ use num_rational::BigRational;
 
 use crate::exact::q;
 
-/// A value p/d for each parameter, dyadic so that floats represent it exactly.
+/// A value p/d for each parameter, as (name, p, d). Floats represent these values exactly.
 const PARAMETERS: [(&str, i64, i64); 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4)];
 
 const KINDS: [(&str, FieldGenerator); 5] =
@@ -26,7 +26,7 @@ fn every_field() -> Vec<RandomField> {
     (1..=DIMENSIONS).flat_map(of).collect()
 }
 
-/// Returns the parameters' values of a field.
+/// Returns the values of a field's parameters.
 #[must_use]
 pub fn parameter_values(field: &RandomField) -> Vec<BigRational> {
     values(field).map(|(_, p, d)| q(p, d)).collect()
@@ -45,7 +45,7 @@ pub fn value_of(field: &RandomField, x: &[BigRational]) -> Vec<BigRational> {
     field.equations.iter().map(|equation| value(equation, &names)).collect()
 }
 
-/// Evaluates a tree; reads literals independently of the front end.
+/// Evaluates an expression tree. Literals are read independently of the front end.
 fn value(tree: &Tree, names: &[(&str, BigRational)]) -> BigRational {
     let values = |trees: &[Tree]| trees.iter().map(|tree| value(tree, names)).collect::<Vec<_>>().into_iter();
     match tree {
@@ -72,7 +72,7 @@ fn decimal(text: &str) -> BigRational {
 }
 
 /// The fields that are also compiled over floats. In six variables, `Sparse6` has a closed form
-/// within the budget of terms, and `Dense6` is eliminated in a loop.
+/// within the budget of terms, and `Dense6` is solved by elimination in a loop.
 const IN_FLOATS: [&str; 13] = [
     "Affine1", "Scaled1", "Sparse2", "Scaled2", "Spelled2", "Dense2", "Sparse3", "Affine3", "Spelled3",
     "Scaled4", "Affine5", "Sparse6", "Dense6",

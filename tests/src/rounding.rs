@@ -1,11 +1,11 @@
-//! Bounds on the error of a float step, derived from the plan of its code, with or without fused
-//! multiply-adds.
+//! Bounds the error of a float step, with or without fused multiply-adds. The bounds are derived
+//! from the operations of the step's code.
 //!
-//! A system, a point exact in the float type, and the unit roundoff u come in; a bound on |x̂̃ −
-//! x̃| for each component goes out. With γ_k = k·u/(1 − k·u), a product of k factors (1 + δ), |δ| ≤
-//! u, or of their reciprocals, is 1 + θ with |θ| ≤ γ_k (Higham, Accuracy and Stability of Numerical
-//! Algorithms, Lemma 3.1). Callers must avoid underflow. The bound is computed in f64 from positive
-//! terms; a final factor covers its own rounding errors.
+//! The input is a system, a point exact in the float type, and the unit roundoff u. The output is a
+//! bound on |x̂̃ − x̃| for each component of the computed step x̂̃. Let γ_k = k·u/(1 − k·u). A
+//! product of k factors (1 + δ), |δ| ≤ u, or of their reciprocals, is 1 + θ with |θ| ≤ γ_k (Higham,
+//! Accuracy and Stability of Numerical Algorithms, Lemma 3.1). Callers must avoid underflow. The
+//! bound is computed in f64 from positive terms; a final factor covers its own rounding errors.
 
 mod running_bound;
 
@@ -37,18 +37,19 @@ fn gamma(k: usize, unit: f64) -> f64 {
     ku / (1.0 - ku)
 }
 
-/// The state and ε of a float step, with the exact next state.
+/// The point and ε of a float step, with the exact next point.
 #[derive(Clone, Debug)]
 pub struct Place {
-    /// x
+    /// The point x.
     pub x: Vector,
-    /// ε
+    /// Half the time step, ε.
     pub eps: Q,
-    /// x̃
+    /// The exact next point x̃.
     pub next: Vector,
 }
 
-/// Error bounds for float steps, by the closed form or by elimination, as in the macro's code.
+/// Error bounds for float steps. The steps use the closed form or elimination, as in the macro's
+/// code.
 #[derive(Debug)]
 pub struct StepBound<'a> {
     field: &'a Field,
@@ -65,7 +66,7 @@ impl<'a> StepBound<'a> {
         Self { field, parameters: &subject.parameters, step: derive(subject.system).step().cloned(), unit }
     }
 
-    /// Returns a bound for each component of x̃; `None` if a divisor may round to zero.
+    /// Returns a bound for each component of x̃. `None` if a divisor may round to zero.
     #[must_use]
     pub fn at(&self, place: &Place) -> Option<Vec<f64>> {
         let values: Vec<Q> = place.x.iter().chain(self.parameters).chain([&place.eps]).cloned().collect();
@@ -73,7 +74,7 @@ impl<'a> StepBound<'a> {
             Some(step) => closed_form(step, place, &values, self.unit)?,
             None => elimination(self.field, place, &values, self.unit)?,
         };
-        // x̃ = fl(x + increment): (1 + δ)(x + increment + error).
+        // The step is x̃ = fl(x + increment), which is (1 + δ)(x + increment + error) with |δ| ≤ u.
         let bound = |(error, next): (f64, &Q)| {
             INFLATION * (error * (1.0 + self.unit) + self.unit * float(next).abs())
         };
@@ -81,7 +82,7 @@ impl<'a> StepBound<'a> {
     }
 }
 
-/// Evaluates polynomials with the errors of the emitted plan.
+/// Evaluates polynomials by the operations of generated code, with bounds on the rounding errors.
 fn computed(polynomials: &[&Polynomial], values: &[Q], unit: f64) -> Vec<Rounded> {
     let plan = plan_of(polynomials.iter().copied());
     let results = running_bound::results(&plan, &[], unit, |variable| exact(values, variable));
@@ -93,7 +94,7 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
 }
 
 /// Bounds the errors of the products numerator · reciprocal, including those of prepared constants.
-/// Panics if the plan's exact results differ from x̃.
+/// Panics if the exact results of the operations differ from x̃.
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
     let constants = running_bound::results(&step.constants, &[], unit, input);
@@ -116,9 +117,9 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 /// multipliers and back substitution use rounded reciprocals with one more rounding each, hence
 /// γ_{3n+2}. Partial pivoting has |L̂| ≤ 1 (at most 1 + 2u after rounding, covered by a factor 2
 /// below) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most n²·2ⁿ·max|Â|. Entries of f′
-/// and f are quotients of planned polynomials, rounded once; A has two more roundings, of the
-/// product with ε and of 1 − εf′. With the sum E of both matrix errors, in maximum norms:
-///   ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
+/// and f are quotients of computed polynomials, rounded once; A has two more roundings, of the
+/// product with ε and of 1 − εf′. Let E be the sum of both matrix errors. In maximum norms: ‖v̂ −
+/// v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖).
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {
@@ -164,7 +165,7 @@ fn exact_matrix(field: &Field, values: &[Q]) -> Matrix {
     scaled_matrix(field).iter().zip(&field.components).map(row).collect()
 }
 
-/// ‖M⁻¹‖ in the maximum norm, the largest row sum of absolute values.
+/// Returns ‖M⁻¹‖ in the maximum norm, which is the largest row sum of absolute values.
 fn inverse_norm(matrix: &[Vec<Q>]) -> f64 {
     let n = matrix.len();
     let determinant = float(&determinant(matrix)).abs();

@@ -1,4 +1,4 @@
-//! The source files of the workspace, for tests that read them.
+//! Finds the source files of the workspace, for tests that read them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,8 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace")
 }
 
-/// Returns the Rust files below a folder whose folders have names that `enter` accepts.
+/// Returns the Rust files below a folder. A folder inside it is searched if `enter` accepts its
+/// name.
 ///
 /// # Panics
 ///

@@ -1,7 +1,8 @@
-//! Systems at parameter values in both back ends, on which the test suites run.
+//! Systems at parameter values, in both back ends. The test suites run on these.
 //!
-//! [`Subject`]s are the systems of the catalog, at parameters of a test or of their entries, and
-//! the random fields. [`on_every_back_end`] checks a law at seeded points of all of them.
+//! [`Subject`]s are the systems of the catalog and the random fields. The parameters are those of a
+//! test, or of the system's entry in the catalog. [`on_every_back_end`] checks a law at seeded
+//! points of all subjects.
 
 use std::sync::LazyLock;
 
@@ -25,9 +26,9 @@ pub struct Subject {
     pub system: &'static System,
     /// The parameters' values.
     pub parameters: Vector,
-    /// The code written by the macro.
+    /// The system's code written by the macro.
     pub generated: Box<dyn BackEnd>,
-    /// The interpreter.
+    /// The system in the run-time interpreter.
     pub interpreted: Interpreted,
 }
 
@@ -44,7 +45,7 @@ impl Subject {
         self.interpreted.dimension()
     }
 
-    /// Returns both back ends.
+    /// Returns generated code and interpreter.
     #[must_use]
     pub fn back_ends(&self) -> [&dyn BackEnd; 2] {
         [self.generated.as_ref(), &self.interpreted]
@@ -62,8 +63,8 @@ static CATALOG: LazyLock<Vec<Read>> = LazyLock::new(|| all().map(|entry| read(en
 static RANDOM: LazyLock<Vec<Read>> =
     LazyLock::new(|| in_order().iter().map(|field| Read::new(read_unproved(&field.block()))).collect());
 
-/// Returns a catalog system by command name, at these parameters. Panics without such a system, or
-/// for a wrong number of parameters.
+/// Returns a catalog system by its name in commands, at these parameters. Panics if there is no
+/// such system, or if the number of parameters is wrong.
 #[must_use]
 pub fn catalog(command: &str, parameters: &[Q]) -> Subject {
     let place = all().position(|entry| entry.command == command);
@@ -76,19 +77,20 @@ fn at_its_parameters(entry: &Entry) -> Subject {
     catalog(entry.command, &maps::parameters::<Q>(entry))
 }
 
-/// Returns the paper's systems at their entries' parameters.
+/// Returns the paper's systems, at the parameters of their catalog entries.
 #[must_use]
 pub fn paper() -> Vec<Subject> {
     SYSTEMS.iter().map(at_its_parameters).collect()
 }
 
-/// Returns the catalog's further systems at their entries' parameters.
+/// Returns the catalog's further systems, at the parameters of their entries.
 #[must_use]
 pub fn further() -> Vec<Subject> {
     FURTHER.iter().map(at_its_parameters).collect()
 }
 
-/// Returns the random fields at their parameters, those also compiled over floats first.
+/// Returns the random fields at their parameters. The fields that are also compiled over floats
+/// come first.
 #[must_use]
 pub fn random() -> Vec<Subject> {
     let (fields, maps) = (in_order(), maps::random());
@@ -121,7 +123,7 @@ fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mu
 }
 
 /// Checks a law on every catalog system and every random field, at seeded points with det A ≠ 0.
-/// Panics if too few points remain. If the law panics, a line before it names the point.
+/// Panics if too few points remain. If the law panics, a line before the panic names the point.
 pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     let subjects = [paper(), random(), further()].into_iter().flatten();
     for (index, subject) in (seed * 1000..).zip(subjects) {

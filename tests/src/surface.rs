@@ -1,10 +1,11 @@
-//! Rational points where a polynomial vanishes.
+//! Finds points with rational coordinates at which a polynomial vanishes.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// Returns (a, b) with polynomial = a + b·`free` at these values; `None` if it is not linear.
+/// Returns (a, b) such that the polynomial is a + b·`free` at these values. `None` if it is not
+/// linear in `free`.
 fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<(Rational, Rational)> {
     let mut line = (Rational::zero(), Rational::zero());
     for (monomial, coefficient) in polynomial.terms() {
@@ -26,7 +27,7 @@ fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<
 }
 
 /// Changes one state so that the polynomial vanishes, given values of states, parameters and ε.
-/// `None` if no state enters linearly with a nonzero coefficient.
+/// `None` if the polynomial is linear, with a nonzero coefficient, in none of the states.
 #[must_use]
 pub fn moved_onto(
     polynomial: &Polynomial,

@@ -1,14 +1,16 @@
-//! The flow by Taylor series, a reference for Kahan's map that shares only the field with it.
+//! Computes the flow by Taylor series. It is a reference for Kahan's map that shares only the field
+//! with the map.
 
 use kahan_core::prelude::*;
 
 const DEGREE: usize = 30;
 
-/// Returns the point that the flow reaches from `x` in `time`, by `steps` Taylor steps of degree
-/// 30. With x(t) = Σ aₖtᵏ:
-///   (k+1)·aₖ₊₁ = Σ Q(aᵢ,aₖ₋ᵢ) + B·aₖ + [k = 0]·c.
-/// A step of length t loses |a₃₁|·t³¹. For a radius of convergence r this is about (t/r)³¹ of the
-/// state, 10⁻³⁷ for t = r/16.
+/// Returns the point that the flow reaches from `x` in `time`, by Taylor steps of degree 30.
+///
+/// Let Q, B and c be the parts of the field. The coefficients of x(t) = Σ aₖtᵏ satisfy
+/// (k+1)·aₖ₊₁ = Σ Q(aᵢ,aₖ₋ᵢ) + B·aₖ, plus c for k = 0.
+/// A step of length t omits the term |a₃₁|·t³¹. If the series has the radius of convergence r, this
+/// is about (t/r)³¹ times the state, which is 10⁻³⁷ for t = r/16.
 pub fn flow<F, T, const N: usize>(field: &F, x: SVector<T, N>, time: T, steps: u32) -> SVector<T, N>
 where
     F: QuadraticField<T, N>,
@@ -50,7 +52,7 @@ fn integer<T: Scalar>(n: u32) -> T {
     T::constant(&kahan_core::Constant::integer(i64::from(n)))
 }
 
-/// Returns the largest difference of components, rounded to `f64`.
+/// Returns the largest absolute difference of two components, rounded to `f64`.
 pub fn distance<T: Scalar + Copy, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) -> f64 {
     a.iter().zip(b.iter()).map(|(a, b)| (*a - *b).approximate().abs()).fold(0.0, f64::max)
 }

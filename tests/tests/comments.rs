@@ -1,4 +1,4 @@
-//! Rules for comments that a program can check: openings, widths, and lengths of module heads.
+//! Checks rules for comments: their openings, their widths, and the lengths of module heads.
 //!
 //! A reader meets one comment at a time, so no comment may open with a word that refers to another
 //! comment or postpones its subject. Files that are compared with generated code are exempt.
@@ -13,14 +13,14 @@ const OPENINGS: [&str; 14] = [
     "How", "Who",
 ];
 
-/// The greatest width of a line of prose, in characters; tables and examples may be wider.
+/// The greatest width of a line of prose, in characters. Tables and examples may be wider.
 const WIDTH: usize = 100;
 
-/// The greatest number of lines before the first section, table or example of a module's head,
-/// without blank lines. A crate's root may explain the crate at length.
+/// The greatest number of lines before the first section, table or example of a module's head.
+/// Blank lines are not counted. A crate's root may explain the crate at length.
 const HEAD: usize = 8;
 
-/// Folders with builds, the code of others, and generated code.
+/// Returns whether a folder is none of those with builds, the code of others, or generated code.
 fn is_written_here(folder: &str) -> bool {
     !folder.starts_with('.') && !["target", "expected", "golden", "node_modules"].contains(&folder)
 }
@@ -31,13 +31,13 @@ fn comment(line: &str) -> Option<&str> {
     Some(text.strip_prefix(['/', '!']).unwrap_or(text).trim())
 }
 
-/// Returns whether a comment opens with `opening` as whole words.
+/// Returns whether a comment begins with `opening` as whole words.
 fn opens_with(text: &str, opening: &str) -> bool {
     text.strip_prefix(opening)
         .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
 }
 
-/// Returns the violations of the rules in a file, each as the number of a line and its fault.
+/// Returns the violations of the rules in a file. Each has the number of the line and the fault.
 fn violations(text: &str, is_root: bool) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let (mut inside, mut example) = (false, false);

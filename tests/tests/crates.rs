@@ -1,4 +1,4 @@
-//! Compares dependencies and builds of the crates with the table of ARCHITECTURE.md and with
+//! Compares the dependencies and builds of the crates with the table in ARCHITECTURE.md, and with
 //! budgets.
 
 use std::collections::hash_map::DefaultHasher;
@@ -10,7 +10,8 @@ use std::{env, fs};
 use kahan_tests::sources::root;
 use serde_json::Value;
 
-/// Dependencies reserved for the command and for drawing, with the crates that may use them.
+/// Dependencies that are reserved for the command and for drawing, each with the crates that may
+/// use it.
 const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),
@@ -22,14 +23,15 @@ const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
 /// The greatest length of `cargo tree` for the catalog, in lines.
 const CATALOG_TREE: usize = 45;
 
-/// The largest number of units that the README's first command may compile.
+/// The largest number of compilation units that the README's first command may compile.
 const FIRST_UNITS: usize = 60;
 
-/// The packages that must compile identically for the first command, the command and the wheel.
+/// The packages that must be compiled identically for the README's first command, for the command
+/// `kahan`, and for the Python wheel.
 const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
 /// The prefixes of crates whose speed is measured: by `kahan trade`, by sweeps of settings, and by
-/// the benchmarks (last prefix).
+/// the benchmarks (final prefix).
 const TIMED: [&str; 6] =
     ["kahan-core", "kahan-dynamics", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
@@ -46,13 +48,13 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("cargo writes UTF-8")
 }
 
-/// Returns the published crates with their dependencies, without those of tests.
+/// Returns the published crates with their dependencies. Dependencies of tests are left out.
 fn of_cargo() -> Uses {
     let text = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
     let metadata: Value = serde_json::from_str(&text).expect("cargo writes JSON");
     let name = |value: &Value| value["name"].as_str().expect("a name").to_owned();
     let packages = metadata["packages"].as_array().expect("packages").iter();
-    // Unpublished packages have an empty list of registries.
+    // An unpublished package has an empty list of registries.
     let published = packages.filter(|package| package["publish"].is_null());
     let crates = published.map(|package| {
         let dependencies = package["dependencies"].as_array().expect("dependencies").iter();
@@ -113,8 +115,8 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// Returns the crates with an optimisation level in the profiles `release` and `sweep`, and the
-/// level.
+/// Returns the crates that have an optimisation level in the profiles `release` and `sweep`, with
+/// the level.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
@@ -140,8 +142,8 @@ fn not_optimised(manifest: &str) -> Vec<String> {
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Dependencies of the macro need an explicit level. Otherwise cargo compiles them unoptimised for
-/// the macro and again for the command. The algebra takes a sixth of a cold build.
+/// Dependencies of the macro need an explicit optimisation level. Otherwise cargo compiles them
+/// unoptimised for the macro, and again for the command. The algebra takes a sixth of a cold build.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");
@@ -157,7 +159,7 @@ fn what_the_macro_and_the_command_share_is_compiled_once() {
     }
 }
 
-/// Returns the hash of a unit: its source, its settings, and the units that it uses.
+/// Returns the hash of a compilation unit: of its source, its settings, and the units that it uses.
 fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
     if let Some(known) = known[index] {
         return known;
@@ -178,7 +180,8 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let output = Command::new(env!("CARGO"))
         .args(call)
         .args(["--locked", "--unit-graph", "-Z", "unstable-options"])
-        // The unit graph is unstable; this toolchain provides it.
+        // Cargo prints the graph of compilation units as an unstable feature, which this toolchain
+        // provides.
         .env("RUSTC_BOOTSTRAP", "1")
         .current_dir(root())
         .output()
@@ -189,8 +192,8 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let mut known = vec![None; units.len()];
     let name = |unit: &Value| {
         let id = unit["pkg_id"].as_str().expect("an identifier");
-        // An identifier has the form `…/crates/kahan-core#0.1.0`, or
-        // `…/systems#kahan-systems@0.1.0` if the folder has another name.
+        // An identifier has the form `…/crates/kahan-core#0.1.0`. If the folder has another name
+        // than the crate, it is `…/systems#kahan-systems@0.1.0`.
         let (path, version) = id.split_once('#').expect("a version");
         version.split_once('@').map_or(path.rsplit('/').next().unwrap_or(path), |(name, _)| name).to_owned()
     };
@@ -198,14 +201,14 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
 }
 
 /// Cargo compiles a crate again for each set of features, so all programs must request the same
-/// features. `crates/kahan-cli/Cargo.toml` lists those that no crate of the workspace needs.
+/// features. `crates/kahan-cli/Cargo.toml` lists the features that no crate of the workspace needs.
 #[test]
 fn what_programs_and_the_wheel_share_is_compiled_once() {
     // `cargo run --release` builds one program, and resolves features over the default members.
     let first = units(&["build", "--release", "--bin=kahan-verify"]);
     assert!(first.len() <= FIRST_UNITS, "{} units: {first:?}", first.len());
     let command = units(&["build", "--release", "--package=kahan-cli"]);
-    // The call made by maturin.
+    // maturin makes this call.
     let wheel =
         units(&["rustc", "--release", "--package=kahan-python", "--lib", "--features=pyo3/extension-module"]);
     for name in SHARED {

@@ -1,6 +1,7 @@
-//! The modules of a crate's `src`, and of the algebra's `plan`, are layers: each uses only earlier
-//! ones. The test collects all paths that leave a file: `crate::…` with its braces, and `super::…`.
-//! Names that the root exports are resolved through `lib.rs`. Test modules are exempt.
+//! Tests that the modules of a crate's `src`, and of the algebra's `plan`, are layers: each uses
+//! only earlier modules. The test collects all paths that leave a file: `crate::…` with its braces,
+//! and `super::…`. Names that the root exports are resolved through `lib.rs`. Test modules are
+//! exempt.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,9 +13,10 @@ use kahan_tests::sources::{root, rust_files};
 struct Layered {
     folder: &'static str,
     name: &'static str,
-    /// The module, with names of its root file that all layers may use; `None` for a crate.
+    /// The module, with names of its root file that all layers may use. `None` for a crate.
     module: Option<(&'static str, &'static [&'static str])>,
-    /// The layers from bottom to top. Other files use all layers and are used by none.
+    /// The names of the layers from bottom to top. Files that are not listed may use all layers,
+    /// and no layer uses them.
     layers: &'static [&'static str],
 }
 
@@ -163,8 +165,8 @@ impl Layered {
         found
     }
 
-    /// Returns the targets of a file's paths, relative to the root or the module. Paths that leave
-    /// a module are checked with its crate.
+    /// Returns the modules that a file's paths lead to, relative to the root or the module. Paths
+    /// that leave a module are checked with its crate.
     fn needs(&self, file: &Path, text: &str) -> Vec<Vec<String>> {
         let module = file.strip_prefix(self.source()).expect("a file of the crate").with_extension("");
         let outer = self.module.map(|(module, _)| module);
@@ -190,7 +192,7 @@ impl Layered {
         needs
     }
 
-    /// Returns a file's paths to higher layers, and the number of all its paths.
+    /// Returns those paths of a file that lead to higher layers, and the number of all its paths.
     fn upward(&self, file: &Path, text: &str) -> (Vec<String>, usize) {
         let exports = self.exports();
         let rank = self.layers.iter().position(|layer| {
@@ -221,7 +223,7 @@ fn code(path: &Path) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Returns the first two names of each path in a `use` tree or expression, with braces expanded.
+/// Returns the first two names of each path in a `use` tree or expression. Braces are expanded.
 fn paths(tree: &str) -> Vec<Vec<String>> {
     let tree = tree.trim_start();
     let Some(inside) = tree.strip_prefix('{') else {

@@ -1,8 +1,8 @@
-//! Tests across crates, in one program, so that shared modules are compiled and linked once.
-//! `tests/README.md` says where a test belongs.
+//! Tests that involve several crates, in one program, so that shared modules are compiled and
+//! linked once. `tests/README.md` says where a test belongs.
 
 mod blocks {
-    //! Blocks of `kahan!`: their surroundings, their contents, and discovered blocks.
+    //! Tests `kahan!` blocks: their surroundings, their contents, and discovered blocks.
 
     mod discovered;
     mod same_text;
@@ -11,7 +11,7 @@ mod blocks {
 }
 
 mod exact {
-    //! Tests over ℚ in both back ends.
+    //! Tests over ℚ, in generated code and in the interpreter.
 
     mod back_ends;
     mod defining_laws;
@@ -24,7 +24,7 @@ mod exact {
 }
 
 mod floats {
-    //! Floats against exact numbers, with derived bounds.
+    //! Tests floats against exact numbers, with derived bounds.
 
     mod allocation;
     mod compensated;
@@ -41,7 +41,7 @@ mod floats {
 mod many;
 
 mod methods {
-    //! Compositions, error estimates and orders.
+    //! Tests compositions, error estimates and orders.
 
     mod composition;
     mod error_estimate;

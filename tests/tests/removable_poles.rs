@@ -1,7 +1,7 @@
-//! Zeros of det A: all back ends return the value of the reduced map, or all report a pole. The
-//! back ends are generated code, the system read at run time, the interpreter, and projective
-//! integers. Points on removable poles have random coordinates, except one variable that is
-//! determined by the cancelled common factor.
+//! Tests points with det A = 0. All back ends must return the value of the map in lowest terms, or
+//! all must report a pole. The back ends are generated code, the system read at run time, the
+//! interpreter, and projective integers. Points on removable poles have random coordinates, except
+//! one variable that the cancelled common factor determines.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -23,7 +23,7 @@ use kahan_tests::surface::moved_onto;
 
 const POINTS: usize = 12;
 
-/// A point where the map may be undefined, in exact numbers.
+/// A point at which the map may be undefined, in exact numbers.
 struct Place {
     x: Vec<Rational>,
     parameters: Vec<Rational>,
@@ -35,7 +35,7 @@ fn number(draws: &mut SplitMix64) -> Rational {
     if draws.below(2) == 0 { size } else { -size }
 }
 
-/// Returns points where the simplest cancelled factor vanishes.
+/// Returns points at which the simplest cancelled factor vanishes.
 fn removable_poles(derived: &Derived, parameters: &[Rational], seed: u64) -> Vec<Place> {
     let symbols = &derived.system.field.symbols;
     let n = symbols.dimension();
@@ -65,8 +65,8 @@ fn read_at<const N: usize>(system: &System, parameters: &[Rational]) -> Interpre
     map.expect("a field").as_kahan_map().expect("as many variables")
 }
 
-/// Compares generated code with the system read at run time: exact steps, and float steps with
-/// their promise, bit for bit.
+/// Compares generated code with the system read at run time. Exact steps must be equal. Float steps
+/// must be equal bit for bit and keep the guarantee of `try_step`.
 fn compiled_and_read_agree<M, const N: usize>(
     name: &str,
     map: &M,
@@ -100,7 +100,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     }
 }
 
-/// Compares the run-time maps of a text: interpreter, projective integers and `step`.
+/// Compares the run-time maps of a text: the interpreter, projective integers and `step`.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
     let read = read_at::<N>(system, &place.parameters);
     let step = read.try_step(&vector::<N>(&place.x), place.eps.to_big()).ok();
@@ -114,7 +114,7 @@ fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Plac
     step
 }
 
-/// Asserts that all back ends agree and have a value at a system's removable poles.
+/// Asserts that all back ends agree, and that the map is defined at a system's removable poles.
 fn agree<M, const N: usize>(name: &str, text: &str, parameters: &[i64], map: &M)
 where
     M: ExtendScalars<BigRational, N>,
@@ -136,8 +136,8 @@ fn the_catalog_has_its_values() {
     agree("e3", text("e3"), &[], &E3);
 }
 
-/// E9 at ξ = 1 keeps the factor that E3 cancels, because reduction precedes substitution; all back
-/// ends report a pole.
+/// E9 at ξ = 1 keeps the factor that E3 cancels, because the map is reduced before ξ is
+/// substituted. All back ends must report a pole.
 #[test]
 fn e9_at_xi_1_has_the_pole_that_e3_loses() {
     let [e3, e9] = ["e3", "e9"].map(|name| read_unproved(find(name).expect("in the catalog").text()));
@@ -175,8 +175,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a field that moves all variables except the last along one ray, so that 1 − εu·z
-/// cancels.
+/// Returns a field that moves all variables except the final one, z, along one ray, so that 1 −
+/// εu·z cancels.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));
@@ -207,7 +207,7 @@ fn random_fields_have_their_values() {
     random_fields_agree::<6>(606);
 }
 
-/// Interpreters over floats have the bits of `step`, even next to a removable pole.
+/// Interpreters over floats must yield the bits of `step`, even next to a removable pole.
 #[test]
 fn float_interpreters_agree_beside_removable_poles() {
     let system = read_unproved(find("e3").expect("E3").text());

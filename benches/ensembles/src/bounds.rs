@@ -1,11 +1,11 @@
-//! Throughput bounds of the machine for divisions and for multiply-adds. The loops have enough
-//! independent operations in registers to hide the latency. They contain no closures, which use
-//! these instructions only if they are inlined early enough.
+//! Measures how many divisions and multiply-adds the machine can do per second. The loops have
+//! enough independent operations in registers to hide the latency. They contain no closures,
+//! because closures use these instructions only if they are inlined early enough.
 
-// `unsafe`: calls functions compiled for instructions that were detected.
+// `unsafe` is needed to call functions compiled for instructions that were detected.
 #![allow(unsafe_code)]
 
-/// Computes `divisions` divisions of `f64`, four at a time; does nothing without AVX2.
+/// Computes `divisions` divisions of `f64`, four at a time. Does nothing without AVX2.
 pub(crate) fn divisions_avx2(divisions: usize) {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx2") {
@@ -14,7 +14,7 @@ pub(crate) fn divisions_avx2(divisions: usize) {
     }
 }
 
-/// Computes `multiply_adds` multiply-adds of `f64`, eight at a time; does nothing without AVX-512F.
+/// Computes `multiply_adds` multiply-adds of `f64`, eight at a time. Does nothing without AVX-512F.
 pub(crate) fn multiply_adds_avx512(multiply_adds: usize) {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx512f") {

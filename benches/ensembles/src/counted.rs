@@ -1,4 +1,4 @@
-//! Operation counts of a step, obtained by running it over a counting scalar.
+//! Counts the operations of a step by running it over a scalar that counts.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -11,7 +11,7 @@ thread_local! {
     static OPERATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// The operations in place of a division: two Newton iterations and a product.
+/// The number of operations that replace a division: two Newton iterations and a product.
 const ESTIMATED_DIVISION: usize = 5;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,8 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Counts sums, products and multiply-adds of one step; 0 for steps without lanes.
+/// Counts sums, products and multiply-adds of one step. The count is 0 for steps that cannot
+/// process several trajectories in one register.
 pub(crate) fn operations<const N: usize>(step: &impl PreparedStep<f64, N>) -> usize {
     fn of<S: PreparedStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {
@@ -79,7 +80,7 @@ impl One for Counted {
     }
 }
 
-/// A negation is free: the next operation absorbs it.
+/// A negation is free, since the next operation absorbs it.
 impl Neg for Counted {
     type Output = Self;
 

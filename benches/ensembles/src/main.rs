@@ -1,5 +1,5 @@
-//! A process that times ensembles on request. The benchmarks alternate between a build for all
-//! processors and one for this processor.
+//! A process that times ensembles of trajectories on request. The benchmarks alternate between a
+//! build for all processors and a build for this processor.
 
 mod bounds;
 mod counted;

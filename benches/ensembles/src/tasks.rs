@@ -1,5 +1,6 @@
-//! Timed tasks and their units. A unit is one step of [`POINTS`] trajectories together, [`POINTS`]
-//! steps of a single trajectory, or for bounds [`POINTS`] divisions or multiply-adds.
+//! The tasks that are timed, and the units of work that are counted. A unit is one step of
+//! [`POINTS`] trajectories together, or [`POINTS`] steps of a single trajectory. For the machine's
+//! bounds a unit is [`POINTS`] divisions or multiply-adds.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,7 +13,7 @@ use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 use crate::bounds;
 use crate::counted::operations;
 
-/// The number of trajectories; a tile of three variables fits the first-level cache.
+/// The number of trajectories. Their states in three variables fit the first-level cache.
 pub(crate) const POINTS: usize = 512;
 
 const SEGMENT: usize = 1024;

@@ -1,6 +1,6 @@
 //! The eight systems of the benchmarks, and the protocol of the processes that time them
-//! ([`serve`]). Each file holds only a system's `kahan!` block, so that the cost of compiling it
-//! can be measured.
+//! ([`serve`]). Each file holds only a system's `kahan!` block, so that the cost of compiling the
+//! block can be measured.
 
 mod clebsch;
 mod e1;
@@ -21,19 +21,19 @@ pub use euler_top::EulerTop;
 pub use lorenz::Lorenz;
 pub use lotka_volterra::LotkaVolterra;
 
-/// ε of all timings, half the time step; not a power of two, as usual.
+/// Half the time step, ε, of all timings. As usual for a user's ε, it is not a power of two.
 pub const EPS: f64 = 1.0 / 1000.0;
 
-/// A system as text.
+/// A system as text, from which its block is compiled or read.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
     /// The name of the type.
     pub name: &'static str,
-    /// An expression for a value of the type.
+    /// A Rust expression whose value has the type.
     pub value: &'static str,
     /// The number of variables.
     pub dimension: usize,
-    /// The file that holds the block.
+    /// The text of the file that holds the block.
     pub text: &'static str,
 }
 
@@ -70,13 +70,13 @@ pub const SOURCES: [Source; 8] = [
 ];
 
 /// Returns the inside of a file's `kahan!` block, which ends with a brace at the beginning of a
-/// line; `None` without a block.
+/// line. `None` if there is no block.
 pub fn block_of(file: &str) -> Option<&str> {
     let (_, block) = file.split_once("kahan! {")?;
     Some(block.split_once("\n}")?.0)
 }
 
-/// Returns the Euler top of the timings, with bounded orbits and rounded parameters.
+/// Returns the Euler top that is timed. It has bounded orbits and rounded parameters.
 pub fn euler_top() -> EulerTop<f64> {
     EulerTop { a1: 1.1, a2: -2.3, a3: 1.7 }
 }
@@ -91,15 +91,15 @@ pub fn clebsch() -> Clebsch<f64> {
     Clebsch { w1: 1.0, w2: 1.7, w3: 2.9 }
 }
 
-/// The initial states of the timings.
+/// The initial states from which orbits are timed.
 pub mod start {
-    /// For [`LotkaVolterra`](crate::LotkaVolterra).
+    /// The initial state for [`LotkaVolterra`](crate::LotkaVolterra).
     pub const LOTKA_VOLTERRA: [f64; 2] = [1.5, 0.8];
-    /// For systems of three variables.
+    /// The initial state for systems of three variables.
     pub const SPACE: [f64; 3] = [1.3, 0.7, 0.4];
-    /// For [`Lorenz`](crate::Lorenz), near the attractor.
+    /// The initial state for [`Lorenz`](crate::Lorenz), near the attractor.
     pub const LORENZ: [f64; 3] = [1.3, 0.7, 20.4];
-    /// For [`Clebsch`](crate::Clebsch).
+    /// The initial state for [`Clebsch`](crate::Clebsch).
     pub const CLEBSCH: [f64; 6] = [0.3, 0.7, 0.4, 0.8, 0.5, 0.6];
 }
 
@@ -107,7 +107,7 @@ pub mod start {
 mod tests {
     use kahan_core::prelude::*;
 
-    /// The gradients of the flow's integrals are orthogonal to the field.
+    /// Tests that the gradients of the flow's integrals are orthogonal to the field.
     #[test]
     fn clebsch_is_the_integrable_case() {
         let w = super::clebsch();

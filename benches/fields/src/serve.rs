@@ -1,20 +1,21 @@
 //! A process that times tasks on request, so that several builds of it can be timed alternately.
 //!
 //! It first writes its tasks, one on each line, then an empty line. A line has the system, the
-//! task, and the operations of a step without divisions, if counted. A request `TASK UNITS` is
-//! answered by the time of these units in seconds.
+//! task, and the number of operations of a step without divisions, if they are counted. It answers
+//! a request `TASK UNITS` by the time that these units take, in seconds.
 
 use std::io::{self, BufRead, Write};
 
-/// A timed task.
+/// A task that is timed.
 pub struct Task {
-    /// The system, or another subject.
+    /// The name of the system, or of another subject.
     pub system: &'static str,
     /// The name of the task.
     pub what: &'static str,
-    /// The additions, multiplications and multiply-adds of a step; 0 if not counted.
+    /// The number of additions, multiplications and multiply-adds of a step. It is 0 if they are
+    /// not counted.
     pub operations: usize,
-    /// Runs a number of units and returns the seconds.
+    /// Runs a number of units of work, and returns the seconds.
     pub seconds: Box<dyn Fn(usize) -> f64>,
 }
 

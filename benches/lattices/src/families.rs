@@ -1,4 +1,4 @@
-//! The timed families.
+//! The families of lattices that are timed.
 
 use kahan_core::prelude::*;
 

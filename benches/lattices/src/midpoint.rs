@@ -1,7 +1,7 @@
-//! Kahan's map of KdV and the implicit midpoint rule, both with one banded solver. Newton's
-//! iteration for y = x + 2ε f(m), m = (x + y)/2, solves A(m,ε) δ = −(m − x − ε f(m)), with the
-//! matrix of Kahan's map at m, and adds δ to m. The iteration starts at the extrapolated midpoint
-//! and ends when δ reaches the rounding level. Only steps of the solver are timed.
+//! Compares Kahan's map of KdV and the implicit midpoint rule, both with one banded solver.
+//! Newton's iteration for y = x + 2ε f(m), m = (x + y)/2, solves A(m,ε) δ = −(m − x − ε f(m)), with
+//! the matrix A of Kahan's map at m, and adds δ to m. The iteration starts at the extrapolated
+//! midpoint, and ends when δ reaches the rounding level. Only steps of the solver are timed.
 
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use kahan_core::{LatticeMap, Scalar};
 
 use crate::families::Kdv;
 
-/// The matrix of KdV with another right-hand side.
+/// The KdV equation with another right-hand side in the linear system of a step.
 #[derive(Clone, Debug)]
 struct Newton {
     kdv: Kdv<f64>,
@@ -47,7 +47,7 @@ impl LatticeMap<f64> for Newton {
     }
 }
 
-/// Prints the error after a time of 1 and the processor time, for several steps.
+/// Prints the error after a time of 1, and the processor time, for several steps.
 pub(crate) fn table() {
     let (sites, h, time) = (512, 0.2, 1.0);
     let start: Vec<f64> = (0..sites)
@@ -68,7 +68,7 @@ pub(crate) fn table() {
         let (midpoint, midpoint_time, iterations) = midpoint(h, &start, eps, steps);
         let errors = [error(&kahan, &reference), error(&midpoint, &reference)];
         let times = [kahan_time, midpoint_time].map(|time| time.as_secs_f64() * 1e3);
-        // Both have order 2: a quarter of the error needs twice as many steps.
+        // Both methods have order 2, so a quarter of the error needs twice as many steps.
         let ratio = times[1] * errors[1].sqrt() / (times[0] * errors[0].sqrt());
         println!(
             "| {steps} | {:.1e} | {:.2} | {:.1e} | {:.2} | {:.2} | {ratio:.2} |",
@@ -119,7 +119,7 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             at.step(&mut next);
             time += begun.elapsed() + evaluated;
             iterations += 1;
-            // A step of the solver is 2ε times the solution.
+            // A step of the solver is 2ε times the solution of the linear system.
             let change: Vec<f64> = next.iter().zip(&m).map(|(next, m)| (next - m) / (2.0 * eps)).collect();
             m.iter_mut().zip(&change).for_each(|(m, change)| *m += change);
             if change.iter().all(|change| change.abs() < 1e-12) {

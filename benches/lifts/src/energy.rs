@@ -1,11 +1,11 @@
-//! Drift of energies of conservative systems: the energy that the lifted map preserves, and the
-//! original one.
+//! Measures how energies of conservative systems drift: the energy that the lifted map preserves,
+//! and the original energy.
 
 use kahan_lift::{Reembedding, LiftCriterion};
 
 use crate::systems::{Formula, System};
 
-/// Systems whose lifts preserve an energy for 10⁶ steps.
+/// Systems whose lifted map preserves an energy for 10⁶ steps.
 const KEPT: [&str; 9] = [
     "pendulum",
     "double well",
@@ -19,15 +19,16 @@ const KEPT: [&str; 9] = [
 ];
 const STEPS: u64 = 1_000_000;
 const LOOKS: u64 = 10_000;
-/// The number of initial states, which differ by millionths.
+/// The number of initial states, whose coordinates differ by millionths.
 const STARTS: u32 = 16;
 const EPS: f64 = 0.01;
 /// The largest error of a preserved energy, relative to the sum of its terms' sizes. Each step
-/// makes a few rounding errors of at most 1.1e-16; if independent, their sum grows like the square
-/// root of the number of steps: 10 · 1.1e-16 · √10⁶ ≈ 1e-12.
+/// makes a few rounding errors of at most 1.1e-16. If they are independent, their sum grows like
+/// the square root of the number of steps: 10 · 1.1e-16 · √10⁶ ≈ 1e-12.
 const ROUNDING: f64 = 1e-12;
-/// The largest growth of the error between 10⁴ and 10⁶ steps: 10 for a random walk, 100 for a
-/// drift. The root mean square over 16 orbits is uncertain by a factor of about 1.4.
+/// The largest factor by which the error may grow between 10⁴ and 10⁶ steps. The factor is 10 for a
+/// random walk, and 100 for a drift. The root mean square over 16 orbits is uncertain by a factor
+/// of about 1.4.
 const WALK: f64 = 30.0;
 
 pub(crate) fn energy() {
@@ -66,7 +67,7 @@ pub(crate) fn energy() {
     }
 }
 
-/// Systems with polynomial or trigonometric potentials, without drift of the energy.
+/// Systems with polynomial or trigonometric potentials, whose energy does not drift.
 const SMOOTH: [&str; 8] = [
     "quartic oscillator",
     "Duffing",
@@ -77,7 +78,7 @@ const SMOOTH: [&str; 8] = [
     "φ⁴ chain of 3",
     "sine-Gordon chain of 3",
 ];
-/// The largest permitted ratio of the errors in the last and the first eighth of the time.
+/// The largest permitted quotient of the errors in the final and in the first eighth of the time.
 const TREND: f64 = 1.2;
 const PROJECTION_EPS: f64 = 0.02;
 const PROJECTION_TIME: f64 = 4000.0;

@@ -1,5 +1,5 @@
-//! Measurements of lifted fields: `cargo run --release -p kahan-bench-lifts -- TABLE`, where TABLE
-//! is race, stability, orders, energy or projection.
+//! Measures lifted fields. The command is `cargo run --release -p kahan-bench-lifts -- TABLE`,
+//! where TABLE is race, stability, orders, energy or projection.
 
 mod energy;
 mod orders;

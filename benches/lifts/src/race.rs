@@ -1,8 +1,9 @@
-//! Time of lifted fields at equal error, relative to the Dormand–Prince method of order 8.
+//! Compares the time of lifted fields with that of the Dormand–Prince method of order 8, at equal
+//! error.
 //!
-//! Each method runs to the time 100 from one initial state with halved steps or tolerances. The
+//! Each method runs to the time 100 from one initial state, with halved steps or tolerances. The
 //! table gives the time of the cheapest run with an error of at most 1e-3, 1e-6 and 1e-9, relative
-//! to Dormand–Prince. The symplectic method is Störmer–Verlet, where applicable, composed to order
+//! to Dormand–Prince. The symplectic method, where applicable, is Störmer–Verlet composed to order
 //! 8 with the coefficients of Kahan and Li.
 
 use std::hint::black_box;
@@ -18,7 +19,7 @@ use crate::systems::distance;
 
 const TIME: f64 = 100.0;
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
-/// The number of repetitions of a run; the least time counts.
+/// The number of repetitions of a run, of which the least time counts.
 const REPEATS: usize = 5;
 
 type Slope = fn(&[f64], &mut [f64]);
@@ -121,7 +122,7 @@ impl System {
         (lift, map)
     }
 
-    /// Returns the final state, with absolute and relative tolerance `tolerance`.
+    /// Returns the final state. Both the absolute and the relative tolerance are `tolerance`.
     fn dormand_prince(&self, tolerance: f64) -> Vec<f64> {
         match self.start.len() {
             2 => self.dormand_prince_of::<2>(tolerance),
@@ -175,8 +176,8 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// Returns the least time within each tolerance; each run has a finer setting than the previous
-/// one.
+/// Returns the least time of a run within each tolerance. Each run has a finer setting than the
+/// previous one.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

@@ -1,11 +1,12 @@
-//! Predicted and observed growth of the errors of a lift's relations.
+//! Compares the predicted with the observed growth of errors of a lift's relations.
 //!
-//! All lifts and forms that `kahan lift` considers, at most 120 per system, and the chosen one run
-//! at ε = 0.01 to the time 300. If an error exceeds 5 % of its variable's largest size, runs at ε/8
-//! and ε/64 follow. A lift is *good* if its relations hold at ε = 0.01 and its states are correct
-//! there or at a smaller ε (phases may err at first); *good at smaller ε* if both hold there;
-//! otherwise *bad*. States of chaotic systems are not compared. Prints a row per system, the shares
-//! of correct predictions, and every wrong one.
+//! All lifts and quadratic fields that `kahan lift` considers, at most 120 for each system, and the
+//! chosen one run at ε = 0.01 to the time 300. If an error exceeds 5 % of its variable's largest
+//! size, runs at ε/8 and ε/64 follow. A lift is *good* if its relations hold at ε = 0.01, and its
+//! states are correct there or at a smaller ε (phases may err at first). A lift is *good at smaller
+//! ε* if relations and states are correct there, otherwise *bad*. States of chaotic systems are not
+//! compared. The program prints a row for each system, the shares of correct predictions, and every
+//! wrong one.
 
 use std::fmt;
 
@@ -21,7 +22,7 @@ const GOOD: f64 = 0.05;
 const FINER: [u32; 2] = [8, 64];
 const MOST: usize = 120;
 
-/// The largest errors along an orbit of the map, relative to the size of their variables.
+/// The largest errors along an orbit of the map. Each is relative to the size of its variable.
 #[derive(Clone, Copy)]
 struct Errors {
     relations: f64,
@@ -80,7 +81,7 @@ impl Predicted {
     }
 }
 
-/// A lift with its errors at ε = 0.01, and at smaller ε if these are large.
+/// A lift with its errors at ε = 0.01. If they are large, the errors at smaller ε follow.
 struct Judged {
     predicted: Predicted,
     errors: Vec<Errors>,
@@ -98,7 +99,7 @@ impl Judged {
         judged
     }
 
-    /// Returns whether relations and states are correct at the last ε.
+    /// Returns whether relations and states are correct at the smallest ε.
     fn is_right(&self) -> bool {
         self.errors.last().is_some_and(|one| one.relations <= GOOD && one.states <= GOOD)
     }
@@ -112,7 +113,7 @@ impl Judged {
     }
 }
 
-/// The number of lifts by prediction and outcome: good, good at smaller ε, bad.
+/// The number of lifts by prediction and by outcome: good, good at smaller ε, or bad.
 #[derive(Clone, Copy, Default)]
 struct Counts([[usize; 3]; 3]);
 

@@ -1,7 +1,7 @@
-//! The systems of `systems.tsv`, their lifts, and reference solutions. A line has a name,
-//! equations, parameter values, an initial state, a time up to which solutions are predictable, the
-//! energy of a conservative system, and the words `chaotic`, or `extra` for systems beyond the
-//! thirty.
+//! Reads the systems of `systems.tsv`, and computes their lifts and reference solutions. A line has
+//! a name, equations, parameter values, an initial state, and a time up to which solutions are
+//! predictable. The energy of a conservative system follows, then the words `chaotic`, or `extra`
+//! for systems beyond the thirty.
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lenient;
@@ -16,7 +16,7 @@ pub(crate) struct System {
     pub(crate) name: &'static str,
     tokens: Vec<Token>,
     pub(crate) parameters: Vec<(String, f64)>,
-    /// The states, followed by the time 0 if the equations depend on it.
+    /// The initial states, followed by the time 0 if the equations depend on the time.
     pub(crate) start: Vec<f64>,
     pub(crate) time: f64,
     pub(crate) energy: Option<Formula>,
@@ -90,8 +90,8 @@ impl System {
         slope.iter_mut().zip(&self.field).for_each(|(slope, formula)| *slope = formula.value(x));
     }
 
-    /// Returns the states at the ends of `parts` equal parts of the time, by the Dormand–Prince
-    /// method with this tolerance.
+    /// Returns the states at the ends of `parts` equal parts of the time. The Dormand–Prince method
+    /// computes them with this tolerance.
     pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Vec<Vec<f64>> {
         let mut x = DVector::from_column_slice(&self.start);
         let part = time / f64::from(parts);
@@ -115,7 +115,7 @@ impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
     }
 }
 
-/// A right-hand side as written, evaluated independently of the crate under test.
+/// A right-hand side as written. It is evaluated independently of the crate under test.
 pub(crate) enum Formula {
     Number(f64),
     State(usize),
@@ -168,7 +168,7 @@ impl Formula {
         }
     }
 
-    /// Returns the sum of the absolute values of a sum's terms.
+    /// Returns the sum of the absolute values of the terms in a sum.
     pub(crate) fn size(&self, x: &[f64]) -> f64 {
         match self {
             Formula::Sum(terms) => terms.iter().map(|(_, term)| term.value(x).abs()).sum(),
@@ -202,9 +202,10 @@ pub(crate) fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |size, value| size.max(value.abs()))
 }
 
-/// Returns the largest difference of common components, relative to the size of `b`.
+/// Returns the largest difference of components that `a` and `b` both have, relative to the size of
+/// `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    // `max` would ignore NaN.
+    // The function `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size(b)
 }

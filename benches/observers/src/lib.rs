@@ -1,4 +1,4 @@
-//! The observed fields, and the cells of a stability map.
+//! The fields that are observed, and the cells of a stability map.
 
 use kahan_core::prelude::*;
 
@@ -21,11 +21,11 @@ kahan! {
     qdot = -y - x^2 + y^2;
 }
 
-/// ε of the stability maps, half the time step.
+/// Half the time step, ε, of the stability maps.
 pub const MAP_EPS: f64 = 0.05;
 
-/// Returns a grid of `side`² initial states of Hénon and Heiles' system: y and q from −0.4 to 0.4,
-/// q varying fastest, x = p = 0.1.
+/// Returns a grid of `side`² initial states of Hénon and Heiles' system. The states y and q lie
+/// between −0.4 and 0.4, and q changes from cell to cell. The others are x = p = 0.1.
 pub fn cells(side: usize) -> Ensemble<f64, 4> {
     let axis = Axis { start: -0.4, end: 0.4, count: side };
     let fixed = Axis { start: 0.1, end: 0.1, count: 1 };

@@ -1,6 +1,7 @@
-//! The cost of observers: orbits of E6 with observers, alternating with the plain orbit, and
-//! stability maps of Hénon and Heiles' system. `cargo run --release -p kahan-bench-observers` in
-//! this folder prints two tables: medians of ratios over rounds, and the least times.
+//! Measures the cost of observers. Orbits of E6 with observers alternate with the plain orbit, and
+//! stability maps are those of Hénon and Heiles' system.
+//! `cargo run --release -p kahan-bench-observers` in this folder prints two tables: medians of
+//! ratios over rounds, and the least times.
 
 use std::hint::black_box;
 use std::time::Instant;

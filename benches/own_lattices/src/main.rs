@@ -1,4 +1,5 @@
-//! Steps lattices with 10, 1000 and 1 000 000 sites; prints invariants and nanoseconds per site.
+//! Makes steps of lattices with 10, 1000 and 1 000 000 sites, and prints invariants and nanoseconds
+//! per site.
 use kahan_bench_own_lattices::*;
 use kahan_core::LatticeAt;
 use kahan_core::prelude::*;

@@ -1,4 +1,4 @@
-//! Chains of dependent steps, by the macro's code and by machine code made at run time.
+//! Times chains of dependent steps, by the macro's code and by machine code made at run time.
 
 use std::hint::black_box;
 

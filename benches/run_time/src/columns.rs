@@ -1,5 +1,5 @@
-//! Many trajectories in lanes, by the macro's code and by machine code made at run time; a unit has
-//! [`POINTS`] steps.
+//! Times many trajectories that share vector registers, by the macro's code and by machine code
+//! made at run time. A unit of work has [`POINTS`] steps.
 
 use std::hint::black_box;
 
@@ -11,7 +11,7 @@ use kahan_runtime::MapAt;
 
 use crate::pair::{Pair, in_segments, timed};
 
-/// The number of trajectories, equal to that of the ensembles.
+/// The number of trajectories, which equals that of the ensembles.
 const POINTS: usize = 512;
 
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>

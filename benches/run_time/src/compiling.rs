@@ -1,5 +1,5 @@
-//! Times the compilation of plans to machine code: steps of catalog fields, with integrals or in
-//! columns.
+//! Times the compilation of formulas to machine code: steps of catalog fields, with integrals or
+//! for many trajectories.
 
 use std::hint::black_box;
 
@@ -25,7 +25,7 @@ pub(crate) fn all() -> Vec<Task> {
     tasks
 }
 
-/// The first use of a map, which compiles it.
+/// A first use of a map, which compiles the map.
 type Use = fn(&Map, &[f64]);
 
 fn field(
@@ -67,7 +67,7 @@ fn with_integrals(map: &Map, state: &[f64]) {
     black_box(integrals);
 }
 
-/// Compiles for columns, both for scalar and for vector registers.
+/// Compiles steps of many trajectories, for scalar and for vector registers.
 fn with_columns(map: &Map, state: &[f64]) {
     let mut columns: Vec<[f64; 8]> = state.iter().map(|x| [*x; 8]).collect();
     let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(|column| &mut column[..]).collect();

@@ -1,4 +1,4 @@
-//! A process that times fields read at run time and the macro's code on request.
+//! A process that times fields read at run time, and the macro's code, on request.
 
 mod chains;
 mod columns;

@@ -7,10 +7,10 @@ use kahan_bench_fields::{EPS, Source, block_of};
 use kahan_core::prelude::*;
 use kahan_runtime::{Field, Map};
 
-/// The number of steps after which a run restarts, which keeps orbits in an ordinary range.
+/// The number of steps after which a run restarts, so that orbits stay in an ordinary range.
 pub(crate) const SEGMENT: usize = 1024;
 
-/// Both forms of a map, with the initial state of timings.
+/// Both forms of a map, with the initial state from which they are timed.
 pub(crate) struct Pair<M, const N: usize> {
     pub(crate) system: &'static str,
     pub(crate) generated: M,
@@ -35,7 +35,8 @@ impl<M: KahanMap<f64, N>, const N: usize> Pair<M, N> {
     }
 }
 
-/// Makes a task that runs in segments; `run` takes the steps of a segment and returns the seconds.
+/// Makes a task that runs in segments. The function `run` takes the steps of a segment and returns
+/// the seconds.
 pub(crate) fn in_segments(
     system: &'static str,
     what: &'static str,

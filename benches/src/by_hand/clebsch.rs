@@ -1,11 +1,12 @@
-//! Clebsch's case in six variables, m and p. With P = εp and c = (w₃−w₂, w₁−w₃, w₂−w₁) the
-//! increment of m is ε(p × Wp̃ + p̃ × Wp), free of divisions. Eliminating it leaves a linear system
-//! for p̃ with the matrix K = diag(d) + \[a\]×, where a = εm + P × WP, d₁ = 1 − c₃P₂² + c₂P₃² and
-//! cyclically. Since a·(p × a) = 0:
+//! Steps of Clebsch's case in six variables, m and p. With P = εp and c = (w₃−w₂, w₁−w₃, w₂−w₁) the
+//! increment of m is ε(p × Wp̃ + p̃ × Wp), which has no divisions. Eliminating it leaves a linear
+//! system for p̃ with the matrix K = diag(d) + \[a\]×. Here \[a\]× is the matrix of the cross
+//! product with a = εm + P × WP, d₁ = 1 − c₃P₂² + c₂P₃², and d₂, d₃ follow cyclically. Since a·(p ×
+//! a) = 0:
 //!
 //! - p̃ = p + 2(e∘(p × a) + (Σdᵢaᵢpᵢ)a − Sp)/D with e = (d₂d₃, d₃d₁, d₁d₂), S = Σdᵢaᵢ²,
 //! - D = d₁d₂d₃ + S,
-//! - m̃₁ = m₁ + εc₁(p₂p̃₃ + p₃p̃₂) and cyclically.
+//! - m̃₁ = m₁ + εc₁(p₂p̃₃ + p₃p̃₂), and m̃₂, m̃₃ follow cyclically.
 
 use kahan_bench_fields::Clebsch;
 
@@ -43,7 +44,8 @@ pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f6
     }
 }
 
-/// Multiplies by 2 during the division instead of before it, and adds D's latest term last.
+/// Multiplies by 2 during the division instead of before it, and adds the term of D that is known
+/// last at the end.
 pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
@@ -69,7 +71,8 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// With da = (dᵢaᵢ), p's numerators are e∘(p × a) − da × (p × a); m's follow during the division.
+/// Computes the numerators of p as e∘(p × a) − da × (p × a), where da has the components dᵢaᵢ. The
+/// components of m follow during the division.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);

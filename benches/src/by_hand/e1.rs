@@ -1,5 +1,5 @@
-//! E1: with k = 1 + 2X and t = 1 − X the map is x̃ = x − 2Xx/k, ỹ = y − 2Xy/k, z̃ = z + 2ε(2y² +
-//! xz(1+X))/(kt).
+//! Steps of E1. With X = εx, k = 1 + 2X and t = 1 − X the map is x̃ = x − 2Xx/k, ỹ = y − 2Xy/k, z̃
+//! = z + 2ε(2y² + xz(1+X))/(kt).
 
 use crate::contender::{Contender, Role};
 
@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Uses one reciprocal, 1/(kt).
+/// Uses a single reciprocal, 1/(kt).
 pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -25,7 +25,7 @@ pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes 1/k first, which x and y need; only x is on the critical path. z is divided by t at the
+/// Computes 1/k first, which x and y need. Only x is on the critical path; z is divided by t at the
 /// end.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
@@ -37,7 +37,7 @@ pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Uses a division for each component, without multiplications after it.
+/// Uses a division for each component, without multiplications after the division.
 pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -48,7 +48,7 @@ pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Uses k/(2ε) = h + x and t/ε = 2h − x with h = 1/(2ε): one addition before the division.
+/// Uses k/(2ε) = h + x and t/ε = 2h − x with h = 1/(2ε). Only one addition precedes the division.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h, four_h) = (0.5 / eps, 1.0 / eps, 2.0 / eps);
     move |[x, y, z]| {

@@ -1,5 +1,5 @@
-//! E3: with r = x² + y² the map is x̃ = x − 2ε(z + εr)x/D, ỹ = y − 2ε(z + εr)y/D, z̃ = z + 2εr(1 −
-//! Z)/D, D = 1 + Z + 2ε²r.
+//! Steps of E3. With r = x² + y² and Z = εz the map is x̃ = x − 2ε(z + εr)x/D, ỹ = y − 2ε(z +
+//! εr)y/D, z̃ = z + 2εr(1 − Z)/D, where D = 1 + Z + 2ε²r.
 
 use crate::contender::{Contender, Role};
 
@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes D = 1 + ε((z + εr) + εr).
+/// Computes the denominator as D = 1 + ε((z + εr) + εr).
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -25,7 +25,8 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D = (1 + Z) + (X·2X + Y·2Y), and the sum of squares separately for the numerators.
+/// Computes the denominator as D = (1 + Z) + (X·2X + Y·2Y) with X = εx, Y = εy, Z = εz. The sum of
+/// squares for the numerators is computed separately.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -39,7 +40,7 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D as in the short chain; the squares are computed once and scaled during the division.
+/// Computes D as in `short_chain`. The squares are computed once and scaled during the division.
 pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {

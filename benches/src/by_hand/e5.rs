@@ -1,5 +1,5 @@
-//! E5: with u = 1 + Y, v = 1 − Y, p = y − Xx and D = v + 2X² the map is x̃ = x + 2εxp/D, ỹ = y −
-//! 2εx²u/D, z̃ = z + 2εp(2x − zv)/(Du).
+//! Steps of E5. With X = εx, Y = εy, u = 1 + Y, v = 1 − Y, p = y − Xx and D = v + 2X² the map is x̃
+//! = x + 2εxp/D, ỹ = y − 2εx²u/D, z̃ = z + 2εp(2x − zv)/(Du).
 
 use crate::contender::{Contender, Role};
 
@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Uses one reciprocal, 2ε/(Du).
+/// Uses a single reciprocal, 2ε/(Du), where D and u are denominators of the map.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -25,7 +25,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Only 1/D is on the critical path; 1/u, which z needs, is computed in parallel.
+/// Computes 1/D, which is on the critical path, and in parallel 1/u, which only z needs.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -50,8 +50,8 @@ pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), u/ε = 2h + y, and z from the new x and y by
-/// (2h + y)Δz = (2x − z)(y + ỹ) + 2yΔx.
+/// Computes the denominators as D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), and u/ε = 2h + y.
+/// Computes z from the new x and y by (2h + y)Δz = (2x − z)(y + ỹ) + 2yΔx.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

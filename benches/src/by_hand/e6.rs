@@ -1,9 +1,9 @@
-//! E6 is the Euler top with the coefficients −3, 1, 1 in s = x + z, d = x − z, y. With T = 3Y, u =
-//! 1 + T, v = 1 − T, a = y + εsd, b = d + Ys, c = s − Td, g = 2z − xu, h = zv − 2x the map is x̃ =
-//! x + 2εag/D, ỹ = y + 2εbc/D, z̃ = z + 2εah/D, D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u +
-//! 2Z²v.
+//! Steps of E6, which is the Euler top with the coefficients −3, 1, 1 in s = x + z, d = x − z, y.
+//! Capital letters X, Y, Z are εx, εy, εz. With T = 3Y, u = 1 + T, v = 1 − T, a = y + εsd, b = d +
+//! Ys, c = s − Td, g = 2z − xu, h = zv − 2x the map is x̃ = x + 2εag/D, ỹ = y + 2εbc/D, z̃ = z +
+//! 2εah/D, where D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u + 2Z²v.
 //!
-//! The constant 3ε is not prepared: its rounding would make the integrals drift.
+//! The constant 3ε is not computed in advance, since its rounding would make the integrals drift.
 
 use crate::contender::{Contender, Role};
 
@@ -15,7 +15,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes D from the numerators of x and z.
+/// Computes the denominator D from the numerators of x and z.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -29,7 +29,7 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Computes D from X, Y, Z in parallel.
+/// Computes the denominator D from X, Y, Z in parallel.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -45,7 +45,8 @@ pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Like the short chain, with 3Y as Y + 2Y and the constant 8ε, which is an exact multiple of ε.
+/// Computes D as in `short_chain`, with 3Y as Y + 2Y and the constant 8ε, which is an exact
+/// multiple of ε.
 pub(crate) fn shortest_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (two_eps, eight_eps) = (2.0 * eps, 8.0 * eps);
     move |[x, y, z]| {

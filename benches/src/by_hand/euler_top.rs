@@ -1,5 +1,6 @@
-//! The Euler top: with p, q, r = εα₁, εα₂, εα₃ and a = x + pyz, b = y + qzx, c = z + rxy the map is
-//! x̃ = x + 2p·bc/D, ỹ = y + 2q·ca/D, z̃ = z + 2r·ab/D, D = 1 − qrx² − pry² − pqz² − 2pqr·xyz.
+//! Steps of the Euler top. With p, q, r = εα₁, εα₂, εα₃ and a = x + pyz, b = y + qzx, c = z + rxy
+//! the map is x̃ = x + 2p·bc/D, ỹ = y + 2q·ca/D, z̃ = z + 2r·ab/D, where D = 1 − qrx² − pry² − pqz²
+//! − 2pqr·xyz.
 
 use kahan_bench_fields::EulerTop;
 
@@ -12,7 +13,8 @@ pub(crate) fn contenders(top: EulerTop<f64>, start: [f64; 3], eps: f64) -> Vec<C
     ]
 }
 
-/// Computes D = 1 − qx·rx − py·rb − pz·qc, with all but three products shared with the numerators.
+/// Computes the denominator as D = 1 − qx·rx − py·rb − pz·qc. The numerators share all but three of
+/// the products.
 pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     move |[x, y, z]| {
@@ -25,7 +27,7 @@ pub(crate) fn fewest_operations(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3
     }
 }
 
-/// Sums D in pairs; its terms are products of two products.
+/// Sums the terms of the denominator D in pairs. Each term is a product of two products.
 pub(crate) fn short_chain(top: EulerTop<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (p, q, r) = (eps * top.a1, eps * top.a2, eps * top.a3);
     let (two_p, two_q, two_r) = (2.0 * p, 2.0 * q, 2.0 * r);

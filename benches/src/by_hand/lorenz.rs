@@ -1,12 +1,12 @@
-//! Lorenz: with s, r, b = εσ, ερ, εβ, k = 1 + s, l = 1 + ε, c = 1 + b, q = x + sy, R = r − Z, T =
-//! kl − sR the map is
+//! Steps of Lorenz's system. Capital letters X, Y, Z are εx, εy, εz. With s, r, b = εσ, ερ, εβ, k =
+//! 1 + s, l = 1 + ε, c = 1 + b, q = x + sy, R = r − Z, T = kl − sR the map is
 //!
 //! - x̃ = x + 2s(cy + x(c(r − l) − Z − X²))/D,
 //! - ỹ = y + 2(q(cR − XY) − k(cY − bXz))/D,
 //! - z̃ = z + 2(q(RX + Y) − sXY − bzT)/D,
 //! - D = cT + X(kX + sY).
 //!
-//! The flow contracts volumes, so no integral can drift, and all constants are prepared.
+//! The flow contracts volumes, so no integral can drift, and all constants are computed in advance.
 
 use kahan_bench_fields::Lorenz;
 
@@ -34,8 +34,8 @@ pub(crate) fn fewest_operations(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3])
     }
 }
 
-/// Computes D = X(kεx + sεy) + (ct₀ + csεz) with prepared coefficients; factors 2 are merged with
-/// constants of the numerators.
+/// Computes the denominator as D = X(kεx + sεy) + (ct₀ + csεz), with coefficients computed in
+/// advance. Factors 2 are merged with constants of the numerators.
 pub(crate) fn short_chain(map: Lorenz<f64>, eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (s, r, b) = (eps * map.sigma, eps * map.rho, eps * map.beta);
     let (k, l, c) = (1.0 + s, 1.0 + eps, 1.0 + b);

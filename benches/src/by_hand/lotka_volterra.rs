@@ -1,5 +1,5 @@
-//! Lotka–Volterra: with u = 1 − y, v = x − 1, p = u − εv, q = v + εu the map is x̃ = x + 2εxp/D, ỹ
-//! = y + 2εyq/D, D = 1 − ε(u+v) + ε²(x+y−1).
+//! Steps of the Lotka–Volterra system. With u = 1 − y, v = x − 1, p = u − εv, q = v + εu the map is
+//! x̃ = x + 2εxp/D, ỹ = y + 2εyq/D, where D = 1 − ε(u+v) + ε²(x+y−1).
 
 use crate::contender::{Contender, Role};
 
@@ -12,7 +12,7 @@ pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
     ]
 }
 
-/// Computes D = 1 − ε(p + q − ε); each difference is used twice.
+/// Computes the denominator as D = 1 − ε(p + q − ε). Each difference is used twice.
 pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -23,7 +23,8 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Computes D = (1 + (Y − X)) + ε((X + Y) − ε), a chain of six operations.
+/// Computes the denominator as D = (1 + (Y − X)) + ε((X + Y) − ε) with X = εx and Y = εy. This is a
+/// chain of six operations.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {
@@ -47,7 +48,8 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Prepares coefficients: the division by D/(2ε) waits for two parallel products and two sums.
+/// Uses coefficients computed in advance. Two parallel products and two sums precede the division
+/// by D/(2ε).
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
     let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);

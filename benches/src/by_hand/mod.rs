@@ -1,11 +1,12 @@
-//! Careful hand-written steps, one file for each system, as references for generated code.
+//! Steps that were carefully written by hand, one file for each system, as references for generated
+//! code.
 //!
-//! They map ε and parameters to functions from state to state in the increment form x + n/D, which
-//! rounds once per component and preserves integrals in long runs. Where rounding would make an
-//! integral drift, only ε, εα, 1/(2ε) and their doubles are rounded constants. Each file has the
-//! forms with the fewest operations and with the shortest chain. On current x86-64 additions take
-//! 2–3 cycles, multiplications 4, divisions 14; only the path to the denominator counts. Capital
-//! letters are variables times ε.
+//! For given ε and parameters, a function makes a function from state to state. The increment form
+//! x + n/D rounds once per component and preserves integrals in long runs. Where rounding would
+//! make an integral drift, only ε, εα, 1/(2ε) and their doubles are rounded constants. Each file
+//! has the forms with the fewest operations and with the shortest chain of dependent operations. On
+//! current x86-64 additions take 2–3 cycles, multiplications 4, divisions 14; only the path to the
+//! denominator counts. Capital letters are variables times ε.
 
 pub(crate) mod clebsch;
 pub(crate) mod e1;

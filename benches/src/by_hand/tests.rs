@@ -1,16 +1,18 @@
-//! Tests of every hand-written step against the exact map over ℚ.
+//! Tests every hand-written step against the exact map over ℚ.
 
 use kahan_bench_fields as fields;
 use kahan_core::num_traits::ToPrimitive;
 use kahan_core::prelude::*;
 
-/// ½ ulp is the least possible error; increments at these points add a few roundings.
+/// The largest permitted error. An error of ½ ulp cannot be avoided, and increments at these points
+/// add a few roundings.
 const BOUND: f64 = 3.0 * f64::EPSILON;
 
-/// Not a power of two, and large enough for all powers of ε to matter.
+/// Half the time step, ε. It is not a power of two, and large enough for all powers of ε to matter.
 const EPS: f64 = 0.1;
 
-/// Returns points that fill the box (−1, 1)ᴺ, by multiples of irrational numbers.
+/// Returns points that fill the box (−1, 1)ᴺ. Their coordinates are multiples of irrational
+/// numbers.
 fn points<const N: usize>() -> impl Iterator<Item = [f64; N]> {
     (1..=200)
         .map(|k| std::array::from_fn(|i| 2.0 * (f64::from(k) * (i as f64 + 2.0).sqrt() * 0.37).fract() - 1.0))
@@ -80,7 +82,7 @@ fn e6() {
     agree(fields::E6, EPS, &[&fewest_operations(EPS), &short_chain(EPS), &shortest_chain(EPS)]);
 }
 
-/// ρ is large, so ε must be small: ερ must not create poles in the box.
+/// Since ρ is large, ε must be small, so that ερ creates no poles in the box.
 #[test]
 fn lorenz() {
     use super::lorenz::{fewest_operations, short_chain};

@@ -1,4 +1,4 @@
-//! The cost of compiling, compared with an earlier state.
+//! Reports the cost of compiling, compared with that of an earlier commit.
 
 use anyhow::Result;
 

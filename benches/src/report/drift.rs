@@ -1,4 +1,4 @@
-//! Drift on long orbits.
+//! Reports how an integral drifts on long orbits.
 
 use super::Section;
 use crate::drift::{EPS, lines};
@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use crate::race::Effort;
 use crate::table::Table;
 
-/// Computes the orbits; a quick run ends at 10⁷ steps.
+/// Computes the orbits. A quick run ends at 10⁷ steps.
 pub(crate) fn drift(effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let progress = Progress::new(1);
     progress.begin("E6: a long orbit");

@@ -1,4 +1,5 @@
-//! Ensembles: the default build against a native build and the machine's bounds.
+//! Reports the speed of ensembles: the default build is compared with a native build and with the
+//! machine's bounds.
 
 use anyhow::Result;
 
@@ -61,9 +62,9 @@ pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     Ok(systems.into_iter().zip(times).map(|(system, times)| (system, times[0] / POINTS)).collect())
 }
 
-/// Times all tasks of a system in both builds, and the bounds, alternately. Returns the lines of
-/// each system, then those of the bounds. The first line of a system, its ensemble in the default
-/// build, is the reference of the ratios.
+/// Times all tasks of a system in both builds, and the machine's bounds, alternately. Returns the
+/// lines of each system, then those of the bounds. The first line of a system is its ensemble in
+/// the default build, which is the reference of the ratios.
 fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> {
     let mut systems: Vec<&str> = workers[0].tasks().iter().map(|task| task.system.as_str()).collect();
     systems.sort_by_key(|&system| system == BOUND);
@@ -113,7 +114,7 @@ fn find<'l>(lines: &'l [Line], native: bool, what: &str) -> Option<&'l Line> {
     lines.iter().find(|line| line.native == native && line.what == what)
 }
 
-/// Returns the ratio to the least time that the throughput bounds permit.
+/// Returns the time divided by the least time that the machine's throughput permits.
 fn of_bound(line: &Line, lines: &[Line]) -> Option<f64> {
     let least = |what| find(lines, false, what).map(|line| line.nanoseconds);
     let bound = match line.what.as_str() {

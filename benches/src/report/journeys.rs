@@ -1,4 +1,4 @@
-//! Integrations: time per unit of simulated time, and the final error.
+//! Reports integrations: the computing time per unit of simulated time, and the final error.
 
 use super::Section;
 use crate::journey::{REFERENCE, SPAN, STEP, TOLERANCE};

@@ -1,4 +1,4 @@
-//! Measurements as sections with their limits, as text or JSON.
+//! Writes measurements as sections with their limits, as text or JSON.
 
 mod compile;
 mod drift;

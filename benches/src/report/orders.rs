@@ -1,4 +1,4 @@
-//! Order 8 against DOP853 at equal errors.
+//! Reports compositions of order 8 against DOP853 at equal errors.
 
 use super::Section;
 use crate::limit::Limit;

@@ -1,4 +1,4 @@
-//! Fields read at run time, compared with the macro's code.
+//! Reports the speed of fields read at run time, compared with the macro's code.
 
 use anyhow::{Context, Result};
 
@@ -9,17 +9,17 @@ use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
-/// The prefix of a task that runs the macro's code.
+/// The prefix in the name of a task that runs the macro's code.
 const MACRO: &str = "macro: ";
 const RUN_TIME: &str = "run time: ";
-/// The prefix of a task without a counterpart.
+/// The prefix in the name of a task that compiles, which has no counterpart.
 const COMPILING: &str = "compiling: ";
-/// Tasks without limits: separate calls for each step, whose counterpart is inlined, and ensembles
-/// with each side's default registers and rounding.
+/// Tasks without limits. Separate calls for each step are compared with inlined code, and ensembles
+/// use other registers and rounding on each side.
 const UNJUDGED: [&str; 2] = ["a step at a time", "ensemble"];
-/// The largest permitted ratio of run-time code to the macro's code.
+/// The largest permitted time of run-time code, divided by that of the macro's code.
 const AT_MOST: f64 = 1.15;
-/// The largest permitted milliseconds from a plan to machine code.
+/// The largest permitted time to compile formulas to machine code, in milliseconds.
 const COMPILING_AT_MOST: [(&str, f64); 2] =
     [("E6: step and integrals", 0.2), ("Clebsch: step and integrals", 1.0)];
 const POINTS: f64 = 512.0;

@@ -1,4 +1,4 @@
-//! One step: latency and instructions.
+//! Reports the latency of one step, and its number of instructions.
 
 use anyhow::Result;
 
@@ -19,7 +19,7 @@ struct Row {
     instructions: Option<f64>,
 }
 
-/// Times the steps of `systems`; counts instructions if valgrind is installed.
+/// Times the steps of `systems`. Instructions are counted if valgrind is installed.
 pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(systems.len());
     let (mut sections, mut limits, mut by_lu) = (Vec::new(), Vec::new(), Vec::new());
@@ -67,7 +67,7 @@ pub(crate) struct StepTimes {
     pub(crate) system: &'static str,
     pub(crate) generated: f64,
     pub(crate) by_hand: f64,
-    /// Kahan's map by nalgebra's LU of static size.
+    /// The time of Kahan's map by nalgebra's LU decomposition of static size.
     pub(crate) lu: f64,
     pub(crate) midpoint: f64,
 }

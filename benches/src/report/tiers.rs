@@ -1,4 +1,4 @@
-//! The cost of the tiers' promises.
+//! Reports the cost of each tier, which is a way to take a step with a certain guarantee.
 
 use anyhow::Result;
 
@@ -11,11 +11,11 @@ use crate::worker::{self, Worker};
 
 /// The tier that is the reference of all others.
 const FAST: &str = "fast";
-/// The fast tier with separate calls for each step, like the stable tier.
+/// The fast tier with a separate call for each step, as in the stable tier.
 const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit: tier, reference, whether in the native build (with multiply-adds),
-/// largest ratio.
+/// The tiers with a limit. Each has the tier, the reference, whether the build is native (with
+/// multiply-adds), and the largest permitted ratio.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
@@ -72,7 +72,7 @@ struct Line {
 }
 
 impl Line {
-    /// Returns whether limits apply, for two and three variables only.
+    /// Returns whether limits apply, which is so for two and three variables.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }

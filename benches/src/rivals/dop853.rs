@@ -13,8 +13,8 @@ impl<F: QuadraticField<f64, N>, const N: usize> System<f64, Vector<f64, N>> for 
     }
 }
 
-/// Returns the state after `time`; panics if the method fails. `tolerance` is absolute and
-/// relative.
+/// Returns the state after `time`, and panics if the method fails. Both the absolute and the
+/// relative tolerance are `tolerance`.
 pub(crate) fn end<F, const N: usize>(field: F, tolerance: f64) -> impl Fn([f64; N], f64) -> [f64; N]
 where
     F: QuadraticField<f64, N> + Clone,

@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 use nalgebra::{Const, DMatrix, DVector, DimMin};
 
-/// Steps by the LU decomposition of an `SMatrix` with partial pivoting.
+/// Returns a step that uses the LU decomposition of an `SMatrix` with partial pivoting.
 pub(crate) fn of_static_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -15,7 +15,8 @@ where
     }
 }
 
-/// Steps by the LU decomposition of a `DMatrix` with partial pivoting, which allocates.
+/// Returns a step that uses the LU decomposition of a `DMatrix` with partial pivoting, which
+/// allocates.
 pub(crate) fn of_dynamic_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
 where
     M: KahanMap<f64, N>,
@@ -29,7 +30,7 @@ where
     }
 }
 
-/// Panics for a singular matrix, which these chains never meet.
+/// Returns the solution. Panics for a singular matrix, which these chains never meet.
 fn solved<X>(solution: Option<X>) -> X {
     solution.expect("the chains stay away from poles")
 }

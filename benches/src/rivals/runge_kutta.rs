@@ -22,7 +22,7 @@ mod tests {
     use super::*;
     use kahan_bench_fields::E1;
 
-    /// E1 has x = 1/(1 + t) for x(0) = 1; halving the step divides the error by 2⁴.
+    /// E1 has x = 1/(1 + t) for x(0) = 1. Halving the step must divide the error by 2⁴.
     #[test]
     fn the_order_is_four() {
         let error = |steps: usize| {

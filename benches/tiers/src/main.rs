@@ -1,4 +1,4 @@
-//! A process that times the tiers of one step on request.
+//! A process that times, on request, all tiers of one step.
 
 mod tasks;
 

@@ -1,4 +1,4 @@
-//! The tiers of one step, each as a chain of dependent steps.
+//! The tiers of one step, each timed as a chain of dependent steps.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -8,7 +8,7 @@ use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
 use kahan_core::{ExtendScalars, ThroughF64};
 
-/// The steps after which a chain restarts, so that orbits stay in an ordinary range.
+/// The number of steps after which a chain restarts, so that orbits stay in an ordinary range.
 const SEGMENT: usize = 1024;
 
 pub(crate) fn all() -> Vec<Task> {

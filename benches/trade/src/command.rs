@@ -1,4 +1,4 @@
-//! The answer of the command `kahan trade`.
+//! Reads the answer of the command `kahan trade`.
 
 use std::process::Command;
 
@@ -12,10 +12,11 @@ use super::scene::Setting;
 
 pub(crate) struct Told {
     pub(crate) choice: Setting,
-    /// Settings with the command's nanoseconds per unit of simulated time: for each scheme the
-    /// finest one, because all settings of a scheme have equal prices per step.
+    /// The finest setting of each scheme, with the command's price in nanoseconds per unit of
+    /// simulated time. One setting suffices, because all settings of a scheme have equal prices per
+    /// step.
     pub(crate) prices: Vec<(Setting, f64)>,
-    /// The machine's speed during the run.
+    /// The speed of the machine during the run.
     pub(crate) pace: f64,
 }
 

@@ -1,14 +1,15 @@
-//! Checks the choices of `kahan trade` and of the library against all settings, on new scenes,
-//! timed alternately. `cargo run --release -p kahan-bench-trade` in `benches/` takes six minutes on
-//! an idle machine. It prints each scene's results, and fails if
+//! Checks the choices of `kahan trade` and of the library against all settings. The scenes are new,
+//! and all settings are timed alternately. `cargo run --release -p kahan-bench-trade` in `benches/`
+//! takes six minutes on an idle machine. It prints the results for each scene, and fails in three
+//! cases:
 //!
-//! - a choice's error, at all points of a repeated orbit, exceeds its tolerance;
-//! - the command's choice costs more than 1.3 times the best setting that it can compare with, or
-//!   the library's more than 3 times the best of all. The command assumes that `f32` is no cheaper
-//!   than `f64`, so a choice in `f64` may cost 1.5 times a setting in `f32`; the output compares
-//!   with the best of all;
-//! - a price of the command differs too much from the one measured here, where the macro compiles
-//!   the orbit into an optimised program.
+//! - The error of a choice, at all points of a repeated orbit, exceeds its tolerance.
+//! - A choice costs too much. The command's choice may cost 1.3 times the best setting that the
+//!   command can compare with. The library's choice may cost 3 times the best setting of all. The
+//!   command assumes that `f32` is no cheaper than `f64`, so a choice in `f64` may cost 1.5 times a
+//!   setting in `f32`; the output compares with the best of all.
+//! - A price that the command states differs too much from the one measured here, where the macro
+//!   compiles the orbit into an optimised program.
 
 mod command;
 mod price;
@@ -30,11 +31,11 @@ use unseen_fields::{
     ThreeWaves, Tired,
 };
 
-/// The largest permitted cost of the command's and the library's choice, relative to the best
-/// setting.
+/// The largest permitted cost of the command's and of the library's choice, divided by that of the
+/// best setting.
 const DEAREST: [f64; 2] = [1.3, 3.0];
-/// The permitted excess of errors. The command checks some points of an orbit, more where it moves
-/// fast; this program checks all.
+/// The factor by which errors may exceed the tolerance. The command checks only some points of an
+/// orbit, more of them where the orbit moves fast. This program checks all points.
 const UNSEEN: f64 = 1.02;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
 
@@ -57,11 +58,11 @@ fn main() -> ExitCode {
 }
 
 struct Check {
-    /// The number of choices, and of those within their tolerance.
+    /// The number of choices that were checked.
     choices: usize,
     within: usize,
     prices: usize,
-    /// The least and largest ratio of a price measured here to the command's.
+    /// The least and the largest quotient of a price measured here and the command's price.
     factors: [f64; 2],
     failures: Vec<String>,
 }
@@ -102,7 +103,7 @@ impl Check {
                 end: horizon,
                 allowed: 1e-3 * tolerance,
             };
-            // With a rounded ε the last point lies only near the horizon.
+            // If ε is rounded, the final point lies only near the horizon.
             let limits = TrajectoryLimits { margin: 1.0 / 256.0, is_over: None, variables: None };
             let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
@@ -198,7 +199,7 @@ impl Check {
     }
 }
 
-/// Returns the library's choice; `None` if it refuses.
+/// Returns the library's choice. `None` if the library refuses.
 fn library<M, const N: usize>(
     map: &M,
     start: &SVector<BigRational, N>,

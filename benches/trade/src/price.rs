@@ -1,4 +1,4 @@
-//! Prices of settings, timed alternately.
+//! Measures the prices of settings, which are timed alternately.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -8,17 +8,17 @@ use kahan_core::prelude::*;
 
 use super::scene::{Scene, Setting};
 
-/// The number of rounds, in which all settings alternate; the least time counts, because
+/// The number of rounds, in which all settings alternate. The least time counts, because
 /// disturbances only slow a step down.
 const ROUNDS: usize = 60;
 
-/// The largest permitted ratio between a price measured here and the command's, which times machine
-/// code with equal operations. Compilers pack and spill differently, above all in single precision:
-/// ratios from 0.9 to 2.1 were measured. Crates that are not optimised together take 3.6 times as
-/// long, unoptimised programs a hundred times.
+/// The largest permitted quotient of a price measured here and the command's price. The command
+/// times machine code with equal operations. Compilers pack and spill registers differently, above
+/// all in single precision: quotients from 0.9 to 2.1 were measured. Crates that are not optimised
+/// together take 3.6 times as long, and unoptimised programs a hundred times.
 pub(crate) const NEAR: f64 = 2.5;
 
-/// Returns the nanoseconds per unit of time for each setting, and the machine's pace.
+/// Returns the price of each setting in nanoseconds per unit of time, and the speed of the machine.
 pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     scene: &Scene<M, N>,
     settings: &[Setting],
@@ -33,8 +33,8 @@ pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     (prices, least)
 }
 
-/// Returns the seconds of a fixed loop of dependent operations, by which prices measured at
-/// different times are normalised.
+/// Returns the seconds that a fixed loop of dependent operations takes. Prices measured at
+/// different times are normalised by this time.
 pub(crate) fn pace() -> f64 {
     let turn = || {
         let clock = Instant::now();

@@ -1,4 +1,4 @@
-//! One scene in compiled form: errors and prices of settings.
+//! One scene in compiled form, with the errors and prices of settings.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -32,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// Runs an expression with the setting's orbit, which a closure creates.
+/// Evaluates an expression with the orbit of a setting, which a closure creates.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
@@ -89,8 +89,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// Returns the largest distance from the reference over all steps; the last step is compared
-    /// with the reference at the horizon. Ends once the distance exceeds `enough`.
+    /// Returns the largest distance from the reference over all steps. The final step is compared
+    /// with the reference at the horizon. The computation ends once the distance exceeds `enough`.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -111,16 +111,17 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
     }
 
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// The least number of timed steps, in total and in one piece; starting an orbit takes
-        /// time.
+        /// The least number of timed steps in total.
         const STEPS: usize = 400;
+        /// The least number of steps of one timed orbit, since starting an orbit takes time.
         const PIECE: usize = 64;
-        // Far beyond the horizon arithmetic may be slow: an epidemic ends in subnormal `f32`.
+        // Far beyond the horizon arithmetic may be slow; for example, an epidemic ends in subnormal
+        // `f32`.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// Times one kind of orbit, created and iterated here as in a user's loop. One function for
-        /// all kinds would be too large to be optimised well, and an orbit passed as argument would
-        /// stay in memory.
+        /// Times one kind of orbit, which is created and iterated here as in a user's loop. One
+        /// function for all kinds would be too large to be optimised well. An orbit that is passed
+        /// as argument would stay in memory.
         #[inline(never)]
         fn seconds<O: Iterator>(begin: impl Fn() -> O, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();
@@ -137,8 +138,8 @@ impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// Returns for each scheme the coarsest sufficient eps, on a grid with ratio 1.1, while its
-    /// price is below `dearest`.
+    /// Returns for each scheme the coarsest ε that suffices, on a grid with ratio 1.1, while the
+    /// price of the scheme is below `dearest`.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scheme in Scheme::all() {

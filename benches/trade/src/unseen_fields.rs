@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-/// A field as the command reads it.
+/// A field in the form of text that the command reads.
 pub(crate) trait Text {
     const TEXT: &str;
 }

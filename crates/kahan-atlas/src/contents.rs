@@ -1,4 +1,4 @@
-//! The page as a whole: head, table of contents, sections in order, colophon.
+//! The page as a whole: head, table of contents, sections in their order, and colophon.
 
 use maud::{Markup, html};
 
@@ -10,8 +10,8 @@ const TITLE: &str = "An atlas of Kahan’s maps";
 
 /// Writes the page as one self-contained HTML document.
 ///
-/// Takes about a second: only the level curve of dE4 and the portrait are computed here, in double
-/// precision.
+/// The work takes about a second: only the level curve of dE4 and the phase portrait are computed
+/// here, in double precision.
 #[must_use]
 pub fn page(found: &AtlasContent<'_>, making: &PageCreation) -> String {
     let body = html! {

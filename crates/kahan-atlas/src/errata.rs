@@ -1,5 +1,5 @@
-//! The errata: misprinted formulas with the claims that refute them, and wrong statements with
-//! measured values.
+//! The section on errata: misprinted formulas with the claims that refute them, and wrong
+//! statements with measured values.
 
 use maud::{Markup, html};
 

@@ -1,4 +1,4 @@
-//! The content of the page: claims with their outcomes, and the heights of the paper's orbits.
+//! The data for the page: claims with their outcomes, and the heights along the paper's orbits.
 
 use std::collections::BTreeMap;
 
@@ -10,28 +10,30 @@ use kahan_paper::{Claim, Established, Id, Outcome, Paper};
 pub struct CheckedClaim<'a> {
     /// The claim.
     pub claim: &'a Claim,
-    /// The outcome and its detail.
+    /// The outcome of the claim, with its detail.
     pub established: Established,
 }
 
-/// Heights along orbits, by [name](Figure::name) of the orbit.
+/// The heights along orbits. The keys are the [names](Figure::name) of the orbits.
 pub type Orbits<'a> = BTreeMap<&'static str, &'a Measurement>;
 
-/// The content of the page.
+/// The data from which the page is written.
 #[derive(Debug)]
 pub struct AtlasContent<'a> {
     /// The registry of claims, which writes statements in LaTeX.
     pub paper: &'a Paper,
     /// All claims in the order of the paper.
     pub claims: Vec<CheckedClaim<'a>>,
-    /// The orbits of [`Figure::all`]; a figure whose orbit is missing is left out of the page.
+    /// The measured orbits of [`Figure::all`]. A figure whose orbit is missing is left out of the
+    /// page.
     pub orbits: Orbits<'a>,
 }
 
 impl<'a> AtlasContent<'a> {
-    /// Establishes every claim and computes every orbit; calls `each` after each of them.
+    /// Establishes every claim and computes every orbit. Calls `each` after each claim and each
+    /// orbit.
     ///
-    /// Takes about half a minute on two cores.
+    /// The work takes about half a minute on two cores.
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
@@ -53,7 +55,7 @@ impl<'a> AtlasContent<'a> {
         AtlasContent { paper, claims, orbits }
     }
 
-    /// Returns the number of calls of `each` by [`compute`](Self::compute).
+    /// Returns how often [`compute`](Self::compute) calls `each`.
     #[must_use]
     pub fn steps(paper: &Paper) -> usize {
         paper.claims().len() + Figure::all().count()

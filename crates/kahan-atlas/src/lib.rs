@@ -1,9 +1,10 @@
-//! The paper as one HTML page, written from claims established for that page.
+//! The paper as one HTML page. The page is written from claims that are established for it.
 //!
-//! The claims of `kahan-paper` with their outcomes, and heights along its orbits, come in. One
-//! self-contained HTML document with MathML and SVG goes out, without scripts or network access.
-//! [`AtlasContent::compute`] establishes the claims and computes the orbits; [`page`] writes the document,
-//! one module for each section. The crate must not know the command or files.
+//! The input consists of the claims of `kahan-paper` with their outcomes, and of heights along the
+//! paper's orbits. The output is one self-contained HTML document with MathML and SVG, without
+//! scripts or network access. [`AtlasContent::compute`] establishes the claims and computes the
+//! orbits. [`page`] writes the document; each section of the page has a module. The crate must not
+//! know the command or files.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

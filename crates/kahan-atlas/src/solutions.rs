@@ -1,4 +1,5 @@
-//! Table 5 and Theorem 3: the solutions of flows and maps, from the statements of their claims.
+//! The sections on Table 5 and Theorem 3: the solutions of flows and maps, from the statements of
+//! their claims.
 
 use maud::{Markup, html};
 
@@ -41,11 +42,12 @@ fn table(found: &AtlasContent<'_>, id: &str, caption: &str, prefix: &str) -> Mar
     table_of_formulas(id, caption, &headings, SYSTEMS.iter().filter(solved).map(cells))
 }
 
-/// Writes the cell of a table (table, system, column) from its claim, with a link to the claim.
+/// Writes the cell of a table, which is given by table, system and column, with a link to its
+/// claim.
 fn entry(found: &AtlasContent<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
-    // Solutions are definitions at the beginning; values are the right-hand side of the last
+    // A solution is the definition at the beginning. A value is the right-hand side of the last
     // relation.
     let formula = match items.first() {
         Some(LatexItem { sign: "\\coloneqq", right, .. }) if !INTEGRALS.contains(&cell_of[2]) => Some(right),

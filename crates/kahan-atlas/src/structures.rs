@@ -1,4 +1,4 @@
-//! Tables 1 to 4, set from the text that the claims check.
+//! Tables 1 to 4, typeset from the text that the claims check.
 
 use maud::{Markup, html};
 
@@ -10,7 +10,7 @@ use kahan_paper::{Outcome, StructureRow, structure};
 use kahan_systems::registry::SYSTEMS;
 
 fn latex(expression: &str) -> String {
-    // `latex_of` reads statements; the right-hand side of a definition may be any expression.
+    // `latex_of` reads statements, so make the expression the right-hand side of a definition.
     let item = latex_of(&format!("value := {expression}")).ok().and_then(|items| items.into_iter().next());
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
@@ -19,7 +19,7 @@ fn value(row: &StructureRow, name: &str) -> Markup {
     html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
 }
 
-/// Returns the names of a tensor's entries {x,y}, {y,z}, {z,x}; names for maps end in `_eps`.
+/// Returns the names of a tensor's entries {x,y}, {y,z} and {z,x}. Names for maps end in `_eps`.
 fn entries(tensor: &str, suffix: &str) -> [String; 3] {
     ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }
@@ -28,7 +28,8 @@ fn rows(wanted: impl Fn(&StructureRow) -> bool) -> Vec<&'static StructureRow> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
-/// Writes the worst outcome among the claims with these name prefixes, linked to its first claim.
+/// Writes the worst outcome among the claims with these name prefixes. It is a link to the first
+/// claim with that outcome.
 fn verdict(found: &AtlasContent<'_>, names: &[[&str; 2]]) -> Markup {
     let claims: Vec<&CheckedClaim<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);
@@ -81,8 +82,8 @@ fn table1(found: &AtlasContent<'_>) -> Markup {
     table_of_formulas("table1", caption, &headings, rows(|_| true).into_iter().map(cells))
 }
 
-/// Writes a table with one row for each map: the definitions named in `columns`, and the outcome of
-/// its claims.
+/// Writes a table with one row for each map. A row has the definitions named in `columns`, and the
+/// outcome of the map's claims.
 fn of_maps<'a, const N: usize>(
     found: &AtlasContent<'_>,
     (id, caption): (&str, &str),

@@ -1,4 +1,5 @@
-//! The systems: for each its field, A(x,ε) and map, derived from the catalog, and its claims.
+//! The section on systems. For each system it shows the field, A(x,ε) and the map, which are
+//! derived from the catalog, and the claims.
 
 use maud::{Markup, html};
 

@@ -1,18 +1,19 @@
-//! Formats numbers, links to claims and marks of outcomes for the text of the page.
+//! Formats numbers, links to claims, and marks of outcomes for the text of the page.
 
 use maud::{Markup, html};
 
 use super::found::CheckedClaim;
 use kahan_paper::{Id, Outcome};
 
-/// Formats a small or large number like 1.2·10⁻¹⁶.
+/// Formats a small or large number with a power of ten, for example 1.2·10⁻¹⁶.
 pub(super) fn scientific(value: f64) -> Markup {
     let text = format!("{value:.1e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     html! { (mantissa.replace('-', "−")) "·10" sup { (exponent.replace('-', "−")) } }
 }
 
-/// Groups the digits of a whole number by threes, with narrow spaces that do not break.
+/// Groups the digits of a whole number by threes. The groups are separated by narrow spaces at
+/// which no line breaks.
 pub(super) fn grouped(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::new();

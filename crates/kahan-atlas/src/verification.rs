@@ -1,4 +1,5 @@
-//! The verification: every claim with its place in the paper, statement and outcome.
+//! The section on verification: every claim with its place in the paper, its statement and its
+//! outcome.
 
 use maud::{Markup, html};
 

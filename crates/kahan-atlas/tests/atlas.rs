@@ -1,4 +1,4 @@
-//! Tests of the page: well formed, self-contained, complete, and equal to the measurements.
+//! Tests that the page is well formed, self-contained, complete, and equal to the measurements.
 //!
 //! Short orbits and given outcomes keep the tests fast without optimisation.
 
@@ -52,7 +52,7 @@ fn attributes<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
 #[test]
 fn the_page_is_well_formed_and_its_links_lead_somewhere() {
     let page = page_with(&Paper::new(), good);
-    // XML requires `<meta>` to be closed, HTML does not.
+    // XML requires that `<meta>` is closed, while HTML does not.
     let xml: String = page
         .split_inclusive('>')
         .map(|piece| if piece.contains("<meta") { piece.replace('>', "/>") } else { piece.to_owned() })
@@ -263,7 +263,7 @@ fn parentheses_stretch_around_what_is_tall() {
     let page = page_with(&Paper::new(), good);
     let mut stretched = 0;
     for formula in formulas(&page) {
-        // The open parentheses: position, and whether each stretches.
+        // The open parentheses, each with its position and whether it stretches.
         let mut open: Vec<(usize, bool)> = Vec::new();
         let mut at = 0;
         for piece in formula.split_inclusive('<') {
@@ -288,11 +288,12 @@ fn parentheses_stretch_around_what_is_tall() {
     assert!(stretched > 100, "{stretched}");
 }
 
-/// Returns a formula's width in characters; fractions and tables count their widest part.
+/// Returns a formula's width in characters. Fractions and tables count as wide as their widest
+/// part.
 fn width(formula: &str) -> usize {
     let xml = format!("<math {formula}</math>");
     let mut reader = Reader::from_str(&xml);
-    // The open elements: name, and widths of the children.
+    // The open elements, each with its name and the widths of its children.
     let mut open: Vec<(String, Vec<usize>)> = vec![(String::new(), Vec::new())];
     loop {
         match reader.read_event().expect("well formed") {

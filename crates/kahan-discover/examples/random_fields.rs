@@ -95,7 +95,8 @@ fn proved_again(before: &str, claim: &str) -> Option<Proved> {
     let system = read_unproved(&lexer::lex(&block).tokens).system().ok()?;
     match prove_by_normal_form(&system, system.claims.last()?) {
         Some(holds) => holds.then_some(Proved::ByExpansion),
-        // The text of the block seeds primes and points, so they differ from those of `discover`.
+        // The text of the block seeds the primes and points of this proof, so they differ from
+        // those of `discover`.
         None => read(&lexer::lex(&block).tokens).system().ok().map(|_| Proved::ModuloPrimes),
     }
 }

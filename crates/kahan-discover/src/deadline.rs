@@ -1,4 +1,4 @@
-//! Time limits of long computations, and their reports to a [`Watch`].
+//! Time limits of long computations, and the reports that a computation makes to a [`Watch`].
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -8,14 +8,14 @@ use kahan_algebra::system::Claim;
 
 use crate::watch::{Finding, Progress, Watch};
 
-/// The least time between two calls of `look` within a stage.
+/// The least time between two calls of [`Watch::look`] within a stage.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
-/// A computation observed by a watch. Each finding is reported once; after the watch ends the
-/// computation, it is called no more.
+/// A computation that a [`Watch`] observes. Each finding is reported once. After the watch has
+/// ended the computation, the watch is not called again.
 pub struct Work<'a> {
     watch: &'a dyn Watch,
-    /// The current stage, and the numbers of done and of all items.
+    /// The current stage, the number of finished items, and the number of all items.
     stage: RefCell<String>,
     count: Cell<(u64, Option<u64>)>,
     looked: Cell<Option<Duration>>,
@@ -24,7 +24,7 @@ pub struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    /// Starts work without findings.
+    /// Starts a computation that has no findings yet.
     #[must_use]
     pub fn new(watch: &'a dyn Watch) -> Self {
         Work {
@@ -37,8 +37,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports progress. Calls `look` when a stage begins. Counted items cause a call a few times a
-    /// second, or each time without a clock.
+    /// Reports progress to the watch. [`Watch::look`] is called when a stage begins. While items
+    /// are counted, it is called a few times a second, or for each item if the watch has no clock.
     pub fn show(&self, progress: &Progress<'_>) {
         self.count.set((progress.done, progress.of));
         let begins = *self.stage.borrow() != progress.what;
@@ -51,7 +51,8 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Reports a proved claim once. Then calls `look`, so that the watch may end the computation.
+    /// Reports a proved claim, unless the claim was reported before. Then calls [`Watch::look`], so
+    /// that the watch may end the computation.
     pub fn found(&self, claim: &Claim, text: &str) {
         if !self.is_ended.get() && self.told.borrow_mut().insert(text.to_owned()) {
             self.watch.found(&Finding::claimed(claim, text));
@@ -59,7 +60,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Returns the time; `None` without a clock or after the end of the computation.
+    /// Returns the time. `None` if the watch has no clock, or after the end of the computation.
     fn now(&self) -> Option<Duration> {
         if self.is_ended.get() { None } else { self.watch.now() }
     }
@@ -80,9 +81,9 @@ impl<'a> Work<'a> {
     }
 }
 
-/// A time limit, which remembers whether it stopped a computation. Absence of structures may be
-/// stated only if the search was not stopped. The deadline passes at once if the watch ends the
-/// computation; without a clock, time never ends it.
+/// A time limit that remembers whether it stopped a computation. A report may state that a
+/// structure is absent only if the search was not stopped. If the watch ends the computation, the
+/// deadline passes at once. Without a clock the deadline does not pass by itself.
 #[derive(Clone)]
 pub struct Deadline<'a> {
     work: Option<&'a Work<'a>>,
@@ -91,7 +92,7 @@ pub struct Deadline<'a> {
 }
 
 impl<'a> Deadline<'a> {
-    /// Sets a deadline in `seconds` seconds; NaN and negative numbers count as 0.
+    /// Sets a deadline in `seconds` seconds. NaN and negative numbers count as 0.
     #[must_use]
     pub fn after(work: &'a Work<'a>, seconds: f64) -> Self {
         let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, 1e9) };
@@ -109,7 +110,7 @@ impl<'a> Deadline<'a> {
         Deadline { work: None, end: None, has_stopped: Cell::new(false) }
     }
 
-    /// Returns whether the deadline has passed; the caller must then stop.
+    /// Returns whether the deadline has passed. If so, the caller must stop.
     #[must_use]
     pub fn passed(&self) -> bool {
         let Some(work) = self.work else { return false };
@@ -128,7 +129,8 @@ impl<'a> Deadline<'a> {
         self.has_stopped.get()
     }
 
-    /// Returns the remaining seconds: infinite without a limit, 0 after the end of the computation.
+    /// Returns the remaining seconds: infinity without a limit, and 0 after the end of the
+    /// computation.
     #[must_use]
     pub fn left(&self) -> f64 {
         match (self.work, self.end) {

@@ -16,27 +16,28 @@ use crate::orbits::integral_bound::IntegralBound;
 use crate::poisson::brackets::Bracket;
 use crate::poisson::hamiltonian::Hamiltonian;
 
-/// The most characters of a claim that is printed. Longer integrals are given by a basis if one
-/// exists; other longer claims occur in blocks and JSON only.
+/// The most characters of a claim that is printed. A longer integral is given by a basis if one
+/// exists. Other longer claims occur only in blocks and JSON.
 pub const MOST_READABLE: usize = 4000;
 
 /// The fixed values and the limits of a search.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// A fixed ε, half the time step; `None` for a generic ε.
+    /// The value of ε, half the time step, if it is fixed. `None` for a generic ε.
     pub eps: Option<Rational>,
-    /// The fixed parameters by name; the others are generic.
+    /// The names and values of fixed parameters. The other parameters are generic.
     pub parameters: Vec<(String, Rational)>,
     /// The highest degree of relations. If `None`, the number of variables determines a default
-    /// degree, and higher degrees follow while integrals may be missing and time is left. Results
-    /// of higher degrees depend on the speed of the machine.
+    /// degree. Higher degrees follow while integrals may be missing and time is left. Results of
+    /// higher degrees depend on the speed of the machine.
     pub degree: Option<u32>,
-    /// The most iterates whose degrees are computed.
+    /// The most iterates of the map whose degrees are computed.
     pub iterates: usize,
-    /// The degree after which no further iterate is computed; larger for the first five.
+    /// The degree after which no further iterate is computed. The limit is larger for the first
+    /// five iterates.
     pub iterate_degree: usize,
-    /// The time limit in seconds by the watch's clock. The report says whether work was left out.
-    /// Without a clock there is no limit.
+    /// The time limit in seconds, measured by the watch's clock. The report says whether work was
+    /// left out. Without a clock there is no limit.
     pub seconds: f64,
 }
 
@@ -56,37 +57,38 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
-    /// Whether the field depends on ε; statements on the flow then hold at any fixed ε.
+    /// Whether the field depends on ε. If so, statements on the flow hold at any fixed ε.
     pub depends_on_eps: bool,
     /// The divergence div f.
     pub divergence: String,
     /// Whether det(I − t f′(x)) is even in t.
     pub is_even: bool,
-    /// Linear integrals of the flow, which the map preserves.
+    /// Linear integrals of the flow. The map preserves all of them.
     pub linear_integrals: Vec<String>,
-    /// Independent quadratic integrals of the flow, which the map may not preserve.
+    /// Independent quadratic integrals of the flow. The map may not preserve them.
     pub quadratic_integrals: Vec<String>,
-    /// The degree, at most 2, up to which the flow's integrals are complete.
+    /// The degree, at most 2, up to which the list of the flow's integrals is complete.
     pub flow_degree: u32,
     /// The number of flow integrals that the map preserves unchanged.
     pub kept: usize,
-    /// The K with f = K∇H of a reduced basis, by the length of the modified Hamiltonian.
+    /// The matrices K with f = K∇H in a reduced basis, ordered by the length of the modified
+    /// Hamiltonian.
     pub hamiltonians: Vec<HamiltonianReport>,
 }
 
-/// The result of a search for densities 1/P without a proved one.
+/// The result of a search for densities 1/P in which no density was proved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DensitySearch {
-    /// The degree of a P that was observed modulo a prime.
+    /// The degree of a polynomial P for which 1/P was observed to be a density modulo a prime.
     pub seen: Option<u32>,
-    /// The degree up to which no P exists, as observed at random points modulo a prime.
+    /// The degree up to which there is no density 1/P, as observed at random points modulo a prime.
     pub none_up_to: Option<u32>,
 }
 
-/// A decomposition f = K∇H.
+/// A decomposition f = K∇H of the field f with a constant antisymmetric matrix K.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
-    /// The number of this K, counted from 1; `None` if it is the only one.
+    /// The number of this K, counted from 1. `None` if there is only one K.
     pub number: Option<usize>,
     /// The matrix K, row by row.
     pub tensor: Vec<Vec<String>>,
@@ -95,7 +97,7 @@ pub struct HamiltonianReport {
     /// Whether the modified Hamiltonian was written out and proved as a claim.
     pub modified_is_proved: bool,
     /// Whether (I − ε² f′²)K, with the Jacobian f′ of the field, is proved to be an invariant
-    /// Poisson bracket. It may be too long to be written.
+    /// Poisson bracket. The bracket may be too long to be written.
     pub bracket_is_proved: bool,
     /// The form in which the modified Hamiltonian is given.
     pub place: ModifiedPlace,
@@ -104,13 +106,13 @@ pub struct HamiltonianReport {
 }
 
 impl HamiltonianReport {
-    /// Writes the modified Hamiltonian H + (x̃ − x)·∇H/3 in a notation; x̃ is the image of x.
+    /// Writes the modified Hamiltonian H + (x̃ − x)·∇H/3 in a notation, where x̃ is the image of x.
     #[must_use]
     pub fn modified(&self, notation: &dyn Notation) -> String {
         self.found.compact(&self.symbols, notation)
     }
 
-    /// Returns a letter, with the number of this K if there are several.
+    /// Returns a letter, followed by the number of this K if there are several.
     #[must_use]
     pub fn label(&self, letter: &str) -> String {
         self.number.map_or_else(|| letter.to_owned(), |number| format!("{letter}{number}"))
@@ -120,39 +122,40 @@ impl HamiltonianReport {
 /// The form in which a modified Hamiltonian is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModifiedPlace {
-    /// Omitted, because formulas and bases imply it.
+    /// The modified Hamiltonian is omitted, because formulas and bases imply it.
     Implied,
-    /// The compact form; no formula depends on it.
+    /// The compact form is given; no formula depends on it.
     Alone,
-    /// The compact form in place of the much longer formula with this index.
+    /// The compact form is given in place of the much longer formula with this index.
     InsteadOf(usize),
 }
 
 /// The reason why the search for integrals ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// Orbits show the maximal number: with one more integral, every orbit would be finite.
+    /// Orbits show the maximal number of integrals: with one more, every orbit would be finite.
     Orbits,
-    /// The number is the upper bound of the [`IntegralBound`].
+    /// The number of integrals is the upper bound of the [`IntegralBound`].
     Ceiling,
-    /// Proved exponential growth in the plane, which excludes integrals.
+    /// Exponential growth in the plane was proved, which excludes integrals.
     Growth,
-    /// Observed linear growth in the plane with a drift of infinite order.
+    /// Linear growth in the plane was observed, with a drift of infinite order; together they
+    /// exclude integrals.
     Linear,
-    /// The number is the upper bound given by the drifts.
+    /// The number of integrals is the upper bound that the drifts give.
     Drifts,
-    /// The given degree.
+    /// The search reached the degree given in the options.
     Degree,
-    /// The time limit.
+    /// The search reached the time limit.
     Time,
-    /// The number of monomials, limited by memory.
+    /// The search reached the largest number of monomials, which memory limits.
     Size,
     /// No orbit was found that avoids poles.
     Poles,
 }
 
 impl Bound {
-    /// Returns the reason in one word.
+    /// Returns the reason for the end of the search in one word.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -165,7 +168,7 @@ impl Bound {
         }
     }
 
-    /// Returns the reason why only the `known` integrals exist; `None` if more may exist. The
+    /// Returns the reason why only the `known` integrals exist. `None` if more may exist. The
     /// drifts allow at most `by_drifts` integrals.
     pub(crate) fn complete(
         hilbert: &Hilbert,
@@ -177,7 +180,7 @@ impl Bound {
         by_drifts: usize,
     ) -> Option<Self> {
         // With n independent integrals every orbit is finite, and the map has a finite order N. At
-        // generic ε this is impossible, as the N-th iterate is x + 2Nε f(x) + O(ε²).
+        // generic ε a finite order is impossible, as the N-th iterate is x + 2Nε f(x) + O(ε²).
         let most = if hilbert.period.is_some() { n } else { n - 1 };
         if known >= most {
             return Some(Bound::Orbits);
@@ -198,21 +201,23 @@ impl Bound {
 /// The results for a field.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The state variables.
+    /// The names of the state variables.
     pub variables: Vec<String>,
-    /// The generic parameters.
+    /// The names of the generic parameters.
     pub parameters: Vec<String>,
     /// The degrees d₀ = 1, d₁, d₂, … of the iterates.
     pub degrees: Vec<usize>,
-    /// The growth of the degrees.
+    /// The growth of the degrees of the iterates.
     pub growth: GrowthVerdict,
-    /// The number of iterates with linear growth in the plane, if linear growth excludes integrals:
-    /// a drift has infinite order on the pencil of curves.
+    /// The number of iterates with linear growth of degrees in the plane. `None` unless linear
+    /// growth excludes integrals; for this, a drift has infinite order on the pencil of preserved
+    /// curves.
     pub linear_iterates: Option<usize>,
-    /// The Hilbert function of a generic orbit; `None` if every orbit ended at a pole.
+    /// The Hilbert function of a generic orbit. `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
-    /// The number of independent algebraic integrals that orbits show or that are proved: formulas,
-    /// those in bases, modified Hamiltonians, and those for which no formula was found.
+    /// The number of independent algebraic integrals that orbits show or that are proved. It counts
+    /// formulas, integrals in bases, modified Hamiltonians, and integrals for which no formula was
+    /// found.
     pub independent: usize,
     /// The upper bound on the number of integrals that follows from fixed points of the map.
     pub ceiling: Option<IntegralBound>,
@@ -222,26 +227,27 @@ pub struct Report {
     pub integrals: Vec<Formula>,
     /// Hirota–Kimura bases for integrals without a formula, the shortest first.
     pub bases: Vec<Basis>,
-    /// Proved invariant densities; the first has least degree.
+    /// Proved invariant densities. The first density has the least degree.
     pub densities: Vec<Formula>,
-    /// Proved invariant Poisson brackets: those with polynomial entries by descending rank, then
-    /// those made from the density and integrals.
+    /// Proved invariant Poisson brackets. Brackets with polynomial entries come first, by
+    /// descending rank. Brackets made from the density and integrals follow.
     pub brackets: Vec<Bracket>,
-    /// The number of brackets with polynomial entries, which come first.
+    /// The number of brackets with polynomial entries, which come first in the list.
     pub polynomial_brackets: usize,
     /// Proved drifts, independent of each other and of the integrals.
     pub drifts: Vec<Drift>,
-    /// The result of the search for densities.
+    /// The result of the search for densities 1/P.
     pub density_search: DensitySearch,
-    /// The name of the system's own unconditional density; a block holds only one.
+    /// The name of the density that the system's block claims without a `when` clause. A block
+    /// holds only one such density.
     pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
-    /// The integrals that survive composition; `None` without integrals.
+    /// The integrals that the composed map preserves. `None` without integrals.
     pub survivors: Option<CompositionIntegrals>,
-    /// Whether the time ran out before all was done.
+    /// Whether the time ran out before the search was complete.
     pub out_of_time: bool,
-    /// All conclusions as sentences, each stating exactly what was shown.
+    /// All conclusions as sentences. Each sentence states exactly what was shown.
     pub sentences: Vec<String>,
 }
 
@@ -253,7 +259,7 @@ impl Report {
         self.independent
     }
 
-    /// Returns the number of integrals in bases.
+    /// Returns the number of integrals that are given by bases.
     #[must_use]
     pub fn integrals_in_bases(&self) -> usize {
         self.bases.iter().map(|basis| basis.integrals.len()).sum()
@@ -269,7 +275,7 @@ impl Report {
         self.compact().filter(|found| found.place == ModifiedPlace::Alone)
     }
 
-    /// Returns the indices of formulas that a compact form replaces.
+    /// Returns the indices of formulas in whose place a compact form is given.
     #[must_use]
     pub fn replaced(&self) -> Vec<usize> {
         let replaced = |found: &HamiltonianReport| match found.place {
@@ -279,7 +285,7 @@ impl Report {
         self.compact().filter_map(replaced).collect()
     }
 
-    /// Returns the number of independent integrals without formula, basis or compact form.
+    /// Returns the number of independent integrals that have no formula, basis or compact form.
     #[must_use]
     pub fn not_reached(&self) -> usize {
         let given = self.integrals.len() + self.integrals_in_bases() + self.standalone().count();
@@ -296,17 +302,20 @@ pub enum DiscoverError {
     UndefinedField,
     /// At ε = 0 the map is the identity.
     ZeroStep,
-    /// det A vanishes identically at the given values, so the map does not exist.
+    /// The matrix I − ε f′ is singular everywhere at the given values, so the map does not exist.
     NoMap,
-    /// det A(x,−ε) vanishes identically at the given values: the map collapses the space.
+    /// The matrix I + ε f′ is singular everywhere at the given values, so the map sends the whole
+    /// space to a lower dimension.
     Collapse,
-    /// The field has more variables than a search accepts; holds their number.
+    /// The field has more variables than a search accepts; the error holds their number.
     TooManyVariables(usize),
-    /// The map in lowest terms exceeds the budget of terms, so its poles cannot be listed.
+    /// The map in lowest terms exceeds the budget of terms, so the poles of the map cannot be
+    /// listed.
     TooLong,
 }
 
-/// The most variables of a field. The first elimination then takes seconds; its cost is cubic.
+/// The most variables of a field. For this number the first elimination takes seconds; its cost is
+/// cubic.
 pub(crate) const MOST_VARIABLES: usize = 500;
 
 impl fmt::Display for DiscoverError {

@@ -1,5 +1,5 @@
-//! Finds special values of parameters and ε on a rational grid, where degrees or ranks are not
-//! generic.
+//! Finds special values of parameters and ε on a rational grid: values at which degrees or ranks
+//! are not generic.
 
 mod proposals;
 mod vanishing_polynomials;
@@ -25,7 +25,7 @@ pub use proposals::Proposal;
 pub struct ScannedQuantity {
     /// The name of the parameter, or `eps`.
     pub name: String,
-    /// The values.
+    /// The values on the grid.
     pub values: Vec<Rational>,
 }
 
@@ -40,23 +40,24 @@ pub struct DegreesAndRanks {
     pub integrals: usize,
 }
 
-/// A point of the grid.
+/// A point of the grid, with the degrees and ranks observed there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridPoint {
-    /// The values, in the order of the names.
+    /// The values of the scanned parameters, in the order of the names.
     pub values: Vec<Rational>,
-    /// The observation; `None` if no map exists or its orbits end at poles.
+    /// The degrees and ranks observed. `None` if no map exists, or if its orbits end at poles.
     pub sight: Option<DegreesAndRanks>,
 }
 
-/// The observations on a grid, and the generic observation.
+/// The degrees and ranks observed on a grid, and at generic values.
 #[derive(Clone, Debug)]
 pub struct Scan {
     /// The names of the scanned parameters.
     pub names: Vec<String>,
-    /// The observation at generic values of all scanned parameters.
+    /// The degrees and ranks observed at generic values of all scanned parameters.
     pub generic: DegreesAndRanks,
-    /// The points of the grid, the last parameter running fastest; fewer if time ran out.
+    /// The points of the grid. The last parameter changes from point to point. There are fewer
+    /// points if time ran out.
     pub points: Vec<GridPoint>,
     /// Relations between scanned parameters at which all points of the grid are special.
     pub relations: Vec<Proposal>,
@@ -65,23 +66,25 @@ pub struct Scan {
 }
 
 impl Scan {
-    /// Returns the points that differ from the generic observation.
+    /// Returns the points at which degrees or ranks differ from the generic ones.
     pub fn special(&self) -> impl Iterator<Item = &GridPoint> {
         self.points.iter().filter(|point| point.sight.as_ref() != Some(&self.generic))
     }
 }
 
-/// Limits low enough for thousands of points, and sufficient to find special values.
+/// The number of iterates at each point. It is low enough for thousands of points, and sufficient
+/// to find special values.
 const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Observes degrees and ranks on the grid, and proves claims at relations between parameters or ε.
-/// `options` fixes further parameters and ε, the degree of relations and the time. `watch` is told
-/// the number of points done, and each claim as soon as it is proved.
+/// Observes degrees and ranks on the grid, and proves claims that hold if the parameters or ε
+/// satisfy a relation. `options` fixes further parameters and ε, the degree of relations and the
+/// time. `watch` is told the number of finished points, and each claim as soon as it is proved.
 ///
 /// # Errors
-/// As [`discover`](crate::discover()), for the field at generic values of the scanned parameters.
+/// Returns the errors of [`discover`](crate::discover()), for the field at generic values of the
+/// scanned parameters.
 pub fn scan(
     system: &System,
     scanned: &[ScannedQuantity],
@@ -104,7 +107,7 @@ pub fn scan(
     let show =
         |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
     show(0);
-    // Every point is compared with the generic observation, so it has no deadline.
+    // Every point is compared with the generic degrees and ranks, so these have no deadline.
     let generic =
         degrees_and_ranks(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
     let mut points = Vec::new();
@@ -133,7 +136,7 @@ pub fn scan(
     Ok(scan)
 }
 
-/// Observes degrees and ranks at these values; `Ok(None)` if orbits end at poles or time runs out.
+/// Observes degrees and ranks at these values. `Ok(None)` if orbits end at poles or time runs out.
 fn degrees_and_ranks(
     system: &System,
     values: &[(String, Rational)],

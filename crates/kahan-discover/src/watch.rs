@@ -1,7 +1,7 @@
 //! The interface to the observer of a long computation: clock, threads, progress, findings, and
-//! stop.
+//! early end.
 //!
-//! Libraries have no clock, threads or screen of their own. The caller provides them as a
+//! Libraries have no clock, threads or screen of their own. The caller provides these as a
 //! [`Watch`], so computations also run in a notebook, and in a browser without a clock.
 
 use std::fmt;
@@ -11,17 +11,19 @@ use std::time::Duration;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::Claim;
 
-/// The observer of a long computation. Default methods provide no clock and one thread, and ignore
-/// all calls.
+/// The observer of a long computation. The default methods provide no clock and one thread, and
+/// ignore all calls.
 pub trait Watch: Sync {
-    /// Returns the time since a fixed moment; `None` without a clock, so time limits do not apply.
+    /// Returns the time since a fixed moment. `None` without a clock; time limits then do not
+    /// apply.
     fn now(&self) -> Option<Duration> {
         None
     }
 
     /// Receives the progress; `Break` ends the computation. After `Break` the watch is called no
-    /// more, and the result is that of an elapsed time limit. `look` is called when a stage begins,
-    /// after each finding, and otherwise at most a few times a second if a clock exists.
+    /// more, and the computation returns as if its time limit had passed. `look` is called when a
+    /// stage begins and after each finding. While items are counted it is called at most a few
+    /// times a second, if a clock exists.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
@@ -29,25 +31,25 @@ pub trait Watch: Sync {
     /// Receives a finding as soon as it is proved.
     fn found(&self, _finding: &Finding) {}
 
-    /// Returns the number of threads to use, at least 1; results do not depend on it.
+    /// Returns the number of threads to use, at least 1. Results do not depend on the number.
     fn threads(&self) -> usize {
         1
     }
 }
 
-/// The progress of work.
+/// The progress of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress<'a> {
-    /// The unit of the count, for example `steps`, or the stage that begins.
+    /// The items that are counted, for example `steps`, or the name of the stage that begins.
     pub what: &'a str,
-    /// The number of units done.
+    /// The number of finished items.
     pub done: u64,
-    /// The total number of units, if known.
+    /// The total number of items, if known.
     pub of: Option<u64>,
 }
 
 impl<'a> Progress<'a> {
-    /// Announces a stage.
+    /// Announces a stage by its name.
     #[must_use]
     pub fn stage(what: &'a str) -> Self {
         Progress { what, done: 0, of: None }
@@ -71,7 +73,7 @@ pub struct Finding {
     pub kind: ClaimKind,
     /// The name of the claim.
     pub name: String,
-    /// The claim as a line that can be pasted.
+    /// The claim as a line of text that can be pasted.
     pub text: String,
 }
 
@@ -87,7 +89,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// A watch without a clock, with one thread, that ignores all calls.
+/// A watch that has no clock, provides one thread, and ignores all calls.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 

@@ -1,5 +1,5 @@
-//! Tests from equations to proved lines: integrals and densities of known systems, and true
-//! sentences for fields with few structures.
+//! Tests that known systems yield proved integrals and densities, and that fields with few
+//! structures yield true sentences.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Text;
@@ -51,13 +51,13 @@ fn the_lagrange_top_has_four_integrals() {
     let report = report(LAGRANGE, &options());
     assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
     check_lines(LAGRANGE, &report);
-    // The third integral becomes a polynomial by subtracting the second, as in the catalog.
+    // The third integral becomes a polynomial when the second one is subtracted, as in the catalog.
     assert!(report.integrals[2].denominator.is_one() && report.densities.len() == 1);
     let lengths: Vec<usize> = report.integrals.iter().map(|formula| formula.text.len()).collect();
     assert!(lengths.iter().sum::<usize>() <= 2500, "{lengths:?}");
 }
 
-/// Nahm's system of octahedral monopoles (Hitchin, Manton and Murray 1995).
+/// Tests Nahm's system of octahedral monopoles (Hitchin, Manton and Murray 1995).
 #[test]
 fn integrals_and_densities_stand_in_factors() {
     let nahm = report("xdot = 2*x^2 - 12*y^2; ydot = -6*x*y - 4*y^2;", &options());
@@ -67,7 +67,7 @@ fn integrals_and_densities_stand_in_factors() {
     assert_eq!(e2.integrals[0].text, "integral H1 = x*y/((1 + eps*x)*(1 - eps*x));");
 }
 
-/// Kirchhoff's case: three integrals besides m3 have formulas of some thousand terms.
+/// In Kirchhoff's case, three integrals besides m3 have formulas of some thousand terms.
 #[test]
 fn what_is_too_long_to_be_written_is_given_by_a_basis() {
     let kirchhoff =
@@ -93,7 +93,7 @@ fn what_the_map_keeps_of_the_flow_stands_as_it_is() {
     check_lines(text, &report);
 }
 
-/// At ε = 0 formulas are integrals of the flow; no terms may cancel for small ε.
+/// At ε = 0 formulas must be integrals of the flow, and no terms may cancel for small ε.
 #[test]
 fn formulas_have_a_limit_at_small_steps() {
     let text = "q1dot = p1; q2dot = p2; p1dot = -q1^2 - q2^2 - w*q1; p2dot = -2*q1*q2 - w*q2;";
@@ -105,7 +105,7 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
-/// Enumerating all 2^24 sets of 24 integrals would never end.
+/// Tests a field with 24 integrals, whose 2^24 sets are too many to enumerate.
 #[test]
 fn many_integrals_are_no_burden() {
     let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();
@@ -138,7 +138,7 @@ fn hamiltonian_structure_is_found_with_its_tensor() {
     assert_eq!(structure.divergence, "0");
     let hamiltonian = structure.hamiltonians.pop().expect("f = K grad H");
     assert!(hamiltonian.modified_is_proved);
-    // K is determined up to a factor, chosen so that its first entry is 1.
+    // K is determined up to a factor, which is chosen so that the first entry of K is 1.
     let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
     assert_eq!(hamiltonian.tensor, expected);
     assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
@@ -161,7 +161,7 @@ fn composition_keeps_what_does_not_depend_on_the_step() {
 
 #[test]
 fn fields_with_little_in_them_end_in_true_sentences() {
-    // Field, number of integrals, growth, expected sentence.
+    // Each case has a field, the number of integrals, the growth, and an expected sentence.
     let cases = [
         ("xdot = 0; ydot = 0;", 2, "bounded", "identity"),
         ("xdot = 0;", 1, "bounded", "identity"),
@@ -194,7 +194,8 @@ fn fields_with_little_in_them_end_in_true_sentences() {
 
 #[test]
 fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
-    // N and D have more than 500 terms; H̃ has degree 7, beyond the relations of orbits.
+    // N and D have more than 500 terms. The modified Hamiltonian has degree 7, beyond the relations
+    // of orbits.
     let chain = "adot = a*(b - c + d - e); bdot = b*(c - d + e - a); cdot = c*(d - e + a - b);
         ddot = d*(e - a + b - c); edot = e*(a - b + c - d);";
     let report = report(chain, &options());
@@ -203,10 +204,10 @@ fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
     check_lines(chain, &report);
 }
 
-/// Proved integrals count, even if a basis gives all that orbits show.
+/// Proved integrals must be counted, even if a basis gives all integrals that orbits show.
 #[test]
 fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
-    // Noumi and Yamada's chain; its degrees grow exponentially because of the constants.
+    // The degrees of Noumi and Yamada's chain grow exponentially because of the constants.
     let chain = |last: &str| {
         format!(
             "adot = a*(b - c + d - e) + 3/7; bdot = b*(c - d + e - a) + 1/5; cdot = c*(d - e + a - b) + 2/3;
@@ -243,7 +244,8 @@ fn a_modified_hamiltonian_too_long_to_be_written_counts() {
 }
 
 /// Bogoyavlenskij and Itoh's chain of five sites shows one integral in the default degree, 4, and
-/// two in degree 5. A fixed point bounds the number, with the modified Hamiltonian, by three.
+/// two in degree 5. A fixed point of the map bounds the number of integrals, with the modified
+/// Hamiltonian, by three.
 #[test]
 fn degrees_go_on_until_nothing_can_be_missing() {
     let chain = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
@@ -261,7 +263,7 @@ fn degrees_go_on_until_nothing_can_be_missing() {
     assert!(found.sentences.iter().any(|said| said.contains("degree that was given, 3, ended the search")));
 }
 
-/// Searches without a degree that end long before the time limit of an hour.
+/// Without a degree, these searches must end long before the time limit of an hour.
 #[test]
 fn searches_end_where_nothing_can_be_missing() {
     let cases = [
@@ -289,7 +291,7 @@ fn searches_end_where_nothing_can_be_missing() {
     }
 }
 
-/// The degree of integrals of the map of E7 has no known bound.
+/// No bound is known for the degree of integrals of the map of E7.
 #[test]
 fn the_time_ends_a_search_where_something_may_be_missing() {
     let found = searched(E7, &Options { seconds: 1.0, ..options() });
@@ -309,7 +311,7 @@ fn the_time_ends_a_search_where_something_may_be_missing() {
 fn growth_ends_searches_in_the_plane() {
     let cases = [
         (LOTKA_VOLTERRA, Bound::Growth, "2^n, proved"),
-        // Zander's fields (1, 1, 3) and (al, 1, -1).
+        // The two fields are Zander's with exponents (1, 1, 3) and (al, 1, -1).
         ("xdot = x^2 + 4*x*y; ydot = -4*x*y - y^2;", Bound::Growth, "exponentially, proved"),
         (
             "xdot = x^2; ydot = x*y - al*x*y - al*y^2;",
@@ -337,7 +339,7 @@ fn growth_ends_searches_in_the_plane() {
     // At ε = 1 an integral exists.
     let found = searched(LOTKA_VOLTERRA, &Options { eps: Some(Rational::one()), ..options() });
     assert_eq!((found.growth.proof, found.bound), (None, Bound::Orbits));
-    // At a = 0 the field has no value at ε = 0. The map of x has order 4 as a Möbius map, so an
+    // At a = 0 the field is undefined at ε = 0. The map of x has order 4 as a Möbius map, so an
     // integral in x of degree 4 exists.
     let periodic = "struct S { a } xdot = 1 + x^2/(4*(a + eps^2)); ydot = x*y + 1;";
     let at_zero = vec![("a".to_owned(), Rational::zero())];
@@ -365,7 +367,7 @@ fn wrong_input_is_explained() {
     assert_eq!(error("xdot = y/a; ydot = x;", &with("a", 0)), DiscoverError::UndefinedField);
     let at_one = Options { eps: Some(Rational::one()), ..options() };
     assert_eq!(error("xdot = x;", &at_one), DiscoverError::NoMap);
-    // The map sends x to 0 in one step.
+    // At ε = 1/2 the map sends x to 0 in one step.
     let at_half = Options { eps: Some(Rational::new(1, 2)), ..options() };
     assert_eq!(error("xdot = -2*x; ydot = -y;", &at_half), DiscoverError::Collapse);
     let at_zero = Options { eps: Some(Rational::zero()), ..options() };
@@ -383,8 +385,8 @@ fn without_time_there_is_still_a_report() {
     }
 }
 
-/// Evripidou, Kassotakis and Vanhaecke, "Morphisms and automorphisms of skew-symmetric
-/// Lotka-Volterra systems" (2021): cloned variables keep their quotient.
+/// Quotients of cloned variables are constant (Evripidou, Kassotakis and Vanhaecke, "Morphisms and
+/// automorphisms of skew-symmetric Lotka-Volterra systems", 2021).
 #[test]
 fn quotients_of_two_terms_are_integrals() {
     let found = report("xdot = x*(y + z); ydot = -x*y; zdot = -x*z;", &options());
@@ -397,7 +399,7 @@ fn quotients_of_two_terms_are_integrals() {
     assert_eq!(found.drifts.len(), 1);
 }
 
-/// Kirchhoff's case of a rigid body in a fluid (Petrera, Pfadler, Suris 2011).
+/// Tests Kirchhoff's case of a rigid body in a fluid (Petrera, Pfadler, Suris 2011).
 #[test]
 fn densities_of_degree_six_are_found() {
     let kirchhoff = "m1dot = (a3 - a1)*m2*m3 + (b3 - b1)*p2*p3; m2dot = (a1 - a3)*m1*m3 + (b1 - b3)*p1*p3; \
@@ -406,7 +408,7 @@ fn densities_of_degree_six_are_found() {
     assert_eq!((found.densities.len(), found.densities[0].degree), (1, 6));
 }
 
-/// Nambu's bracket of two quadratic polynomials with ten parameters.
+/// Tests Nambu's bracket of two quadratic polynomials with ten parameters.
 #[test]
 fn ten_parameters_have_formulas_of_one_line() {
     let nambu = "xdot = (b*x + c*y + e)*(g*y + h*z + l); ydot = -(a*x + b*y + d)*(g*y + h*z + l); \
@@ -423,8 +425,8 @@ fn ten_parameters_have_formulas_of_one_line() {
     );
 }
 
-/// A linear factor times the field of a quadratic Hamiltonian. The pencil has a member without ε,
-/// and a member that is a product of two lines.
+/// The field is a linear factor times the field of a quadratic Hamiltonian. Among the elements P +
+/// cQ, whose quotient P/Q is an integral, one is free of ε, and one is a product of two lines.
 #[test]
 fn a_pencil_is_given_by_its_members_that_fall_apart() {
     let linear = "xdot = (p*x + q*y + r)*(b*x + 2*c*y + e); ydot = -(p*x + q*y + r)*(2*a*x + b*y + d);";
@@ -439,7 +441,8 @@ fn a_pencil_is_given_by_its_members_that_fall_apart() {
     assert_eq!(found.densities[0].text, format!("density rho = 1/(({poles})*(r + p*x + q*y));"));
 }
 
-/// Zander's field with exponents (1, 1, 2); its expanded integral has more than 4000 characters.
+/// Tests Zander's field with exponents (1, 1, 2); its expanded integral has more than 4000
+/// characters.
 #[test]
 fn six_symbols_have_an_integral_in_linear_factors() {
     let zander = "xdot = b1*(a2*x + b2*y)*(a3*x + b3*y) + b2*(a1*x + b1*y)*(a3*x + b3*y) \

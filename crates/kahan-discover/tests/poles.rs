@@ -15,7 +15,8 @@ fn found(text: &str, eps: Option<Rational>, steps: usize) -> Poles {
     poles(&system(text), &options, steps, &Unwatched).expect("there is a map")
 }
 
-/// Returns each curve with its verdict and the dimensions of its images up to the verdict.
+/// Returns, for each curve, its name, whether it is confined, and the dimensions of its images up
+/// to that verdict.
 fn verdicts(found: &Poles) -> Vec<(String, Option<bool>, Vec<usize>)> {
     let dimensions =
         |pattern: &Pattern| pattern.images[..pattern.steps].iter().map(|image| image.dimension).collect();
@@ -31,7 +32,7 @@ fn patterns_of_known_systems() {
     ];
     let expected = weierstrass.map(|(curve, confined, images)| (curve.to_owned(), confined, images));
     assert_eq!(verdicts(&found(WEIERSTRASS, None, 8)), expected);
-    // Lotka and Volterra's map contracts three lines, without confinement.
+    // Lotka and Volterra's map contracts three lines, and none of them is confined.
     let generic = found(LOTKA_VOLTERRA, None, 8);
     assert!(
         verdicts(&generic).iter().all(|(_, confined, images)| *confined == Some(false) && *images == [0; 8])
@@ -79,7 +80,7 @@ fn confinement_alone_proves_nothing() {
     let growth = |found: &Poles| GrowthVerdict::of(&found.degrees).growth;
     let chaotic = found(HENON_HEILES, None, 8);
     assert!(confines(&chaotic) && matches!(growth(&chaotic), Growth::Exponential { .. }));
-    // Linearisable maps need not confine, so absence of confinement proves nothing.
+    // Curves of linearisable maps need not be confined, so absence of confinement proves nothing.
     let linear = found(E3, None, 8);
     assert!(!confines(&linear) && growth(&linear) == Growth::Linear);
 }

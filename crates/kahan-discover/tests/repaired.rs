@@ -1,4 +1,5 @@
-//! Fields with coefficients that depend on ε: their maps have an integral, unlike those of ε = 0.
+//! Fields with coefficients that depend on ε. Their maps have an integral, while the maps of the
+//! fields at ε = 0 have none.
 //!
 //! At ε = 0 the fields are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
 //! by y z². They are inhomogeneous forms of the reduced Nahm systems of octahedral and icosahedral
@@ -87,7 +88,7 @@ fn eigenvalues_that_depend_on_eps_are_no_bound() {
     assert_eq!(report.ceiling, None);
 }
 
-/// A field that is Hamiltonian at each ε keeps the modified Hamiltonian of that ε.
+/// Tests a field that is Hamiltonian at each ε: its map keeps the modified Hamiltonian of that ε.
 #[test]
 fn hamiltonians_depend_on_eps() {
     let report = found("xdot = y; ydot = -x - c*eps^2*x^2 - a*x^2;", None);

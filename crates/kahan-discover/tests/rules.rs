@@ -12,7 +12,8 @@ fn lines(report: &Report) -> Vec<&str> {
     report.integrals.iter().map(|formula| formula.text.as_str()).collect()
 }
 
-/// Checks the integrals up to degree 2, the number from the first stage, and all proofs.
+/// Checks the texts of all integrals up to degree 2, the number of integrals in the first stage,
+/// and all proofs.
 fn check(text: &str, options: Options, at_once: usize, expected: &[&str]) {
     let options = Options { degree: Some(2), iterates: 4, seconds: 3600.0, ..options };
     let report = discover(&system(text), &options, &Recording::default()).expect("there is a map");
@@ -38,7 +39,7 @@ fn lifted_fields_show_relations_and_energies_at_once() {
     let toda = "p1dot = -a; p2dot = a - b; p3dot = b; adot = a*(p1 - p2); bdot = b*(p2 - p3);";
     let energy = "integral H2 = 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*(a^2 - a*b + b^2);";
     check(toda, usual(), 2, &["integral H1 = p1 + p2 + p3;", energy]);
-    // Kepler's problem: a = r⁻³, b = x·p/r², c = |p|²/r², F = ax, u = −1/r.
+    // Kepler's problem has the variables a = r⁻³, b = x·p/r², c = |p|²/r², F = ax, u = −1/r.
     let kepler = "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
         cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;";
     let energy = "integral H1 = 2*u + p^2 + q^2 - eps^2*(F^2 + G^2);";
@@ -56,7 +57,8 @@ fn what_is_fixed_is_put_into_the_rules() {
     check(PENDULUM, Options { eps, parameters, ..Options::default() }, 1, &expected);
 }
 
-/// In two hundred variables the prover would need a minute.
+/// In two hundred variables the prover would need a minute, so integrals by rules are not proved
+/// again.
 #[test]
 fn long_chains_show_theirs_at_once() {
     let n = 50;
@@ -71,7 +73,7 @@ fn long_chains_show_theirs_at_once() {
     let report = discover(&system(&chain.join(" ")), &Options::default(), &watch).expect("there is a map");
     assert_eq!(watch.findings().len(), n);
     assert!(watch.looks().iter().all(|stage| stage == FIRST_STAGE));
-    // The energy is long and comes last.
+    // The energy has a long text, so it comes last.
     let lines = lines(&report);
     let (energy, rotations) = lines.split_last().expect("there are integrals");
     assert!(energy.starts_with("integral H1 = 2*x0^2 - 2*x0*x1 - 2*x0*x49 + p0^2 - 2*g*c0 + 2*x1^2"));
@@ -81,7 +83,8 @@ fn long_chains_show_theirs_at_once() {
     }
 }
 
-/// Denominators by rotation differ for the Euler top; the search finds a common one.
+/// For the Euler top, integrals by rotation have different denominators; the search finds a common
+/// one.
 #[test]
 fn integrals_with_one_denominator_come_before_those_of_rotations() {
     check(

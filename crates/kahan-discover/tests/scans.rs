@@ -1,4 +1,4 @@
-//! Tests of scans for special values.
+//! Tests scans of grids for special values.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
@@ -7,7 +7,7 @@ use kahan_discover::{DiscoverError, Options, Scan, ScannedQuantity, Unwatched, s
 mod support;
 use support::*;
 
-/// Returns an axis with values between two integers, `parts` for each unit.
+/// Returns an axis of a grid with values between two integers. Each unit has `parts` values.
 fn axis(name: &str, from: i64, to: i64, parts: i64) -> ScannedQuantity {
     let values = (from * parts..=to * parts).map(|above| Rational::new(above, parts)).collect();
     ScannedQuantity { name: name.to_owned(), values }
@@ -25,7 +25,7 @@ fn with_integrals(scan: &Scan, wanted: usize) -> Vec<Rational> {
 
 #[test]
 fn the_parameters_that_join_integrable_fields_are_special() {
-    // At 0 the field keeps y constant and has a second integral in the plane of x and z.
+    // At 0 the field keeps y constant, and a second integral exists in the plane of x and z.
     let special = [Rational::from(-1), Rational::zero(), Rational::from(1)];
     let e7 = scanned(E7, "xi");
     assert_eq!((e7.generic.integrals, e7.points.len(), e7.out_of_time), (0, 17, false));
@@ -76,7 +76,8 @@ fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     found
 }
 
-/// Returns relations with numbers of points and claims, which must fail without the relation.
+/// Returns the relations with their numbers of points and claims. Each claim must fail without its
+/// relation.
 fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
     let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics().to_vec();
     for claim in scan.relations.iter().flat_map(|proposal| &proposal.claims) {
@@ -93,14 +94,14 @@ fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
 
 #[test]
 fn linear_relations_are_proposed_and_proved() {
-    // x + y + z changes by (a + b + c) y².
+    // In the field, x + y + z changes at the rate (a + b + c) y².
     let text = "xdot = x*(y - z) + a*y^2; ydot = y*(z - x) + b*y^2; zdot = z*(x - y) + c*y^2;";
     let found = on_grid(text, &["a", "b", "c"], -1, 1);
     assert_eq!(relations(text, &found), [("c = -a - b", 7, 1)]);
     assert_eq!(found.relations[0].claims, ["integral H1 = x + y + z when c = -a - b;"]);
     assert_eq!(found.relations[0].sight.integrals, 1);
     assert_eq!(relations(text, &on_grid(text, &["a", "b", "c"], 1, 2)), []);
-    // Integrals that hold in general are not claimed at relations.
+    // Integrals that hold without a relation are not claimed under one.
     let text = "xdot = a*x*y - z*x; ydot = b*z*x + y^2; zdot = 0;";
     let found = on_grid(text, &["a", "b"], -3, 3);
     let names: Vec<&str> = relations(text, &found).into_iter().map(|(name, ..)| name).collect();
@@ -120,7 +121,7 @@ fn products_are_proposed_and_proved() {
 
 #[test]
 fn what_is_only_seen_is_not_claimed() {
-    // At eps = ±1 the degrees grow more slowly, without integrals.
+    // At eps = ±1 the degrees grow more slowly, but no integral exists.
     let text = "xdot = x*(1 - y); ydot = y*(x - 1) + a*x^2;";
     let found = on_grid(text, &["a", "eps"], -4, 4);
     assert_eq!(relations(text, &found), [("eps = -1", 9, 0), ("eps = 1", 9, 0)]);

@@ -1,4 +1,4 @@
-//! Expands texts as the macro does.
+//! Fuzzes the expansion of texts as the macro does it.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::expand(bytes));

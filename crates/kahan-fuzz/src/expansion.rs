@@ -1,4 +1,4 @@
-//! Fuzzes blocks: reads a text, derives its plans and writes them as Rust.
+//! Fuzzes blocks: reads a text, compiles its formulas and writes them as Rust.
 
 use kahan_runtime::FieldText;
 use proc_macro2::TokenStream;
@@ -111,13 +111,13 @@ const WORDS: &[&str] = &[
     "|",
 ];
 
-/// Reads a block as the command does, and expands it as the macro does.
+/// Reads a block as the command line does, and expands it as the macro does.
 pub fn expand(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     if let Err(mistakes) = FieldText::new(text.clone(), "field".to_owned()).system() {
         assert!(!mistakes.to_string().is_empty());
     }
-    // A text without Rust tokens never reaches the macro.
+    // A text that Rust cannot split into tokens never reaches the macro.
     let core: TokenStream = "::kahan_core".parse().expect("a path");
     if let Ok(rust) = kahan_emit::text(&core, &text) {
         assert!(rust.is_empty() == text.trim().is_empty(), "{rust}");

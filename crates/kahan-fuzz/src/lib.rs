@@ -1,5 +1,5 @@
-//! The bodies of the fuzz targets: inputs from bytes, and checks of every result. Private modules
-//! of `kahan-jit` are compiled here again.
+//! The bodies of the fuzz targets. They make inputs from bytes, and check every result. Private
+//! modules of `kahan-jit` are compiled here again.
 
 #[path = "../../kahan-jit/src/tests/draw.rs"]
 #[expect(dead_code, reason = "the crate has tests that draw programs in another way")]
@@ -15,7 +15,7 @@ mod run;
 mod texts;
 mod words;
 
-// The included files of `kahan-jit` refer to these names by `crate`.
+// The included files of `kahan-jit` refer to these names by the path `crate`.
 use kahan_jit::{
     CalledFunction, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
     Program, CompileError, Shape, Sweep,
@@ -26,8 +26,8 @@ pub use plan::read_plan;
 pub use reading::{read_csv, read_npy};
 pub use texts::read_text;
 
-/// Runs a program as machine code on slices next to inaccessible memory. The bytes determine the
-/// program and how it is run.
+/// Runs a program as machine code on arrays next to inaccessible memory. The bytes determine the
+/// program and the way to run it.
 pub fn run_program(bytes: &[u8]) {
     hostile::Case::of(bytes).has_run();
 }

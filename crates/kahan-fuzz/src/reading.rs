@@ -1,4 +1,4 @@
-//! Files of numbers from bytes.
+//! Reads files of numbers, whose content is made from bytes.
 
 use kahan_study::number_file::Numbers;
 
@@ -28,7 +28,8 @@ const WORDS: &[&str] = &[
     "\n",
 ];
 
-/// Reads a NumPy array: first from the bytes themselves, then as numbers behind a generated header.
+/// Reads a NumPy array twice: the file consists of the bytes, then of a generated header and the
+/// bytes as numbers.
 pub fn read_npy(bytes: &[u8]) {
     read(bytes, ".npy");
     let (numbers, header) = bytes.split_at(bytes.len().min(32));
@@ -45,7 +46,8 @@ pub fn read_csv(bytes: &[u8]) {
     read(bytes, ".csv");
 }
 
-/// Reads a file of this type; checks that the numbers of values and names agree with its shape.
+/// Reads a file with this extension. Checks that the number of values, and that of names, agree
+/// with the shape.
 fn read(bytes: &[u8], ending: &str) {
     match Numbers::<f64>::of(ending, bytes) {
         Ok(Numbers { names, sizes, values }) => {

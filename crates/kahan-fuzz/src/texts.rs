@@ -1,4 +1,4 @@
-//! Texts in many notations, read as fields.
+//! Reads texts in many notations as fields.
 
 use kahan_runtime::FieldText;
 
@@ -83,7 +83,8 @@ const WORDS: &[&str] = &[
     "=",
 ];
 
-/// Reads a text; checks that its form in the language of `kahan!` yields an equal field.
+/// Reads a text as a field. Checks that the field, written in the language of `kahan!`, is read as
+/// an equal field.
 pub fn read_text(bytes: &[u8]) {
     let Some(text) = text(bytes, WORDS) else { return };
     let given = FieldText::new(text, "field".to_owned());

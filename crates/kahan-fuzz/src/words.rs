@@ -1,8 +1,9 @@
-//! Text from bytes.
+//! Makes texts from bytes.
 
-/// Returns a text for a parser: the bytes themselves, or for each byte one token from `words`.
+/// Returns a text for a parser. The text consists of the bytes themselves, or of one token from
+/// `words` for each byte.
 ///
-/// Tokens make nearly correct texts; raw bytes contain all other characters.
+/// Texts of tokens are nearly correct, while texts of raw bytes contain all other characters.
 pub(crate) fn text(bytes: &[u8], words: &[&str]) -> Option<String> {
     let (&first, rest) = bytes.split_first()?;
     if first % 2 == 0 {

@@ -1,16 +1,17 @@
-//! Ball arithmetic: numbers known up to a radius around a middle of limited length.
+//! Ball arithmetic. A ball is the set of all numbers within a radius of a middle, which has limited
+//! length.
 //!
-//! In: exact numbers. Out: for every sum, product and quotient a ball that contains the exact
-//! result. Exponents are 64-bit integers, so nothing overflows or underflows. A radius becomes
-//! large relative to its middle only by cancellation.
+//! The input consists of exact numbers. Every sum, product and quotient is a ball that contains the
+//! exact result. Exponents are 64-bit integers, so nothing overflows or underflows. A radius
+//! becomes large relative to its middle only by cancellation.
 
 use super::dyadic::Dyadic;
 
-/// All numbers within `radius` of `middle`.
+/// The set of all numbers within `radius` of `middle`.
 #[derive(Clone, Debug)]
 pub(crate) struct Ball {
     middle: Dyadic,
-    /// At most [`RADIUS_BITS`] bits, rounded up in every operation.
+    /// The radius, with at most [`RADIUS_BITS`] bits. Every operation rounds it up.
     radius: Dyadic,
 }
 
@@ -30,7 +31,7 @@ impl Ball {
         Self { middle, radius: Dyadic::zero() }
     }
 
-    /// Rounds the middle to `bits` bits; the radius grows by the rounding.
+    /// Rounds the middle to `bits` bits, and enlarges the radius by the rounding error.
     pub(crate) fn rounded(self, bits: u64) -> Self {
         let Self { middle, radius } = self;
         match middle.cut(bits) {
@@ -51,7 +52,8 @@ impl Ball {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
 
-    /// Returns a lower bound of |v| over the ball; a negative value is no restriction.
+    /// Returns a lower bound of |v| for all numbers v in the ball. A negative result is no
+    /// restriction.
     pub(crate) fn least(&self) -> Dyadic {
         &self.middle.clone().abs() - &self.radius
     }
@@ -65,7 +67,7 @@ impl Ball {
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
         match (high.middle.binade(), low.middle.binade()) {
-            // Numbers far below the last bit only enlarge the radius.
+            // A number far below the last bit of the sum only enlarges the radius.
             (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
                 let radius = up(&(&radius + &up(&low.middle)));
                 Self { middle: high.middle.clone(), radius }.rounded(bits)
@@ -92,12 +94,12 @@ impl Ball {
         if self.is_zero() {
             return self.clone();
         }
-        // a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b
+        // Let â and b̂ be the middles of a and b. Then a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b.
         let (middle, unit) = self.middle.quotient(&divisor.middle, bits);
         let unit = Dyadic::new(1, unit);
         let by_divisor = &(&up(&middle) + &unit) * &divisor.radius;
         let mut radius = up(&(&self.radius + &by_divisor));
-        // The quotient of a zero radius would have an arbitrary unit.
+        // If the radius is zero, the unit of its quotient would be arbitrary.
         if !radius.is_zero() {
             let (quotient, beyond) = radius.quotient(&divisor.least(), RADIUS_BITS);
             radius = &quotient + &Dyadic::new(1, beyond);

@@ -1,5 +1,5 @@
-//! Exact numbers n·2^k: floats, and their sums and products. No greatest common divisor is taken;
-//! quotients are compared by cross-multiplication.
+//! Exact numbers n·2^k, which include all finite floats, and their sums and products. No greatest
+//! common divisor is taken; quotients are compared by cross-multiplication.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
@@ -9,7 +9,8 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Float;
 use num_bigint::{BigInt, Sign};
 
-/// The number integer·2^exponent. Not normalised; use [`compare`](Dyadic::compare) for equality.
+/// The number integer·2^exponent. It is not normalised; use [`compare`](Dyadic::compare) for
+/// equality.
 #[derive(Clone, Debug)]
 pub(crate) struct Dyadic {
     integer: BigInt,
@@ -23,7 +24,7 @@ impl Dyadic {
 
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (significand, exponent, sign) = Float::integer_decode(x);
-        // Without trailing zeros, products of small integers stay small.
+        // Trailing zeros are removed, so that products of small integers stay small.
         let zeros = significand.trailing_zeros() % u64::BITS;
         let integer = i64::from(sign) * (significand >> zeros) as i64;
         x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))
@@ -50,7 +51,7 @@ impl Dyadic {
         self
     }
 
-    /// Returns the e with 2^e ≤ |self| < 2^(e+1); `None` for 0.
+    /// Returns the exponent e with 2^e ≤ |self| < 2^(e+1); `None` for 0.
     pub(crate) fn binade(&self) -> Option<i64> {
         (!self.is_zero()).then(|| self.exponent + self.integer.bits() as i64 - 1)
     }
@@ -69,8 +70,8 @@ impl Dyadic {
         Self::new(value.numerator(), 1 - value.denominator().bits() as i64)
     }
 
-    /// Truncates to the leading `bits` bits. Also returns the exponent of a unit larger than the
-    /// truncated remainder; `None` if nothing was truncated.
+    /// Truncates to the leading `bits` bits. Also returns an exponent e such that 2^e is larger
+    /// than the truncated rest. `None` if nothing was truncated.
     pub(crate) fn cut(&self, bits: u64) -> Option<(Self, i64)> {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
@@ -82,15 +83,15 @@ impl Dyadic {
         })
     }
 
-    /// Returns self/divisor to at least `bits` bits, and the exponent of a unit larger than the
-    /// error.
+    /// Returns self/divisor to at least `bits` bits, and an exponent e such that 2^e is larger than
+    /// the error.
     pub(crate) fn quotient(&self, divisor: &Self, bits: u64) -> (Self, i64) {
         let shift = (bits + divisor.integer.bits()).saturating_sub(self.integer.bits()) + 1;
         let exponent = self.exponent - divisor.exponent - shift as i64;
         (Self { integer: (&self.integer << shift) / &divisor.integer, exponent }, exponent)
     }
 
-    /// Returns (significand, binade) with 1 ≤ |significand| < 2, truncated after 53 bits; (0, 0)
+    /// Returns (significand, exponent) with 1 ≤ |significand| < 2, truncated after 53 bits; (0, 0)
     /// for 0.
     pub(crate) fn leading(&self) -> (f64, i64) {
         let mut digits = self.integer.iter_u64_digits().rev();
@@ -101,14 +102,15 @@ impl Dyadic {
         (if self.is_negative() { -significand } else { significand }, binade)
     }
 
-    /// Truncates after 53 bits; fewer below the normal range, infinite above it.
+    /// Returns the number as `f64`, truncated after 53 bits. Below the normal range it has fewer
+    /// bits, and above it is infinite.
     pub(crate) fn near_f64(&self) -> f64 {
         let (significand, binade) = self.leading();
         libm::ldexp(significand, binade.clamp(-5000, 5000) as i32)
     }
 
-    /// Returns |self/divisor| to a relative 2⁻⁵⁰. Infinite for a zero divisor or beyond the range
-    /// of floats; 0 below that range.
+    /// Returns |self/divisor| with a relative error of 2⁻⁵⁰. The result is infinite for a zero
+    /// divisor or beyond the range of floats, and 0 below that range.
     pub(crate) fn ratio(&self, divisor: &Self) -> f64 {
         if divisor.is_zero() {
             return f64::INFINITY;
@@ -118,9 +120,9 @@ impl Dyadic {
     }
 }
 
-/// Combines the integers of both numbers over the smaller exponent.
+/// Combines the integers of both numbers after they are written with the smaller exponent.
 fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
-    // A zero must not determine the exponent.
+    // A zero must not determine the common exponent.
     if b.is_zero() {
         return a.clone();
     }
@@ -174,7 +176,7 @@ mod tests {
             assert_eq!((&dyadic + &dyadic).compare(&dyadic.clone().scaled(1)), Ordering::Equal);
         }
         assert!(Dyadic::of(f64::NAN).is_none() && Dyadic::of(f64::INFINITY).is_none());
-        // 1e300·1e-300 differs from 1 by the result of a fused multiply-add.
+        // The product 1e300·1e-300 differs from 1 by the result of a fused multiply-add.
         let (a, b) = (Dyadic::of(1e300).unwrap(), Dyadic::of(1e-300).unwrap());
         let difference = &(&a * &b) - &Dyadic::of(1.0).unwrap();
         assert_eq!(difference.near_f64(), 1e300_f64.mul_add(1e-300, -1.0));

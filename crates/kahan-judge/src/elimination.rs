@@ -1,8 +1,10 @@
-//! Elimination on the equation of a step, in balls.
+//! Solves the equation of a step by elimination in balls, which are sets of numbers around a
+//! middle.
 //!
-//! In: the equation at a point, and a precision. Out: x̃ as balls, or the condition number of the
-//! step. Pivots are entries that exclude 0. A zero column makes the matrix singular; for any other
-//! column without a pivot the result is unknown, and callers try the next of the [`precisions`].
+//! The input is the equation at a point, and a precision. The output is x̃ as balls, or the
+//! condition number of the step. Pivots are entries whose ball excludes 0. A zero column makes the
+//! matrix singular. For any other column without a pivot the result is unknown, and callers try the
+//! next of the [`precisions`].
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -20,13 +22,14 @@ pub(crate) fn precisions() -> impl Iterator<Item = u64> {
 #[derive(Debug)]
 pub(crate) enum Eliminated<R> {
     Solved(R),
-    /// det A is zero.
+    /// The determinant of A is zero.
     Singular,
-    /// det A may be zero.
+    /// The determinant of A may be zero.
     Unknown,
 }
 
-/// A(x,ε) with right-hand sides appended to its rows, in balls; dense.
+/// The matrix A(x,ε), with right-hand sides appended to its rows. The entries are balls, and all of
+/// them are stored.
 pub(crate) struct Matrix {
     pub(crate) rows: Vec<Vec<Ball>>,
     bits: u64,
@@ -109,10 +112,10 @@ pub(crate) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     }
 }
 
-/// Returns the condition number of the step in (x, ε), max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by
-/// ‖x̃‖∞, or `None` if `bits` bits do not determine it. The result is accurate to a relative 2⁻²⁰,
-/// and infinite for x̃ = 0. One elimination solves for all derivatives: ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε)
-/// and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
+/// Returns the condition number of the step in (x, ε): max over i of Σ |∂x̃ᵢ/∂v|·|v| over the
+/// variables v, divided by ‖x̃‖∞. `None` if `bits` bits do not determine it. The result has a
+/// relative error of at most 2⁻²⁰, and is infinite for x̃ = 0. One elimination solves for all
+/// derivatives: ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
 pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: u64) -> Option<f64> {
     let Eliminated::Solved(next) = next(equation, bits) else { return None };
     let n = next.len();
@@ -120,7 +123,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let moved: Vec<Ball> = next.iter().zip(&equation.x).map(|(y, x)| y.minus(&exactly(x), bits)).collect();
     let right = |i: usize| {
         let row = &equation.rows[i];
-        // Nonzero entries of f′(x̃).
+        // The nonzero entries of f′(x̃) in row i.
         let mut slopes: Vec<Option<Ball>> = vec![None; n];
         let mut by_eps = exactly(&row.field.clone().scaled(1));
         for (j, slope) in &row.slopes {
@@ -153,7 +156,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // Requires above ≤ (1 + 2⁻²⁰)·below.
+    // The result is accurate enough if above ≤ (1 + 2⁻²⁰)·below.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }

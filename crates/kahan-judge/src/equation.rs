@@ -1,8 +1,8 @@
-//! The defining equation at a point, exactly: A(x,ε)(x̃ − x) = 2εf(x).
+//! Evaluates the defining equation A(x,ε)(x̃ − x) = 2εf(x) at a point, exactly.
 //!
-//! In: a field of any number of variables, and floats. Out: the entries of A and f, each row
-//! multiplied by the denominator of its component. Evaluation is term by term from the checked
-//! field, independent of the tested code.
+//! The input is a field of any number of variables, and floats. The output consists of the entries
+//! of A and f, each row multiplied by the denominator of its component. Polynomials of the checked
+//! field are evaluated term by term, independently of the tested code.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational_function::RationalFunction;
@@ -19,13 +19,13 @@ pub(crate) struct Equation {
     parameters: usize,
 }
 
-/// The polynomials p, q, and ∂p/∂xⱼ for every state that p depends on.
+/// A component p/q of the field: p, q, and ∂p/∂xⱼ for every state xⱼ that p depends on.
 #[derive(Debug)]
 struct Row {
     field: Terms,
     denominator: Terms,
     slopes: Vec<(usize, Terms)>,
-    /// Nonzero second derivatives ∂²p/∂xⱼ∂xₖ.
+    /// The second derivatives ∂²p/∂xⱼ∂xₖ that are not zero.
     curvature: Vec<(usize, usize, Terms)>,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct AtPoint {
     pub(crate) rows: Vec<RowAtPoint>,
 }
 
-/// Values of p, q and the entries of ∂p/∂x.
+/// The values of a component p/q at a point: p, q and the entries of ∂p/∂x.
 #[derive(Debug)]
 pub(crate) struct RowAtPoint {
     pub(crate) field: Dyadic,
@@ -122,7 +122,8 @@ impl AtPoint {
         self.rows.iter().all(|row| !row.denominator.is_zero())
     }
 
-    /// Returns the entries of qᵢ·A(x,ε) in row i, the diagonal first.
+    /// Returns the entries of row i of A(x,ε), times the denominator qᵢ of component i. The
+    /// diagonal entry comes first.
     pub(crate) fn row(&self, i: usize) -> Vec<(usize, Dyadic)> {
         let row = &self.rows[i];
         let mut entries = vec![(i, row.denominator.clone())];
@@ -137,12 +138,12 @@ impl AtPoint {
         entries
     }
 
-    /// Returns 2εpᵢ.
+    /// Returns the right-hand side 2εpᵢ of row i, where pᵢ is the numerator of component i.
     pub(crate) fn increment(&self, i: usize) -> Dyadic {
         (&self.rows[i].field * &self.eps).scaled(1)
     }
 
-    /// Returns ‖f′(x)‖∞ up to rounding.
+    /// Returns ‖f′(x)‖∞, up to rounding.
     pub(crate) fn slope(&self) -> f64 {
         let sum = |row: &RowAtPoint| {
             row.slopes.iter().fold(Dyadic::zero(), |sum, (_, slope)| &sum + &slope.clone().abs())

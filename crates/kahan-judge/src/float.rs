@@ -1,4 +1,4 @@
-//! Scalars whose steps are tested: their exact values, and the limits of their formats.
+//! The scalars whose steps are tested, with their exact values and the limits of their formats.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, ExtendScalars, KahanMap, Pivot, ThroughF64};
@@ -7,27 +7,29 @@ use super::dyadic::Dyadic;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Format {
-    /// The unit u of the error bound is 2^−precision.
+    /// The precision p. The error bound has the unit u = 2^−p.
     pub(crate) precision: i64,
-    /// The binade of the least number with full precision.
+    /// The exponent e such that 2^e is the least number with full precision.
     pub(crate) least_binade: i64,
+    /// The exponent e such that all finite numbers are below 2^(e+1).
     pub(crate) greatest_binade: i64,
 }
 
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const NAME: &'static str;
-    /// The tier of `step`: `fast` or `accurate`.
+    /// The name that the method `step` has in tables: `fast` or `accurate`.
     const STEP_TIER: &'static str;
-    /// The tier of the step that is computed in a wider format and rounded once, if one exists.
+    /// The name of the step that is computed in a wider format and rounded once, if the scalar has
+    /// one.
     const WIDER_TIER: Option<&'static str> = None;
     const FORMAT: Format;
-    /// The number of bits of drawn numbers, the largest possible.
+    /// The greatest number of bits in the significand of a random number.
     const BITS: i64;
-    /// ε is drawn from ±2^±EPS_BINADES; this is 1e±300 for `f64`.
+    /// |ε| is drawn from 2^−EPS_BINADES to 2^EPS_BINADES, which is 1e±300 for `f64`.
     const EPS_BINADES: i64;
-    /// ‖x‖ is drawn from 2^±STATE_BINADES; this is 1e±150 for `f64`.
+    /// ‖x‖ is drawn from 2^−STATE_BINADES to 2^STATE_BINADES, which is 1e±150 for `f64`.
     const STATE_BINADES: i64;
-    /// The condition number below which a stable step must return a result; `None` without such a
+    /// The condition number below which `try_step` must return a result. `None` if there is no such
     /// guarantee.
     const FLAG_CONDITION: Option<f64>;
 
@@ -38,17 +40,18 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
         Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)
     }
 
-    /// Returns a number within about one unit of `value`; infinite beyond the range.
+    /// Returns a number whose distance from `value` is about one unit in the last place. The number
+    /// is infinite beyond the range of the scalar.
     fn near(value: &Dyadic) -> Self {
         Self::of(value.near_f64())
     }
 
-    /// Returns ∞, −∞ or NaN.
+    /// Returns ∞, −∞ or NaN, chosen by `which` modulo 3.
     fn not_finite(which: u64) -> Self {
         Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
     }
 
-    /// Makes the step of [`WIDER_TIER`](Self::WIDER_TIER).
+    /// Makes the step that [`WIDER_TIER`](Self::WIDER_TIER) names. `None` if there is none.
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
     where
         M: ExtendScalars<Self, N>,
@@ -96,8 +99,7 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
-    /// The precision of the error bound, which every operation meets. Below the least binade the
-    /// low part loses bits.
+    /// Every operation meets this precision. Below the least exponent the low part loses bits.
     const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
     const BITS: i64 = 106;
     const EPS_BINADES: i64 = 996;

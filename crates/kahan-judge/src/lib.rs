@@ -1,10 +1,11 @@
-//! Single steps at the extremes of floats, tested by exact arithmetic.
+//! Tests single steps near the limits of float formats by exact arithmetic.
 //!
-//! In: systems, a number of trials, a seed ([`Extremes`]). Out: for every regime, tier and scalar
-//! the largest error, the number of flagged trials, and the number of silently wrong ones
-//! ([`Judged`]). Verdicts need no tolerance, since results are compared with the exact map at the
-//! given floats. A trial depends only on the seed and its index, not on threads. Terminals, files,
-//! flags and HTML are deliberately absent.
+//! The input consists of systems, a number of trials and a seed ([`Extremes`]). For every regime of
+//! points, kind of step and scalar, the output has the largest error, the number of trials without
+//! a result, and the number of wrong results without a warning ([`Judged`]). Verdicts need no
+//! tolerance, since results are compared with the exact map at the given floats. A trial depends
+//! only on the seed and its index, not on threads. The crate must not know terminals, files, flags
+//! or HTML.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -40,33 +41,35 @@ use survey::{TestedMap, survey, survey_odd, total, total_of_odd};
 pub use regime::Regime;
 pub use tally::{BrokenPromises, Cell, CellKey, Failure, Tally};
 
-/// Returns the default systems: the paper's, and the Volterra lattice of three sites, whose det A
-/// cancels in long steps.
+/// Returns the default systems: those of the paper, and the Volterra lattice of three sites. The
+/// determinant of A cancels for this lattice in long steps.
 pub fn usual_subjects() -> impl Iterator<Item = Subject> {
     let entries = registry::SYSTEMS.iter().chain([&volterra::ENTRY]);
     entries.map(|entry| Subject::named(entry.command))
 }
 
-/// A survey of steps near poles, at mixed magnitudes, and with subnormal and infinite inputs.
+/// The settings of a survey of steps near poles, at mixed magnitudes, and with subnormal and
+/// infinite inputs.
 ///
 /// Parameters without a given value are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials of each scalar. Three kinds are added, 1/32 of this number each, at
-    /// least eight: subnormal inputs, infinite or NaN inputs, and large steps.
+    /// The number of trials of each scalar. Three kinds of trials are added: subnormal inputs,
+    /// infinite or NaN inputs, and large steps. Each kind has 1/32 of this number, at least eight.
     pub trials: u64,
-    /// The number of additional random fields of two to six variables, which share the trials.
+    /// The number of additional random fields. The fields have two to six variables, and share the
+    /// trials with the systems.
     pub random_fields: usize,
     /// The number of additional random fields with extreme coefficients.
     pub odd_fields: usize,
-    /// The number of trials of each scalar for a field with extreme coefficients; every twentieth
+    /// The number of trials of each scalar for a field with extreme coefficients. Every twentieth
     /// field has ten times this number.
     pub odd_trials: u64,
-    /// The seed of points and fields; equal seeds draw equal trials on any number of threads.
+    /// The seed of points and fields. Equal seeds draw equal trials on any number of threads.
     pub seed: u64,
 }
 
-/// Forty thousand trials, without random fields.
+/// The default is forty thousand trials, without random fields.
 impl Default for Extremes {
     fn default() -> Self {
         Extremes { trials: 40_000, random_fields: 0, odd_fields: 0, odd_trials: 300, seed: 1 }
@@ -80,7 +83,7 @@ pub struct Judged {
     pub system: String,
     /// The systems that shared the trials.
     pub systems: Vec<String>,
-    /// The random fields among the systems: name and equations.
+    /// The name and the equations of each random field among the systems.
     pub random_fields: Vec<(String, String)>,
     /// The number of additional fields with extreme coefficients.
     pub odd_fields: usize,
@@ -88,23 +91,23 @@ pub struct Judged {
     pub trials: u64,
     /// The seed of points and fields.
     pub seed: u64,
-    /// The duration in seconds; `None` without a clock.
+    /// The duration of the survey in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// A cell for each regime, tier and scalar, and the violations of the error bound.
+    /// The counts for each regime, kind of step and scalar, and the violations of the error bound.
     #[serde(flatten)]
     pub tally: Tally,
-    /// The systems that have removable poles.
+    /// The names of the systems that have removable poles.
     #[serde(skip)]
     pub removable: Vec<String>,
 }
 
 impl Extremes {
-    /// Judges steps of the given and the random fields, in turn, on the threads of the watch.
+    /// Tests steps of the given and the random fields, in turn, on the threads of the watch.
     ///
     /// At least one field is needed. Claims of the fields are ignored.
     ///
     /// # Errors
-    /// [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
+    /// Returns [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
     pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, CannotJudge> {
         let begun = watch.now();
         let of_study = |study: &Study| {
@@ -152,8 +155,8 @@ impl Extremes {
 }
 
 impl Judged {
-    /// Counts the silently wrong results and the unjustified flags of the stable tier; both should
-    /// be 0.
+    /// Counts the failures of `try_step`: wrong results without a warning, and refusals without a
+    /// reason. Both counts should be 0.
     #[must_use]
     pub fn against_the_promise(&self) -> [u64; 2] {
         let count = |of: fn(&Cell) -> u64| {
@@ -169,7 +172,7 @@ impl Judged {
 pub struct CannotJudge {
     /// The name of the field.
     pub system: String,
-    /// The reason.
+    /// The reason why its steps cannot be tested.
     pub why: CannotRun,
 }
 

@@ -1,7 +1,8 @@
-//! Seeded random points; each trial draws its own point from its index, on any thread.
+//! Seeded random points. Each trial draws its own point from its index, on any thread.
 //!
-//! In: a regime, the exact map, a generator. Out: floats, the arguments of the step. Numbers are
-//! log-uniform. A quarter of the significands have few bits, so that exact poles occur.
+//! The input is a regime, the exact map, and a random generator. The output consists of the
+//! arguments of a step, as floats. The logarithms of numbers are uniformly distributed. A quarter
+//! of the significands have few bits, so that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -16,7 +17,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point; `MixedMagnitudes` if no pole was found.
+    /// The regime of the point. It is `MixedMagnitudes` if no pole was found.
     pub(crate) regime: Regime,
 }
 
@@ -35,11 +36,12 @@ impl<T: Float> Inputs<T> {
     }
 }
 
-/// A source of inputs for one system; `fixed` holds the given parameters.
+/// A source of random inputs for one system. The field `fixed` holds the given parameters.
 pub(crate) struct InputSampler<'a, T> {
     pub(crate) judge: &'a dyn ExactMap,
     pub(crate) fixed: &'a [Option<T>],
-    /// Draws parameters from the whole range, and often scales ε to the field.
+    /// Whether parameters are drawn from the whole range, and ε is often scaled to the size of the
+    /// field.
     pub(crate) is_odd: bool,
     pub(crate) random: SplitMix64,
 }
@@ -68,7 +70,7 @@ impl<T: Float> InputSampler<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -20, -1) } else { inputs }
     }
 
-    /// Replaces ε, so that ‖εf′‖∞ lies roughly between 2^low and 2^high.
+    /// Replaces ε so that ‖εf′‖∞ lies roughly between 2^low and 2^high.
     fn with_size(&mut self, mut inputs: Inputs<T>, low: i64, high: i64) -> Inputs<T> {
         let binade = self.between(low, high);
         let size: T = self.float(binade);
@@ -78,8 +80,8 @@ impl<T: Float> InputSampler<'_, T> {
         inputs
     }
 
-    /// Draws an ordinary point times 2^binade and divides ε by that factor. For homogeneous fields
-    /// this is a scaled copy of an ordinary trial.
+    /// Draws an ordinary point, multiplies it by 2^binade, and divides ε by that factor. For
+    /// homogeneous fields this is a scaled copy of an ordinary trial.
     fn scaled(&mut self, binade: i64) -> Inputs<T> {
         let sizes: Vec<i64> =
             (0..self.judge.equation().dimension()).map(|_| binade + self.between(-5, 1)).collect();
@@ -96,13 +98,13 @@ impl<T: Float> InputSampler<'_, T> {
             return Inputs { regime: Regime::MixedMagnitudes, ..self.scaled(binade) };
         }
         let (sizes, eps): (Vec<i64>, i64) = match kind {
-            // ε‖x‖ from 2^−60 to 2^60, components of any size.
+            // Here ε‖x‖ is between 2^−60 and 2^60, with components of any size.
             1 => {
                 let sizes: Vec<i64> = (0..n).map(|_| self.between(-limit, limit)).collect();
                 let largest = sizes.iter().copied().max().unwrap_or(0);
                 (sizes, self.between(-60, 60) - largest)
             }
-            // Components within forty binades of each other, ε‖x‖ not far from 1.
+            // Here components differ by at most a factor 2^40, and ε‖x‖ is not far from 1.
             2 => {
                 let binade = self.between(-limit, limit);
                 ((0..n).map(|_| binade + self.between(-20, 20)).collect(), self.between(-30, 30) - binade)
@@ -116,7 +118,8 @@ impl<T: Float> InputSampler<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// Moves one variable of a point to a zero of `zeros`, perturbed by a relative 2^−k.
+    /// Moves one variable of a point to a pole, or to a removable pole, and adds a relative
+    /// perturbation 2^−k.
     fn beside(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
@@ -130,7 +133,7 @@ impl<T: Float> InputSampler<'_, T> {
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
-            // For k beyond the precision, rounding gives the zero or a neighbour of it.
+            // If k exceeds the precision, rounding gives the zero itself or a neighbour of it.
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
@@ -140,7 +143,7 @@ impl<T: Float> InputSampler<'_, T> {
         self.mixed()
     }
 
-    /// Draws an ordinary point and replaces one or two of its coordinates, ε, or its drawn
+    /// Draws an ordinary point, and replaces one or two values: coordinates, ε, or drawn
     /// parameters.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
@@ -155,7 +158,8 @@ impl<T: Float> InputSampler<'_, T> {
         inputs
     }
 
-    /// Draws floats of these binades; one state in sixteen is 0.
+    /// Draws floats with these exponents of 2, within the limits of the scalar. One state in
+    /// sixteen is 0.
     fn inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);
@@ -182,7 +186,7 @@ impl<T: Float> InputSampler<'_, T> {
         fixed.iter().map(parameter).collect()
     }
 
-    /// Draws parameters of any size, of ordinary size, or near the previous one.
+    /// Draws parameters. Each is of any size, of ordinary size, or near the previous parameter.
     fn odd_parameters(&mut self) -> Vec<T> {
         let mut drawn: Vec<T> = Vec::new();
         for given in self.fixed {
@@ -211,7 +215,7 @@ impl<T: Float> InputSampler<'_, T> {
         let few = self.random.below(4) == 0;
         let bits = if few { 1 + self.random.below(6) as i64 } else { T::BITS };
         let drawn = (u128::from(self.random.next_u64()) << 64) | u128::from(self.random.next_u64());
-        // Sets the top bit; the others are random.
+        // Set the top bit; the other bits are random.
         let significand = (drawn | 1 << 127) >> (128 - bits);
         let size = Dyadic::new(significand, binade + 1 - bits);
         T::near(&if self.random.below(2) == 0 { size } else { &Dyadic::zero() - &size })

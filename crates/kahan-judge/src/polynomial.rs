@@ -1,7 +1,8 @@
-//! Polynomials with integer coefficients at exact points.
+//! Polynomials with integer coefficients, and their values at exact points.
 //!
-//! In: polynomials with rational coefficients. Out: their values, all multiplied by one integer, so
-//! that ratios are unchanged. Evaluation is term by term, independent of the tested code.
+//! The input consists of polynomials with rational coefficients. The output consists of their
+//! values, all multiplied by one integer, so that ratios are unchanged. Polynomials are evaluated
+//! term by term, independently of the tested code.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use num_bigint::BigInt;
@@ -32,7 +33,8 @@ impl Powers {
 }
 
 impl Terms {
-    /// Converts `scale` times the polynomial; [`common_denominator`] must divide `scale`.
+    /// Converts `scale` times the polynomial to integer coefficients. The integer `scale` must be a
+    /// multiple of the [`common_denominator`].
     pub(crate) fn of(polynomial: &Polynomial, scale: &BigInt) -> Self {
         let terms = polynomial.terms().map(|(monomial, coefficient)| {
             let powers = monomial.powers().iter().map(|&(v, power)| (usize::from(v.0), power as usize));
@@ -61,7 +63,7 @@ pub(crate) fn greatest_power<'a>(polynomials: impl IntoIterator<Item = &'a Polyn
     powers.map(|(_, power)| power as usize).max().unwrap_or(0).max(1)
 }
 
-/// A polynomial in one variable; its coefficients, from the constant term upwards, depend on the
+/// A polynomial in one variable. Its coefficients, from the constant term upwards, depend on the
 /// other variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Univariate {
@@ -70,7 +72,7 @@ pub(crate) struct Univariate {
 }
 
 impl Univariate {
-    /// Returns one view for each variable that occurs.
+    /// Writes the polynomial as a polynomial in each variable that occurs.
     pub(crate) fn all(polynomial: &Polynomial, scale: &BigInt) -> Vec<Self> {
         let of = |variable: Variable| {
             let parts = polynomial.coefficients_in(variable);
@@ -81,7 +83,7 @@ impl Univariate {
         polynomial.variables().into_iter().map(of).collect()
     }
 
-    /// Evaluates the coefficients; the point's own coordinate of the variable is not used.
+    /// Evaluates the coefficients at a point. The point's own value of the variable is not used.
     pub(crate) fn at(&self, point: &Powers) -> Vec<Dyadic> {
         self.coefficients.iter().map(|terms| terms.at(point)).collect()
     }

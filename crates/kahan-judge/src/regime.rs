@@ -1,27 +1,28 @@
-//! The strata from which points are drawn.
+//! The regimes from which points are drawn.
 
 /// The position of a point relative to poles and to the limits of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Regime {
-    /// A relative distance between 1 and rounding from a pole of the reduced map.
+    /// The point is near a pole of the map in lowest terms. The relative distance is between 1 and
+    /// rounding.
     NearPole,
-    /// A relative distance between 1 and rounding from a zero of det A at which the reduced map has
-    /// a value.
+    /// The point is near a zero of det A at which the map in lowest terms is defined. The relative
+    /// distance is between 1 and rounding.
     NearRemovablePole,
-    /// Components and ε of sizes from the whole range of the format.
+    /// The sizes of the components and of ε are from the whole range of the format.
     MixedMagnitudes,
-    /// Components below 4, ε below 1.
+    /// The components are below 4, and ε is below 1.
     Ordinary,
-    /// An ordinary point with subnormal components, ε or parameters.
+    /// The point is ordinary except for subnormal components, ε or parameters.
     Subnormal,
-    /// An ordinary point with infinite or NaN components, ε or parameters.
+    /// The point is ordinary except for infinite or NaN components, ε or parameters.
     NotFinite,
-    /// An ordinary point with ε such that ‖εf′‖∞ is roughly between 1 and 1000.
+    /// The point is ordinary, and ‖εf′‖∞ is roughly between 1 and 1000.
     LargeSteps,
 }
 
 impl Regime {
-    /// All regimes, in the order of tables.
+    /// All regimes, in the order in which tables list them.
     pub const ALL: [Self; 7] = [
         Self::NearPole,
         Self::NearRemovablePole,
@@ -32,7 +33,7 @@ impl Regime {
         Self::LargeSteps,
     ];
 
-    /// Returns the name in tables and in JSON.
+    /// Returns the name of the regime in tables and in JSON.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,6 +1,7 @@
-//! Real roots of univariate polynomials with exact coefficients, to any number of bits.
+//! Finds real roots of univariate polynomials with exact coefficients, to any number of bits.
 //!
-//! Signs are exact, so a bracket is a proof. Roots without a change of sign are not found.
+//! Signs of values are exact, so an interval with a change of sign contains a root. Roots without a
+//! change of sign are not found.
 
 use std::cmp::Ordering;
 
@@ -8,10 +9,10 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// Returns a random root of Σ coefficients[k]·v^k; `None` if no change of sign was found. The root
-/// is accurate to a relative 2^−bits, or exact if bisection hits it. At a root some pair of terms
-/// balances, so its size is about |c_i/c_j|^(1/(j−i)). Signs are compared at powers of two around
-/// these sizes.
+/// Returns a random root of Σ coefficients[k]·v^k. `None` if no change of sign was found. The root
+/// has a relative error of at most 2^−bits, or is exact if bisection hits it. At a root two terms
+/// with coefficients c_i and c_j have about equal sizes, so the root's size is about
+/// |c_i/c_j|^(1/(j−i)). Signs are compared at powers of two around these sizes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -20,7 +21,7 @@ pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
         negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
-    // The bracket across 0 is excluded, since a relative width is undefined there.
+    // The interval that contains 0 is excluded, since a relative width is undefined there.
     let brackets: Vec<usize> =
         (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
     if brackets.is_empty() {
@@ -46,8 +47,8 @@ fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
     })
 }
 
-/// Returns the sign unless terms cancel to less than 2⁻⁴⁰ of their sizes. The error of each term is
-/// a few units of 2⁻⁵² for every power.
+/// Returns the sign of the polynomial. `None` if terms cancel to less than 2⁻⁴⁰ of their sizes. The
+/// error of each term is a few times 2⁻⁵², relative to the term, for every power.
 fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
     let (significand, binade) = v.leading();
     let term = |(k, c): (i32, &Dyadic)| {
@@ -62,7 +63,7 @@ fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering>
     if sum.abs() > sizes * 2_f64.powi(-40) { sum.partial_cmp(&0.0) } else { None }
 }
 
-/// Returns the binades at which two terms have about equal sizes.
+/// Returns the exponents e such that two terms have about equal sizes at 2^e.
 fn balances(coefficients: &[Dyadic]) -> impl Iterator<Item = i64> + '_ {
     let sizes = coefficients.iter().enumerate().filter_map(|(k, c)| Some((k as i64, c.binade()?)));
     let sizes: Vec<(i64, i64)> = sizes.collect();
@@ -78,7 +79,8 @@ mod tests {
     #[test]
     fn roots_are_found_over_the_whole_range() {
         let mut random = SplitMix64::new(1);
-        // Roots of 3v − 2^3000 and v² − 2·2^−2000; 1 + 5v² and constants have none.
+        // The polynomials 3v − 2^3000 and v² − 2·2^−2000 have roots. 1 + 5v² and constants have
+        // none.
         let linear = [Dyadic::new(-1, 3000), Dyadic::new(3, 0)];
         let third = root(&linear, 60, &mut random).unwrap();
         assert!((&(&third * &Dyadic::new(3, 0)) - &Dyadic::new(1, 3000)).ratio(&third) < 1e-18);
@@ -91,7 +93,8 @@ mod tests {
         assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
     }
 
-    /// Evaluates (v − 3)² − 5·2^(−power) near its nearly double root, where leading bits cancel.
+    /// Evaluates (v − 3)² − 5·2^(−power) near its nearly double root, where the leading bits of
+    /// terms cancel.
     #[test]
     fn leading_bits_tell_no_wrong_sign() {
         let (mut told, mut silent) = (0, 0);
@@ -100,7 +103,7 @@ mod tests {
                 let v = &Dyadic::new(3, 0) + &Dyadic::new(offset, -power / 2);
                 let lowered = &Dyadic::new(9, 0) - &Dyadic::new(5, -power);
                 let coefficients = [lowered, Dyadic::new(-6, 0), Dyadic::new(1, 0)];
-                // (v − 3)² = 2^(−2·⌊power/2⌋) < 5·2^(−power).
+                // By the choice of v, (v − 3)² = 2^(−2·⌊power/2⌋) < 5·2^(−power).
                 assert_eq!(sign(&coefficients, &v), Ordering::Less);
                 match sign_of_leading_bits(&coefficients, &v) {
                     Some(sign) => told += usize::from(sign == Ordering::Less),

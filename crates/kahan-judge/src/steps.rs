@@ -1,9 +1,10 @@
-//! The tested steps: a system's plans, run one operation after the other.
+//! The steps that are tested. A system's compiled formulas are run one operation after the other.
 //!
-//! In: a system at parameters at which it is defined. Out: every step of its map over a scalar,
-//! with the bits of generated code; tests compare them on the whole catalog. Dimensions are padded
-//! to four or eight with constant states: the first arithmetic of `try_step` differs between these,
-//! and compiling two dimensions takes a quarter of the time of eight.
+//! The input is a system at parameters at which it is defined. The output is every kind of step of
+//! its map over a scalar, with the bits of generated code; tests compare these on the whole
+//! catalog. Dimensions are padded to four or eight with constant states, since the first arithmetic
+//! of `try_step` differs between these two. Compiling two dimensions takes a quarter of the time of
+//! compiling eight.
 
 use std::fmt::Debug;
 
@@ -14,23 +15,23 @@ use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension};
 
 use super::float::Float;
 
-/// The steps of one map over one scalar; results have the length of x.
+/// The steps of one map over one scalar. Each result has as many components as x.
 pub(crate) trait StepMethods<T>: Debug + Send + Sync {
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
-    /// Makes the step by elimination with partial pivoting; `None` if det A is zero and the scalar
+    /// Makes the step by elimination with partial pivoting. `None` if det A is zero and the scalar
     /// has no reciprocal of zero.
     fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 }
 
-/// Returns the steps of a map.
+/// Returns the steps of a map over a scalar.
 ///
 /// # Errors
-/// [`UnsupportedDimension`] for maps with more than eight variables.
+/// Returns [`UnsupportedDimension`] for maps with more than eight variables.
 pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn StepMethods<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),
@@ -75,7 +76,7 @@ mod tests {
 
     use super::*;
 
-    /// `try_step` in `f32` begins in `f32` up to four variables, and in `f64` beyond; padding must
+    /// In `f32`, `try_step` begins in `f32` up to four variables, and in `f64` beyond. Padding must
     /// not change this.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {

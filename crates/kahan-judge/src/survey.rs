@@ -1,4 +1,4 @@
-//! Surveys of trials: the systems, the number of trials, and the threads.
+//! Runs surveys of trials: it distributes systems and trials over threads.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -24,7 +24,7 @@ pub(crate) struct TestedMap {
     pub(crate) map: Map,
 }
 
-/// The data that draw and test the points of a system.
+/// The data with which the points of a system are drawn and tested.
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) name: String,
@@ -35,7 +35,7 @@ pub(crate) struct Target {
 }
 
 impl TestedMap {
-    /// Prepares a system under a name, with a given value or `None` for each parameter.
+    /// Prepares a system under a name. Each parameter has a given value, or `None` if it is drawn.
     pub(crate) fn new(
         name: &str,
         system: &System,
@@ -60,15 +60,16 @@ impl TestedMap {
         Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
     }
 
-    /// Draws parameters from the whole range, and for many points an ε with ‖εf′‖∞ of ordinary
-    /// size.
+    /// Lets parameters be drawn from the whole range, and for many points an ε for which ‖εf′‖∞ is
+    /// of ordinary size.
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
     }
 }
 
-/// Returns the given value, or for the k-th parameter a number that makes zero divisors unlikely.
+/// Returns the given value. If there is none, returns for the k-th parameter a number that makes
+/// zero divisors unlikely.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -76,11 +77,11 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// Runs `trials` trials of `f32`, `f64` and `Dd` each, cycling through the systems. One quarter
-/// each are near poles, near removable poles, of mixed magnitudes, and ordinary. One thirty-second
-/// (at least eight) each is added with subnormal inputs, with nonfinite inputs, and with large
-/// steps, for which elimination is also tested. Without removable poles, their quarter goes to the
-/// poles.
+/// Runs `trials` trials each of `f32`, `f64` and `Dd`, cycling through the systems. One quarter of
+/// the trials each are near poles, near removable poles, of mixed magnitudes, and ordinary. Without
+/// removable poles, their quarter goes to the poles. Further trials are added with subnormal
+/// inputs, with nonfinite inputs, and with large steps, for which elimination is also tested. Each
+/// kind has one thirty-second of the trials, at least eight.
 pub(crate) fn survey(tried: &[TestedMap], trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }
@@ -97,8 +98,8 @@ pub(crate) fn total(trials: u64) -> u64 {
     3 * with_special_inputs(trials)
 }
 
-/// Runs trials over `fields` random fields with extreme coefficients; every twentieth field has ten
-/// times as many. Each field is drawn on its thread.
+/// Runs trials of `fields` random fields with extreme coefficients. Every twentieth field has ten
+/// times as many trials. Each field is drawn on the thread that tests it.
 pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     let all = Mutex::new(Tally::default());
     for_each(fields, Some(count.threads()), &|k| {
@@ -108,7 +109,7 @@ pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &WorkCoun
         let field = odd(seed, k);
         let tried = [TestedMap::drawn(&field.name, field.block()).of_odd_temper()];
         let own = if k % 20 == 19 { 10 * trials } else { trials };
-        // Different fields draw from different streams.
+        // Each field draws from its own random stream.
         let seed = seed.wrapping_add((k as u64 + 1) << 32);
         let tally = on_threads(&tried, own, seed, 1, count);
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
@@ -121,7 +122,7 @@ pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
     (fields as u64 - more) * total(trials) + more * total(10 * trials)
 }
 
-/// Runs all trials of one scalar in blocks, which idle threads take.
+/// Runs all trials of one scalar in blocks. An idle thread takes the next block.
 fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &WorkCount<'_>) -> Tally {
     const BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");

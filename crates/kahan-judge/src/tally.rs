@@ -1,4 +1,5 @@
-//! Counts of trials for each regime, tier and scalar; the order of merging does not matter.
+//! Counts of trials for each regime, kind of step and scalar. The order in which counts are added
+//! does not matter.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -7,67 +8,69 @@ use serde::{Serialize, Serializer};
 
 use super::regime::Regime;
 
-/// Counts of the trials of one regime, tier and scalar.
+/// Counts of the trials of one regime, kind of step and scalar.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cell {
     /// The number of trials.
     pub trials: u64,
-    /// The largest ‖error‖∞/‖exact‖∞ of finite results, in units of the scalar, where the exact
-    /// step has a value; infinite if the exact step is 0, `None` without results.
+    /// The largest ‖error‖∞/‖exact‖∞ of finite results where the exact step is defined, as a
+    /// multiple of the scalar's unit u. The value is infinite if the exact step is 0, and `None`
+    /// without results.
     #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
-    /// The number of trials without a result: refused by `try_step`, or not finite.
+    /// The number of trials without a result: `try_step` refused, or the result was not finite.
     pub flagged: u64,
-    /// The number of unjustified flags of the stable tier: the condition number is below the bound,
-    /// and the format holds the exact result.
+    /// The number of refusals of `try_step` without a reason: the condition number is below the
+    /// bound, and the format holds the exact result.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// The number of wrong results without a flag.
+    /// The number of wrong results that were returned without a warning.
     pub silently_wrong: u64,
 }
 
-/// The regime, the tier and the scalar of a cell.
+/// The regime, the kind of step and the scalar of a cell.
 pub type CellKey = (Regime, &'static str, &'static str);
 
-/// A trial in which the stable tier violated its error bound, or flagged without justification.
+/// A trial in which `try_step` violated its error bound, or refused without a reason.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(transparent)]
 pub struct Failure {
-    /// True for an unjustified flag, false for a silently wrong result, which sorts first.
+    /// Whether `try_step` refused without a reason. `false` for a wrong result; wrong results sort
+    /// first.
     #[serde(skip)]
     pub is_flag: bool,
-    /// The index of the trial.
+    /// The index of the trial, from which its inputs are drawn.
     #[serde(skip)]
     pub index: u64,
-    /// The guarantee and the result, with the arguments of the step.
+    /// The guarantee that was violated, and the result, with the arguments of the step.
     pub text: String,
 }
 
-/// Cells by regime, tier and scalar, and the first failures.
+/// The counts for each regime, kind of step and scalar, and the first failures of `try_step`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
-    /// The cells.
+    /// The counts for each regime, kind of step and scalar.
     #[serde(serialize_with = "by_place")]
     pub cells: BTreeMap<CellKey, Cell>,
-    /// The systems whose stable tier failed, by name.
+    /// The failures of `try_step` in each system, by the system's name.
     #[serde(serialize_with = "by_system")]
     pub broken: BTreeMap<String, BrokenPromises>,
-    /// The first failures of the stable tier: silently wrong results, then unjustified flags, each
-    /// by index.
+    /// The first failures of `try_step`. Wrong results come first, then refusals without a reason,
+    /// each by index.
     pub failures: Vec<Failure>,
 }
 
-/// The failures of the stable tier in one system.
+/// The failures of `try_step` in one system.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BrokenPromises {
-    /// The equations of a random field; empty for systems of the catalog.
+    /// The equations of a random field. The text is empty for systems of the catalog.
     pub text: String,
-    /// The number of silently wrong results.
+    /// The number of wrong results without a warning.
     pub silently_wrong: u64,
-    /// The number of unjustified flags.
+    /// The number of refusals without a reason.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// The first failure.
+    /// The first failure in the order of the list of failures.
     pub first: Failure,
 }
 

@@ -1,4 +1,5 @@
-//! A trial: a random point, the step of each tier from it, and the comparison with the exact step.
+//! A trial draws a random point, makes every kind of step from it, and compares the results with
+//! the exact step.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -14,8 +15,9 @@ use super::tally::{Cell, Failure, Tally};
 pub(crate) struct Trials<'a, T> {
     targets: Vec<&'a Target>,
     fixed: Vec<Vec<Option<T>>>,
-    /// The indices of the targets with poles, and with removable poles.
+    /// The indices of the targets that have poles.
     with_poles: Vec<usize>,
+    /// The indices of the targets that have removable poles.
     with_removable_poles: Vec<usize>,
     strata: u64,
     seed: u64,
@@ -29,14 +31,14 @@ pub(crate) struct PreparedTrials<'a, T> {
 pub(crate) struct Trial<'a, T> {
     index: u64,
     target: &'a Target,
-    /// The index of the target.
+    /// The index of the trial's target.
     place: usize,
     inputs: Inputs<T>,
-    /// `None` for inputs that are not finite.
+    /// The finite inputs with the exact step. `None` for inputs that are not finite.
     known: Option<ExactTrial>,
 }
 
-/// Finite inputs and the exact step; `None` at a pole.
+/// The finite inputs of a trial, and the exact step. The step is `None` at a pole.
 struct ExactTrial {
     point: Vec<Dyadic>,
     exact: Option<Box<dyn ExactStep>>,
@@ -112,7 +114,7 @@ impl<'a, T: Float> Trials<'a, T> {
     /// Returns the index of the target of a trial, and the arguments of its step.
     pub(crate) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
         let (regime, place) = self.stratum(index);
-        // Neighbouring indices get independent streams.
+        // Trials with neighbouring indices get independent random streams.
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
         let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
         (
@@ -121,7 +123,8 @@ impl<'a, T: Float> Trials<'a, T> {
         )
     }
 
-    /// Returns regime and target of a trial, cycling through regimes, then through targets.
+    /// Returns the regime and the target of a trial. Successive trials cycle through regimes, then
+    /// through targets.
     fn stratum(&self, index: u64) -> (Regime, usize) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {
@@ -146,8 +149,8 @@ impl<'a, T: Float> Trials<'a, T> {
 }
 
 impl<T: Float> Trial<'_, T> {
-    /// Counts a step without an error bound. A finite result is wrong if its error exceeds 1e-3, or
-    /// if the exact step has no value.
+    /// Counts the result of a step that has no error bound. A finite result is wrong if its error
+    /// exceeds 1e-3, or if the exact step is undefined.
     fn count_plain(&self, cell: &mut Cell, next: &[T]) {
         cell.trials += 1;
         match (exact_values(next), &self.known) {
@@ -161,8 +164,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Counts a result of `try_step`; an `Ok` is wrong beyond the error bound, and without an exact
-    /// value.
+    /// Counts a result of `try_step`. An `Ok` is wrong if its error exceeds the bound, or if the
+    /// exact step is undefined.
     pub(crate) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
         let Self { inputs, known, target, .. } = self;
         let mut complaint = None;
@@ -206,9 +209,9 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number if a flag is unjustified, otherwise `None`. A flag is
-    /// unjustified if the field is defined, the format holds x̃, and the condition number is below
-    /// the bound.
+    /// Returns the condition number if `try_step` must not refuse, otherwise `None`. It must not
+    /// refuse if the field is defined, the format holds x̃, and the condition number is below the
+    /// bound.
     fn forbidden_flag(&self) -> Option<f64> {
         let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

@@ -1,8 +1,9 @@
-//! Line breaks in long LaTeX formulas.
+//! Breaks long LaTeX formulas into lines.
 //!
 //! Formulas must be written as by this crate: terms between ` + ` and ` - `, factors between
-//! spaces. Sums break before signs, products between factors; fractions and parentheses break
-//! inside, in an `aligned` of their own. Widths are estimated in characters; nothing is typeset.
+//! spaces. Sums break before signs, and products break between factors. Fractions and parentheses
+//! break inside, in an `aligned` environment of their own. Widths are estimated in characters;
+//! nothing is typeset.
 
 mod pieces;
 #[cfg(test)]
@@ -15,7 +16,7 @@ pub use width::width_of;
 /// The length of a line on a usual page, in characters.
 pub const PAGE_WIDTH: usize = 80;
 
-/// Breaks a formula into lines of about `width` characters; a short formula stays unchanged.
+/// Breaks a formula into lines of about `width` characters. A short formula stays unchanged.
 #[must_use]
 pub fn lines(formula: &str, width: usize) -> Vec<String> {
     if width_of(formula) <= width {
@@ -44,8 +45,8 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Returns the formula as one box of about `width` characters, broken into several lines if
-/// necessary.
+/// Returns the formula as one box of about `width` characters. A long formula is broken into
+/// several lines inside the box.
 #[must_use]
 pub fn boxed(formula: &str, width: usize) -> String {
     match &lines(formula, width)[..] {
@@ -54,14 +55,14 @@ pub fn boxed(formula: &str, width: usize) -> String {
     }
 }
 
-/// Writes `left = right` as rows of an `aligned`; continuation lines are indented.
+/// Writes `left = right` as rows of an `aligned` environment. Continuation lines are indented.
 #[must_use]
 pub fn equation(left: &str, right: &str, width: usize) -> String {
     let room = width.saturating_sub(width_of(left) + 3).max(NARROWEST);
     format!("{left} &= {}", lines(right, room).join(" \\\\\n&\\quad "))
 }
 
-/// Writes a formula or a relation such as `left = right` as one display.
+/// Writes a formula, or a relation such as `left = right`, as one displayed formula.
 #[must_use]
 pub fn display(formula: &str, width: usize) -> String {
     if width_of(formula) <= width {
@@ -83,7 +84,8 @@ pub fn display(formula: &str, width: usize) -> String {
 
 const RELATIONS: [&str; 4] = [" = ", " \\coloneqq ", " \\neq ", " \\approx "];
 
-/// Writes a matrix in the environment `name`, breaking entries to fit `width` characters.
+/// Writes a matrix in the environment `name`. Entries are broken so that the matrix fits `width`
+/// characters.
 #[must_use]
 pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -102,11 +104,11 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const NARROWEST: usize = 16;
 
-/// Distributes a width over columns: narrow columns get the width they need, the others equal
-/// shares of the remaining width.
+/// Distributes a width over columns. Narrow columns get the width that they need, and the others
+/// get equal shares of the rest.
 fn shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
-    // The share decreases in every pass except the last, so the loop ends.
+    // The share decreases in every pass except the final one, so the loop ends.
     loop {
         let wide = widths.iter().filter(|&&one| one > share).count();
         let narrow: usize = widths.iter().filter(|&&one| one <= share).sum();
@@ -123,7 +125,7 @@ fn append(line: &mut String, piece: &str) {
     line.push_str(piece);
 }
 
-/// Breaks a wide term between its factors, after narrowing the factors.
+/// Makes the factors of a wide term narrower, then breaks the term between its factors.
 fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut taken = 0;
@@ -143,7 +145,7 @@ fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Breaks the inside of a wide factor's fraction or parenthesis.
+/// Breaks the inside of the fraction or parenthesis in a wide factor.
 fn narrowed(factor: &str, width: usize) -> String {
     if width_of(factor) <= width {
         return factor.to_owned();

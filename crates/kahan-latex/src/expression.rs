@@ -1,4 +1,4 @@
-//! LaTeX of products as the user wrote them.
+//! Writes products in LaTeX as the user wrote them.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Precedence, at_least, written};
@@ -6,13 +6,14 @@ use kahan_algebra::syntax::{Expr, ExprKind, Factor};
 
 use crate::notation::Latex;
 
-/// Writes a product: numbers combined, divisors below a fraction bar, factors 1 omitted.
+/// Writes a product. Numbers are combined, divisors are below a fraction bar, and factors 1 are
+/// omitted.
 pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     let mut coefficient = Rational::from(1);
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
     for factor in factors {
         let mut expr = &factor.expr;
-        // −a·b is read as (−a)·b; the sign is moved to the front of the product.
+        // The language reads −a·b as (−a)·b. The sign is moved to the front of the product.
         if let ExprKind::Negation(inner) = &expr.kind
             && std::ptr::eq(factor, &factors[0])
         {

@@ -1,8 +1,9 @@
-//! LaTeX for objects of `kahan-algebra`.
+//! LaTeX for the objects of `kahan-algebra`.
 //!
-//! Names, numbers, polynomials and expressions come in; a display formula for each, or lines that
-//! fit a page, go out. Modules in reading order: `notation`, `name`, `expression`; [`breaking`]
-//! breaks long formulas. The crate must not know where formulas are shown.
+//! The input consists of names, numbers, polynomials and expressions. The output is a displayed
+//! formula for each, or lines that fit a page. Modules in reading order: `notation`, `name`,
+//! `expression`, and [`breaking`], which breaks long formulas. The crate must not know where
+//! formulas are shown.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

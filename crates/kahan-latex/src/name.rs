@@ -1,7 +1,8 @@
-//! Names in LaTeX, and as plain text with Greek letters and indices.
+//! Writes names in LaTeX, and as plain text with Greek letters and indices.
 
-/// Writes a name in LaTeX. The stem ends at its first digit or `_`; what follows becomes indices.
-/// Greek names become letters, other stems of several letters upright words, a final `_` a prime.
+/// Writes a name in LaTeX. The stem ends at its first digit or `_`, and the rest becomes indices.
+/// Greek names become letters, and other stems of several letters become upright words. A final `_`
+/// becomes a prime.
 pub(super) fn latex_name(name: &str) -> String {
     if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
         return format!("{}'", latex_name(name));
@@ -19,7 +20,8 @@ pub(super) fn latex_name(name: &str) -> String {
     if indices.is_empty() { stem } else { format!("{stem}_{{{}}}", indices.join(",")) }
 }
 
-/// Writes a name as plain text for drawings, with Greek letters and digits as indices: `μ₁`.
+/// Writes a name as plain text for drawings, with Greek letters and digits as indices, for example
+/// `μ₁`.
 #[must_use]
 pub fn symbol(name: &str) -> String {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -36,7 +38,7 @@ pub fn symbol(name: &str) -> String {
     letter + &index.collect::<String>()
 }
 
-/// Writes an index: a number, a letter, a word, or a Greek name with an optional number.
+/// Writes an index, which is a number, a letter, a word, or a Greek name with an optional number.
 fn index(part: &str) -> String {
     let stem = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[stem.len()..];
@@ -61,10 +63,10 @@ fn word(face: &str, text: &str) -> String {
     format!("\\{face}{{{}}}", text.replace('_', "\\_"))
 }
 
-/// Returns the command of a Greek letter, given by name or as a character.
+/// Returns the LaTeX command of a Greek letter, which is given by name or as a character.
 fn greek(text: &str) -> Option<&'static str> {
     match text {
-        // ε is half the time step, always written `\varepsilon`.
+        // The name of ε, half the time step, is always written `\varepsilon`.
         "eps" | "ε" => return Some("varepsilon"),
         "ϵ" => return Some("epsilon"),
         _ => {}
@@ -72,7 +74,7 @@ fn greek(text: &str) -> Option<&'static str> {
     GREEK.iter().find(|(name, sign)| *name == text || *sign == text).map(|(name, _)| *name)
 }
 
-/// Greek letters with LaTeX commands; all others look like Latin letters.
+/// Greek letters that have LaTeX commands. All other Greek letters look like Latin letters.
 const GREEK: [(&str, &str); 40] = [
     ("alpha", "α"),
     ("beta", "β"),

@@ -1,4 +1,4 @@
-//! The LaTeX notation: `\frac{1}{2}x^{2}`.
+//! The LaTeX notation, for example `\frac{1}{2}x^{2}`.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
@@ -9,12 +9,12 @@ use kahan_algebra::syntax::Factor;
 use crate::expression;
 use crate::name::latex_name;
 
-/// LaTeX in math mode.
+/// The notation of LaTeX in math mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Latex;
 
 impl Notation for Latex {
-    /// Writes a name with Greek letters and indices: `\mu_{1}`, `x_{\mathrm{max}}`.
+    /// Writes a name with Greek letters and indices, for example `\mu_{1}` or `x_{\mathrm{max}}`.
     fn name(&self, name: &str) -> String {
         latex_name(name)
     }
@@ -52,7 +52,7 @@ impl Notation for Latex {
         }
     }
 
-    /// Writes a product, with a dot before any number but the first factor, and a thin space between
+    /// Writes a product. A dot precedes any number but the first factor, and a thin space separates
     /// factors of which one is a word.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
@@ -77,9 +77,11 @@ impl Notation for Latex {
         format!("\\frac{{{above}}}{{{below}}}")
     }
 
-    /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
+    /// Writes a quotient with integer coefficients and its sign in front. For example, (½ x y)/a is
+    /// written as xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // Both keep their signs, so a denominator that begins with 1 still does.
+        // The contents are taken without signs, so that a denominator that begins with 1 still
+        // begins with 1.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);
@@ -139,7 +141,7 @@ impl Notation for Latex {
     }
 }
 
-/// Says whether a factor is a name of several letters, its image or its power.
+/// Says whether a factor is a name of several letters, the image of one, or a power of one.
 fn is_word(factor: &str) -> bool {
     factor.trim_start_matches("\\widetilde{").starts_with("\\mathit{")
 }

@@ -1,7 +1,8 @@
-//! Candidates for a lift.
+//! Finds the candidates among which a lift is chosen.
 //!
-//! In: checked equations and a limit for the search. Out: sets of new variables that make the
-//! equations quadratic, each with several quadratic fields and the relations of its variables.
+//! The input consists of checked equations and a limit for the search. The output consists of sets
+//! of new variables that make the equations quadratic. Each set comes with several quadratic
+//! fields, and with the relations of its variables.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -25,7 +26,7 @@ const MOST_SETS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SearchEffort {
     pub(crate) nodes: usize,
-    /// Whether to search also for sets with one more variable, and for sets in which each variable
+    /// Whether the search also finds sets with one more variable, and sets in which each variable
     /// has a defining relation.
     pub(crate) surplus: bool,
 }
@@ -33,18 +34,21 @@ pub(crate) struct SearchEffort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states; 0 stands for the work done since the start.
+    /// The new variables as functions of the states. The function 0 stands for the work done since
+    /// the start.
     pub(crate) new: Vec<Laurent>,
-    /// Alternative quadratic fields, the preferred one first.
+    /// Alternative quadratic fields. The preferred field comes first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
-    /// Polynomials in the lifted variables that vanish on the image of the states.
+    /// Polynomials in the lifted variables that vanish if the new variables have the values of
+    /// their functions.
     pub(crate) relations: Vec<Quadratic>,
     pub(crate) is_optimal: bool,
-    /// The energy of the flow, of which the map preserves a modification.
+    /// The energy of the flow. The map preserves a modification of it.
     pub(crate) energy: Option<Quadratic>,
 }
 
-/// Returns the lifts with the fewest new variables found, and with one more.
+/// Returns the lifts with the fewest new variables that the search finds, and lifts with one more
+/// variable.
 pub(crate) fn ordinary_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let surplus = usize::from(effort.surplus);
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
@@ -82,7 +86,8 @@ fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Cand
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
 
-/// Returns the lifts of a mechanical system whose map preserves an energy; empty for other systems.
+/// Returns the lifts of a mechanical system whose map preserves an energy. The list is empty for
+/// other systems.
 pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let lifts = |ring: &Ring, least: usize| {
@@ -90,7 +95,7 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // Sums as coordinates give small sets, whose size limits the search without these sums.
+    // If sums are coordinates, sets are small. Their size limits the search without these sums.
     let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
     let mut candidates = lifts(&equations.ring, least);
@@ -99,8 +104,9 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
     candidates
 }
 
-/// Returns the energy lifts in which the nonlinear terms of the forces are variables: one sum for
-/// each force if `as_sums`, otherwise its monomials. `least` is the size of a known lift.
+/// Returns the energy lifts in which the nonlinear terms of the forces are variables. If `as_sums`,
+/// each force has one variable for the sum of its terms; otherwise each monomial is a variable.
+/// `least` is the size of a known lift.
 fn energy_lifts(
     equations: &Equations,
     ring: &Rc<Ring>,
@@ -141,7 +147,7 @@ fn energy_lifts(
     let least = found.sets[0].len();
     let lift = |set: &Vec<Laurent>| {
         let mut new = [&forces[..], set].concat();
-        // A sum that is affine in the other variables needs no variable.
+        // A sum that is affine in the other variables needs no variable of its own.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
@@ -172,7 +178,7 @@ fn with_potential(
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {
         let force = &ring.field[momentum];
-        // This variable stands for the nonlinear terms of the force.
+        // Find the variable that stands for the nonlinear terms of the force.
         let sum = new.iter().position(|one| {
             one.len() > 1 && {
                 let curved = force.filtered(|monomial| one.coefficient(monomial) != RationalFunction::zero());
@@ -191,7 +197,7 @@ fn with_potential(
         })?;
         fixed.insert(momentum, equation);
     }
-    // ½ pᵀSp, plus the terms of V that are quadratic in the positions.
+    // The energy is ½ pᵀSp, plus the terms of the potential V that are quadratic in the positions.
     let half = RationalFunction::constant(Rational::new(1, 2));
     let mut energy = Quadratic::default();
     let mut power = Quadratic::default();
@@ -206,7 +212,7 @@ fn with_potential(
     if let Some(potential) = &potential {
         let plain = potential.filtered(is_quadratic);
         energy.add_scaled(&plain, &RationalFunction::one());
-        // d(x y)/dt = x′y + x y′
+        // Use d(x y)/dt = x′y + x y′.
         for state in 0..states {
             let velocity = products.affine(&ring.field[state]);
             for (monomial, factor) in plain.partial(state).terms() {
@@ -235,7 +241,8 @@ fn with_potential(
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: Some(energy) })
 }
 
-/// Returns the modified integral of Kahan's map that belongs to a quadratic integral of the field.
+/// Returns the modified integral that Kahan's map preserves. It corresponds to a quadratic integral
+/// of the field.
 pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
     let integral = component(integral, field.dimension());
     modified_integral(field, integral.numerator())

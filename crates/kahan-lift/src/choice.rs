@@ -1,4 +1,4 @@
-//! The choice of a candidate, and of one of its quadratic fields.
+//! Chooses a candidate for a lift, and one of its quadratic fields.
 
 use std::collections::BTreeSet;
 
@@ -15,8 +15,9 @@ use crate::stability::{ErrorGrowth, Orbit};
 /// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LiftCriterion {
-    /// The first that exists: an energy lift; a lift whose relations are preserved exactly; one
-    /// whose relation errors do not grow along the orbit; one with the fewest new variables.
+    /// The first lift in this order that exists: an energy lift; a lift whose relations the map
+    /// preserves exactly; a lift whose relation errors do not grow along the orbit; a lift with the
+    /// fewest new variables.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.
@@ -30,7 +31,7 @@ pub enum LiftCriterion {
 }
 
 impl LiftCriterion {
-    /// All criteria.
+    /// All criteria by which a lift may be chosen.
     pub const ALL: [LiftCriterion; 5] = [
         LiftCriterion::Automatic,
         LiftCriterion::Energy,
@@ -39,13 +40,13 @@ impl LiftCriterion {
         LiftCriterion::Smallest,
     ];
 
-    /// Returns the name, as in `--lift=NAME`.
+    /// Returns the name of the criterion, as in `--lift=NAME`.
     #[must_use]
     pub fn name(self) -> &'static str {
         ["automatic", "energy", "relations", "stable", "smallest"][self as usize]
     }
 
-    /// Returns a description of the lift.
+    /// Returns a description of the lift that the criterion chooses.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         [
@@ -58,10 +59,11 @@ impl LiftCriterion {
     }
 }
 
-/// The largest number of pairs of a candidate and a form that are evaluated.
+/// The largest number of quadratic fields that are evaluated, for all candidates together.
 const MOST_FOLLOWED: usize = 32;
 
-/// A candidate with one quadratic field, the relations that the map preserves, and error growth.
+/// A candidate with one of its quadratic fields, the relations that the map preserves, and the
+/// growth of errors.
 #[derive(Debug)]
 pub(crate) struct RatedCandidate<'a> {
     pub(crate) candidate: &'a Candidate,
@@ -77,7 +79,7 @@ pub(crate) fn choose<'a>(
     orbit: Option<&Orbit>,
 ) -> Option<(RatedCandidate<'a>, String)> {
     let mut judged: Vec<RatedCandidate<'_>> = Vec::new();
-    // The limit drops the least preferred fields.
+    // If there are too many fields, the least preferred ones are dropped.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
@@ -88,7 +90,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // Prefer x² to x·p: functions of fewer variables.
+    // Prefer functions of fewer variables, such as x² instead of x·p.
     let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
@@ -151,8 +153,8 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
-/// Computes the error growth along the orbit, in order of the number of new variables. Stops after
-/// the first number with a stable lift, and drops the remaining lifts.
+/// Computes the growth of errors along the orbit, in the order of the number of new variables.
+/// Stops after the first number with a stable lift, and drops the lifts with more variables.
 fn followed<'a>(judged: Vec<RatedCandidate<'a>>, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(RatedCandidate::order).collect();
@@ -180,7 +182,7 @@ impl<'a> RatedCandidate<'a> {
 
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
         let Candidate { ring, new, .. } = self.candidate;
-        // The last variable may be the work done since the start, which has no relation.
+        // The final variable may be the work done since the start, which has no relation.
         let known = new.iter().filter(|value| !value.is_zero()).count();
         self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
     }
@@ -193,9 +195,10 @@ impl<'a> RatedCandidate<'a> {
         self.growth.is_some_and(|growth| growth.is_stable())
     }
 
-    /// Returns fields with damping: w′ −= κ R, for a relation R that is linear in w.
+    /// Returns fields with damping. In the equation of a new variable w, w′ is reduced by κ R, for
+    /// a relation R that is linear in w.
     ///
-    /// κ exceeds the rate at which errors grow, so that they should decay.
+    /// The factor κ exceeds the rate at which errors grow, so that errors should decay.
     fn damped(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
@@ -221,8 +224,8 @@ impl<'a> RatedCandidate<'a> {
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
 
-    /// Returns whether the map preserves one relation for each new variable; a sine and its cosine
-    /// share one.
+    /// Returns whether the map preserves one relation for each new variable. A sine and its cosine
+    /// share one relation.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
         let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);

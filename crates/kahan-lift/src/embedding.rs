@@ -1,8 +1,8 @@
-//! The initial values of new variables as a straight-line program.
+//! A program without branches that computes the initial values of new variables.
 //!
 //! `Lift::embed` runs the program in `f64`, and generated code is written from it, so both have
-//! equal bits. Each operation is correctly rounded, an integer power by repeated squaring, or a
-//! function of `libm`.
+//! equal bits. An operation is correctly rounded, or is an integer power by repeated squaring, or
+//! calls a function of `libm`.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::poly::Polynomial;
@@ -13,21 +13,21 @@ use kahan_program::{Calls, Node, Program};
 use crate::laurent::Laurent;
 use crate::ring::{CoordinateDefinition, Function, Ring};
 
-/// An input of the program.
+/// An input of the program, which is a state or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// A state, by its index in a point; the lifted time is the last one.
+    /// A state, given by its index in a point. If the time is lifted, it has the highest index.
     State(usize),
-    /// A parameter, by its index.
+    /// A parameter, given by its index.
     Parameter(usize),
 }
 
 /// A function that the program calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CalledFunction {
-    /// aⁿ by repeated squaring; 1/a⁻ⁿ for negative n.
+    /// The power aⁿ by repeated squaring. For negative n it is 1/a⁻ⁿ.
     Power(i32),
-    /// a^b by `libm::pow`.
+    /// The power a^b by `libm::pow`.
     RealPower,
     /// The square root.
     SquareRoot,
@@ -38,7 +38,8 @@ pub enum CalledFunction {
 }
 
 impl CalledFunction {
-    /// Returns the name of the function in generated code. All but `power` are names of `libm`.
+    /// Returns the name of the function in generated code. All names but `power` are those of
+    /// functions in `libm`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -87,9 +88,9 @@ impl Calls<CalledFunction> for Exact {
 /// The new variables as functions of the states and the parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Embedding {
-    /// The program; its outputs are the values of the new variables.
+    /// The program. Its outputs are the values of the new variables.
     pub program: Program<Vec<Operation>>,
-    /// A workspace with one register for each instruction, which holds the constants.
+    /// One register for each instruction. The registers of constants already hold their values.
     constants: Vec<f64>,
 }
 
@@ -107,8 +108,8 @@ impl Embedding {
         self.program.outputs.iter().map(|value| found[value.0]).collect()
     }
 
-    /// Returns the new variables at a point: exactly for rational functions of the states,
-    /// otherwise with calls of `libm` in floats. Returns `None` if a value is infinite.
+    /// Returns the new variables at a point. They are exact for rational functions of the states,
+    /// and otherwise computed in floats by `libm`. `None` if a value is infinite.
     pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         let [floats, of] =
             [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());
@@ -172,7 +173,8 @@ impl<'a> Builder<'a> {
         if exponent == 1 { base } else { self.call(CalledFunction::Power(exponent), base) }
     }
 
-    /// Returns number·factors from left to right, without a factor ±1.
+    /// Returns the product of `number` and `factors`, multiplied from left to right. A number ±1 is
+    /// omitted.
     fn product(&mut self, number: &Rational, factors: Vec<Node>) -> Node {
         let mut factors = factors.into_iter();
         let first = if number.abs().is_one() { factors.next() } else { None };
@@ -201,7 +203,8 @@ impl<'a> Builder<'a> {
         self.sum(terms)
     }
 
-    /// Returns a coefficient as a number and, if it depends on parameters, a factor.
+    /// Returns a coefficient as a rational number and, if the coefficient depends on parameters, a
+    /// further factor.
     fn coefficient(&mut self, value: &RationalFunction) -> (Rational, Option<Node>) {
         if let Some(number) = value.as_polynomial().and_then(Polynomial::as_constant) {
             return (number, None);

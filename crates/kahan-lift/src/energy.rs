@@ -1,4 +1,4 @@
-//! Mechanical systems: x′ = A p, p′ = G(x) with a potential.
+//! Recognises mechanical systems: x′ = A p, p′ = G(x) with positions x, momenta p, and a potential.
 //!
 //! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is
 //! constant along solutions. Let the components of G be affine in the variables of a lift, and let
@@ -17,18 +17,19 @@ use crate::ring::{CoordinateDefinition, Function, Ring};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Mechanical {
-    /// The indices of the momenta.
+    /// The indices of the momenta among the states.
     pub momenta: Vec<usize>,
-    /// S; ½ pᵀSp is the kinetic energy.
+    /// The symmetric matrix S of the kinetic energy ½ pᵀSp.
     pub kinetic: Vec<Vec<RationalFunction>>,
-    /// V, if an antiderivative was found.
+    /// The potential V, if an antiderivative was found.
     pub potential: Option<Laurent>,
 }
 
 const MOST_CANDIDATES: usize = 120;
 
 impl Mechanical {
-    /// Recognises a mechanical system. The curl is tested exactly.
+    /// Recognises a mechanical system. The forces must have a potential; this is tested exactly, by
+    /// partial derivatives.
     pub(crate) fn recognise(ring: &Ring) -> Option<Self> {
         let [positions, momenta] = positions_and_momenta(ring)?;
         // A partial derivative is the derivative along a constant field.
@@ -62,7 +63,7 @@ type Matrix = Vec<Vec<RationalFunction>>;
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // A row b of A⁻ᵀ solves A b = e_i.
+        // A row b of A⁻ᵀ solves the linear system A b = e_i with the unit vector e_i.
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -73,7 +74,7 @@ fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     (0..n).map(rows).collect()
 }
 
-/// Collects the states on which a polynomial depends, also through functions.
+/// Collects the states on which a polynomial depends, directly or through functions.
 fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     for (monomial, _) in polynomial.terms() {
         for (coordinate, _) in monomial.powers() {
@@ -87,8 +88,8 @@ fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     }
 }
 
-/// Splits the states into positions, whose derivatives are linear in momenta, and equally many
-/// momenta, whose derivatives depend only on positions.
+/// Splits the states into positions and equally many momenta. The derivatives of positions are
+/// linear in momenta, and those of momenta depend only on positions.
 fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     let states = ring.field.len();
     let uses = |state: usize| {
@@ -102,7 +103,7 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
         });
         terms.rev().collect::<Option<Vec<usize>>>().filter(|by| !by.is_empty())
     };
-    // A state that moves linearly is a position unless it is a momentum already.
+    // A state whose derivative is linear is a position, unless it is a momentum already.
     let mut positions: Vec<usize> = Vec::new();
     let mut momenta: Vec<usize> = Vec::new();
     for state in 0..states {
@@ -128,7 +129,8 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// Returns the partial derivatives of each polynomial by the first `states` coordinates.
+/// Returns the partial derivatives of each polynomial with respect to the first `states`
+/// coordinates.
 pub(crate) fn slopes<'a>(
     ring: &Ring,
     states: usize,
@@ -138,8 +140,9 @@ pub(crate) fn slopes<'a>(
     polynomials.flat_map(|one| partials.iter().map(move |along| along.derivative(one))).collect()
 }
 
-/// Returns a symmetric matrix S for which −A⁻ᵀSG is a gradient: A if it is symmetric, otherwise a
-/// diagonal matrix, otherwise any. No diagonal entry is 0.
+/// Returns a symmetric matrix S without zeros on the diagonal for which −A⁻ᵀSG is a gradient. Here
+/// x′ = A p and p′ = G(x). The matrix A is preferred if it is symmetric, then a diagonal matrix,
+/// then any other matrix.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],
@@ -148,7 +151,7 @@ fn kinetic_energy(
     inverse: &Matrix,
 ) -> Option<Matrix> {
     let n = momenta.len();
-    // slopes[k][l] = ∂G_k/∂x_l
+    // The entry slopes[k][l] is ∂G_k/∂x_l.
     let slopes: Vec<Vec<Laurent>> = momenta
         .iter()
         .map(|&momentum| partials.iter().map(|along| along.derivative(&ring.field[momentum])).collect())
@@ -156,7 +159,7 @@ fn kinetic_energy(
     let diagonal: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
     let symmetric: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect();
     for (shape, is_own) in [(&symmetric, true), (&diagonal, false), (&symmetric, false)] {
-        // With B = A⁻ᵀ: Σ B_ij s_jk ∂G_k/∂x_l = Σ B_lj s_jk ∂G_k/∂x_i for i < l.
+        // With B = A⁻ᵀ, the equations are Σ B_ij s_jk ∂G_k/∂x_l = Σ B_lj s_jk ∂G_k/∂x_i for i < l.
         let mut rows: Matrix = Vec::new();
         for i in 0..n {
             for l in i + 1..n {
@@ -207,7 +210,7 @@ fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     monomials.into_iter().map(row).collect()
 }
 
-/// Returns V with these partial derivatives, from an ansatz of related monomials.
+/// Returns a potential V with these partial derivatives, as a combination of related monomials.
 fn antiderivative(
     ring: &Ring,
     partials: &[Ring],
@@ -252,7 +255,7 @@ fn antiderivative(
     Some(potential)
 }
 
-/// Returns monomials whose derivative by a position may contain `monomial`.
+/// Returns monomials whose derivative with respect to a position may contain `monomial`.
 fn integrals(ring: &Ring, monomial: &Monomial, position: usize) -> Vec<Monomial> {
     let x = Monomial::power(position, 1);
     let mut integrals = vec![monomial.times(&x), monomial.clone()];

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
-/// A power product of coordinates, as a list of exponents of either sign without trailing zeros.
+/// A product of powers of coordinates, as a list of exponents without trailing zeros. Exponents may
+/// be negative.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Monomial(Vec<i16>);
 
@@ -39,7 +40,7 @@ impl Monomial {
         self.0.iter().copied().enumerate().filter(|&(_, exponent)| exponent != 0)
     }
 
-    /// Returns the sum of |exponent|.
+    /// Returns the sum of the absolute values of the exponents.
     pub(crate) fn size(&self) -> u32 {
         self.0.iter().map(|exponent| u32::from(exponent.unsigned_abs())).sum()
     }
@@ -66,13 +67,13 @@ impl Monomial {
         is_square.then(|| Monomial(self.0.iter().map(|exponent| exponent / 2).collect()))
     }
 
-    /// Returns whether only states occur, with positive exponents. States are the first
-    /// coordinates.
+    /// Returns whether only states occur, which are the first coordinates, and only with positive
+    /// exponents.
     pub(crate) fn is_in(&self, states: usize) -> bool {
         self.powers().all(|(coordinate, exponent)| coordinate < states && exponent > 0)
     }
 
-    /// Returns whether each exponent of `divisor` lies between 0 and that of this monomial.
+    /// Returns whether each exponent of `divisor` lies between 0 and the exponent in this monomial.
     pub(crate) fn is_multiple_of(&self, divisor: &Self) -> bool {
         divisor.powers().all(|(coordinate, exponent)| match self.exponent(coordinate) {
             own if exponent < 0 => own <= exponent,
@@ -135,13 +136,14 @@ impl Laurent {
         self.as_constant()?.as_polynomial()?.as_constant()
     }
 
-    /// Returns the monomial, if this is a single one with coefficient 1.
+    /// Returns the monomial, if the polynomial is a single monomial with coefficient 1.
     pub(crate) fn as_monomial(&self) -> Option<&Monomial> {
         let (monomial, coefficient) = self.0.first_key_value().filter(|_| self.len() == 1)?;
         (*coefficient == RationalFunction::one()).then_some(monomial)
     }
 
-    /// Returns the term with the largest monomial: by size, then by exponents.
+    /// Returns the term with the largest monomial. Monomials are compared by size, then by
+    /// exponents.
     pub(crate) fn leading_term(&self) -> Option<(&Monomial, &RationalFunction)> {
         self.terms().max_by_key(|&(monomial, _)| (monomial.size(), monomial))
     }
@@ -176,7 +178,8 @@ impl Laurent {
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
     }
 
-    /// Returns the partial derivative by a coordinate on which no other coordinate depends.
+    /// Returns the partial derivative with respect to a coordinate on which no other coordinate
+    /// depends.
     pub(crate) fn partial(&self, coordinate: usize) -> Self {
         let one = Monomial::power(coordinate, 1);
         let mut derivative = Self::zero();
@@ -187,16 +190,17 @@ impl Laurent {
         derivative
     }
 
-    /// Returns the monomial with the smallest exponent of each coordinate, a common factor of all
-    /// terms.
+    /// Returns the monomial that has the smallest exponent of each coordinate. It is a common
+    /// factor of all terms.
     pub(crate) fn monomial_content(&self) -> Monomial {
         let least = |content: Monomial, next: &Monomial| content.zip(next, i16::min);
         let first = self.0.keys().next().cloned().unwrap_or_default();
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Splits off a rational number ρ: this = ρ·p, where p has integer coefficients without a
-    /// common factor, and a positive leading number in its first coefficient.
+    /// Writes the polynomial as ρ·p with a rational number ρ, and returns ρ and p. The coefficients
+    /// of p are integers without a common factor, and the leading number of its first coefficient
+    /// is positive.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

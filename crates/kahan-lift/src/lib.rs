@@ -1,13 +1,15 @@
-//! Lifting: from an analytic ordinary differential equation to an equivalent quadratic one.
+//! Lifting turns an analytic ordinary differential equation into an equivalent quadratic one.
 //!
-//! In: a block of equations with functions, quotients and powers. Out: a [`Lift`], a quadratic
-//! field in the states and in new variables, which stand for functions of the states. Formulas are
-//! exact; floats serve only to choose a lift and to compute initial values. Kahan's map is
-//! deliberately absent: rules of `kahan-algebra` tell which functions a map preserves.
+//! The input is a block of equations with functions, quotients and powers. The output is a
+//! [`Lift`], which is a quadratic field in the states and in new variables. The new variables stand
+//! for functions of the states. Formulas are exact; floats serve only to choose a lift and to
+//! compute initial values. The crate must not know Kahan's map: rules of `kahan-algebra` tell which
+//! functions a map preserves.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Modules from bottom to top: each uses only those above, as a test checks.
+// The modules are listed from bottom to top. Each uses only modules above it in this list, as a
+// test checks.
 mod laurent;
 
 mod ring;

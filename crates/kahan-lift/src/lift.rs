@@ -24,15 +24,15 @@ use crate::quadratic::component;
 use crate::ring::{CoordinateDefinition, Function, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
-/// The criterion, orbit and budget for the choice of a lift.
+/// The settings by which a lift is chosen: a criterion, an orbit, and a budget.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The criterion.
+    /// The criterion by which the lift is chosen.
     pub which: LiftCriterion,
-    /// Initial values and parameters, in the order of [`EquationNames`]. Without them the choice uses no
-    /// orbit.
+    /// The initial values and parameters of an orbit, in the order of [`EquationNames`]. If `None`,
+    /// the choice uses no orbit.
     pub orbit: Option<(Vec<f64>, Vec<f64>)>,
-    /// The largest number of nodes of a search; 0 means 20 000.
+    /// The largest number of nodes of a search. The value 0 means 20 000.
     pub budget: usize,
 }
 
@@ -41,12 +41,12 @@ const NODES: usize = 20_000;
 /// A variable of a lift beyond the states.
 #[derive(Clone, Debug)]
 pub struct NewVariable {
-    /// Its name.
+    /// The name of the variable.
     pub name: String,
     /// The function of the states that the variable stands for, as text. `None` for the work done
     /// since the start, whose initial value is 0.
     pub expression: Option<String>,
-    /// The function, or 0 for the work done.
+    /// The function of the states, or 0 for the work done since the start.
     value: Laurent,
 }
 
@@ -55,13 +55,13 @@ pub struct NewVariable {
 pub enum RelationBehaviour {
     /// The map preserves a modified relation exactly.
     Kept,
-    /// Its error stays bounded.
+    /// The error of the relation stays bounded.
     Bounded,
-    /// Its error decays, up to the contribution of each step.
+    /// The error of the relation decays, up to the contribution of each step.
     Decays,
-    /// Its error grows in proportion to time.
+    /// The error of the relation grows in proportion to time.
     Drifts,
-    /// Its error grows exponentially.
+    /// The error of the relation grows exponentially.
     Grows,
 }
 
@@ -70,43 +70,43 @@ pub enum RelationBehaviour {
 pub struct Relation {
     /// The function that vanishes where the relation holds, as text.
     pub text: String,
-    /// The behaviour along the given orbit. Without an orbit, `Kept` or `None`.
+    /// The behaviour along the given orbit. Without an orbit, the value is `Kept` or `None`.
     pub along: Option<RelationBehaviour>,
     /// The modified function that the map preserves exactly, as text.
     pub formula: Option<String>,
     /// The largest growth exponent of the linearised errors of all relations, per unit of time.
     pub rate: Option<f64>,
-    /// The index of the new variable that the relation defines, if it defines one.
+    /// The index of the new variable that the relation defines. `None` if it defines none.
     pub defines: Option<usize>,
 }
 
-/// A quadratic field that is equivalent to the original equations if its new variables start at the
-/// values of their expressions.
+/// A quadratic field that is equivalent to the original equations, if each new variable starts at
+/// the value of its expression.
 #[derive(Clone, Debug)]
 pub struct Lift {
     /// The header, if the block has one.
     pub header: Option<Header>,
-    /// The states as written, then `t` if the time occurs.
+    /// The names of the states as written, then `t` if the time occurs.
     pub states: Vec<String>,
-    /// Whether the last state is the time.
+    /// Whether the final state is the time.
     pub has_time: bool,
-    /// The parameters.
+    /// The names of the parameters.
     pub parameters: Vec<String>,
-    /// The new variables.
+    /// The new variables, in the order of their equations.
     pub new: Vec<NewVariable>,
     /// The quadratic field in the states and the new variables.
     pub field: Field,
-    /// Whether a complete search proved the number of monomials minimal, among sets in which each
-    /// missing monomial is a product of two variables.
+    /// Whether a complete search proved the number of monomials to be minimal. The search covers
+    /// sets in which each missing monomial is a product of two variables.
     pub is_optimal: bool,
-    /// The reason for the choice.
+    /// The reason why this lift was chosen.
     pub chosen: String,
-    /// The relations of the variables.
+    /// The relations between the variables of the lift.
     pub relations: Vec<Relation>,
-    /// The energy that the map preserves exactly.
+    /// The energy that the map preserves exactly, if there is one.
     pub energy: Option<String>,
-    /// Warnings: points where a new variable is infinite though the equations are finite, and phase
-    /// errors of periodic forces.
+    /// Warnings about two problems: points where a new variable is infinite though the equations
+    /// are finite, and phase errors of periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
     embedding: Embedding,
@@ -115,7 +115,8 @@ pub struct Lift {
 /// Finds a quadratic lift of the equations of a block.
 ///
 /// # Errors
-/// Mistakes in the text, functions that cannot be lifted, or no lift within the budget.
+/// Returns mistakes in the text, functions that cannot be lifted, or the failure to find a lift
+/// within the budget.
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let nodes = if options.budget == 0 { NODES } else { options.budget };
@@ -159,10 +160,10 @@ fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
 }
 
 /// Returns all lifts and quadratic fields among which [`lift`] chooses with its default budget. Of
-/// `options` only the orbit is used.
+/// `options`, only the orbit is used.
 ///
 /// # Errors
-/// Mistakes in the text, and functions that cannot be lifted.
+/// Returns mistakes in the text, and functions that cannot be lifted.
 pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let orbit = followed(&equations, options);
@@ -260,7 +261,7 @@ fn described(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String)
     }
 }
 
-/// Returns the point where an affine function of one state vanishes, such as `v = -40`.
+/// Returns the point at which an affine function of one state vanishes, such as `v = -40`.
 fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
     let mut linear = argument.terms().filter(|(monomial, _)| !monomial.is_one());
     let (monomial, slope) = linear.next().filter(|_| argument.len() <= 2)?;
@@ -278,8 +279,8 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
-            // 1/(1 − exp u) is infinite at u = 0, where the equations may contain the finite u/(1 −
-            // exp u).
+            // At u = 0, 1/(1 − exp u) is infinite, while the equations may contain the finite u/(1
+            // − exp u).
             CoordinateDefinition::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
                 let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
                 let Some((monomial, value)) = slope else { continue };
@@ -314,13 +315,14 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
 }
 
 impl Lift {
-    /// Returns the number of new variables, without `t`.
+    /// Returns the number of new variables. The time `t` is not counted.
     #[must_use]
     pub fn order(&self) -> usize {
         self.new.len()
     }
 
-    /// Returns a warning if errors of the relations grow along the orbit, which makes orbits wrong.
+    /// Returns a warning if errors of the relations grow along the orbit, since orbits are then
+    /// wrong.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         let growing = |relation: &&Relation| relation.along == Some(RelationBehaviour::Grows);
@@ -331,19 +333,19 @@ impl Lift {
         ))
     }
 
-    /// Returns the names of the states, then of the new variables.
+    /// Returns the names of the states, followed by those of the new variables.
     #[must_use]
     pub fn variables(&self) -> &[String] {
         &self.field.symbols.states
     }
 
-    /// Returns the quadratic equations, one a line, in the language of `kahan!`.
+    /// Returns the quadratic equations in the language of `kahan!`, one on each line.
     #[must_use]
     pub fn text(&self) -> String {
         equation_lines(&self.field).collect::<Vec<_>>().join("\n")
     }
 
-    /// Returns the expressions of the new variables; `None` for the work done since the start.
+    /// Returns the expressions of the new variables. `None` for the work done since the start.
     #[must_use]
     pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
         let writer = Writer::new(&self.ring, &self.states, &self.parameters);
@@ -366,16 +368,17 @@ impl Lift {
         &self.embedding
     }
 
-    /// Returns the program for the derivatives of the new variables by the states except `t`,
-    /// variable by variable. The work done since the start has derivatives 0.
+    /// Returns the program that computes the derivatives of the new variables with respect to the
+    /// states except `t`, variable by variable. The derivatives of the work done since the start
+    /// are 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);
         Builder::embedding(&self.ring, &slopes(&self.ring, states, self.new.iter().map(|one| &one.value)))
     }
 
-    /// Returns the values of the new variables at a point: exact for rational functions of the
-    /// states, otherwise the floats of [`embed`](Self::embed). Returns `None` if a value is
+    /// Returns the values of the new variables at a point. They are exact for rational functions of
+    /// the states, and otherwise the floats of [`embed`](Self::embed). `None` if a value is
     /// infinite.
     ///
     /// # Panics

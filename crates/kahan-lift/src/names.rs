@@ -1,4 +1,4 @@
-//! Writes polynomials in coordinates as expressions, and names new variables.
+//! Writes polynomials in coordinates as expressions, and chooses names for new variables.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
@@ -32,7 +32,8 @@ impl<'a> Writer<'a> {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// Writes coefficient·monomial, with negative powers in the denominator and one exponential.
+    /// Writes coefficient·monomial. Negative powers are in the denominator, and all exponentials
+    /// are joined into one.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
         let mut below = self.factors(coefficient.denominator(), notation);
@@ -60,7 +61,8 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// Returns the exponent of the product of all exponentials, and the other powers.
+    /// Returns the exponent of the product of all exponentials, and the powers of the other
+    /// coordinates.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();
@@ -111,7 +113,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Returns a name for a new variable: `x2`, `sin_x`, `inv_P`, `x_y`.
+    /// Returns a name for a new variable, for example `x2`, `sin_x`, `inv_P` or `x_y`.
     pub(crate) fn name(&self, monomial: &Monomial) -> String {
         let mut above = Vec::new();
         let mut below = Vec::new();
@@ -209,7 +211,7 @@ fn raised(name: &str, exponent: u16) -> String {
     format!("{name}{gap}{exponent}")
 }
 
-/// Splits off a minus sign, if the numerator is one negative term.
+/// Splits off a minus sign if the numerator is a single negative term.
 pub(crate) fn signed(coefficient: &RationalFunction) -> (bool, RationalFunction) {
     let negative = coefficient.numerator().len() == 1
         && coefficient.numerator().leading_term().is_some_and(|(_, number)| number.is_negative());

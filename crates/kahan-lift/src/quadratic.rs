@@ -1,8 +1,8 @@
-//! Derivatives as quadratic polynomials in the lifted variables.
+//! Writes derivatives as quadratic polynomials in the lifted variables.
 //!
-//! A monomial may have several representations: x² is x·x or the variable that stands for it. They
-//! agree where the relations hold, but give different fields elsewhere. All are listed, up to a
-//! limit.
+//! A monomial may have several representations: x² is x·x, or the variable that stands for it. They
+//! agree where the relations hold, but give different fields elsewhere. All representations are
+//! listed, up to a limit.
 
 use std::collections::BTreeMap;
 
@@ -12,17 +12,18 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
-/// A polynomial of degree at most 2 in the lifted variables: states first, then new variables.
+/// A polynomial of degree at most 2 in the lifted variables, which are the states and then the new
+/// variables.
 pub(crate) type Quadratic = Laurent;
 
-/// Multiplies an affine polynomial by a variable; `None` if it is not affine.
+/// Multiplies an affine polynomial by a variable. `None` if the polynomial is not affine.
 pub(crate) fn times(affine: &Quadratic, variable: usize) -> Option<Quadratic> {
     let is_affine = affine.terms().all(|(monomial, _)| monomial.size() <= 1);
     is_affine.then(|| affine.shifted(&Monomial::power(variable, 1)))
 }
 
 /// Returns the polynomial over a common denominator. Variable i of the lift becomes `Variable(i)`,
-/// parameter k becomes `Variable(variables + k)`.
+/// and parameter k becomes `Variable(variables + k)`.
 pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFunction {
     let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
     let shift = |polynomial: &Polynomial| {
@@ -39,17 +40,19 @@ pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFun
     sum
 }
 
-/// The products of at most two variables, keyed by the equal monomial in coordinates.
+/// The products of at most two variables. The keys are the monomials in coordinates that the
+/// products equal.
 #[derive(Debug)]
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
-    /// The values of the states, then of the new variables.
+    /// The functions that the variables stand for: the states, then the functions of the new
+    /// variables.
     variables: Vec<Laurent>,
-    /// Products that are a single monomial. Their order determines the numbers of relations in
-    /// answers.
+    /// The products that are a single monomial. The order of products determines the numbers of
+    /// relations in answers.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
-    /// Polynomials in the variables that vanish identically in the states.
+    /// Polynomials in the variables that vanish identically as functions of the states.
     pub relations: Vec<Quadratic>,
 }
 
@@ -128,7 +131,7 @@ impl<'a> Products<'a> {
         direct.or_else(|| self.derived.get(monomial).cloned())
     }
 
-    /// Writes a polynomial as an affine polynomial in the variables, if possible.
+    /// Writes a polynomial as an affine polynomial in the variables, if that is possible.
     pub(crate) fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
         for (monomial, coefficient) in polynomial.terms() {
@@ -138,19 +141,20 @@ impl<'a> Products<'a> {
         Some(sum)
     }
 
-    /// Returns the alternatives for a variable's derivative, the preferred one first.
+    /// Returns the alternatives for a variable's derivative. The preferred one comes first.
     fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
         let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
-            // Prefer a decay term in the variable itself, which damps errors; then original states.
+            // Prefer a decay term in the variable itself, which damps errors. Then prefer original
+            // states.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
             let new = |pair: &Monomial| {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // The equation of a state that is already quadratic stays as written.
+            // If the equation of a state is quadratic already, it stays as written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }
@@ -170,8 +174,8 @@ impl<'a> Products<'a> {
         Some(ways)
     }
 
-    /// Returns alternative quadratic fields, the preferred one first, with one equation for each
-    /// variable; `fixed` prescribes some of them.
+    /// Returns alternative quadratic fields, each with one equation for each variable. The
+    /// preferred field comes first. The map `fixed` prescribes some of the equations.
     pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for index in 0..self.variables.len() {
@@ -196,7 +200,8 @@ impl<'a> Products<'a> {
     }
 
     /// Puts the product rule (uv)′ = u′v + uv′ first for a variable that is a product of variables
-    /// with affine equations; the map then preserves its relation. States keep their equations.
+    /// with affine equations. The map then preserves the relation of the product. States keep their
+    /// equations.
     fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
         for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };

@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. Arguments that are rational multiples of each other share the
-//! coordinate of their greatest common divisor. Passes over all equations are repeated until no
-//! divisor changes.
+//! Functions become coordinates. If arguments are rational multiples of each other, the functions
+//! share the coordinate of the greatest common divisor of the arguments. Passes over all equations
+//! are repeated until no such divisor changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -22,23 +22,25 @@ type ReadResult<T> = Result<T, Diagnostic>;
 
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
-    /// The states, with `t` last if the time occurs.
+    /// The names of the states. The time `t`, if it occurs, comes last.
     pub states: Vec<String>,
     pub parameters: Vec<String>,
     pub is_declared: bool,
     constants: Vec<(String, Laurent)>,
     pub ring: Ring,
-    /// Arguments up to rational multiples, each with the greatest common divisor of its multiples.
+    /// The kinds of functions and their arguments up to rational multiples. Each argument has the
+    /// greatest common divisor of its multiples.
     units: Vec<(Family, Laurent, Rational)>,
 }
 
-/// Functions whose values at the multiples of an argument are polynomials in each other.
+/// Kinds of functions. Within a kind, the values at multiples of an argument are polynomials in
+/// each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
     Exponential,
     Circular,
     Hyperbolic,
-    /// Roots, where the multiple is 1/index.
+    /// Roots with a given index; the multiple is 1/index.
     Root,
 }
 
@@ -47,7 +49,7 @@ fn refuse<T>(span: Span, message: impl Into<String>, help: impl Into<String>) ->
 }
 
 impl Reader {
-    /// Reads the right-hand sides; fails at the first expression that cannot be lifted.
+    /// Reads the right-hand sides. Fails at the first expression that cannot be lifted.
     pub(crate) fn field(
         &mut self,
         sides: &[&Expr<InFormula>],
@@ -82,8 +84,8 @@ impl Reader {
         self.signed(expr, 1)
     }
 
-    /// Reads expr^sign, sign = ±1. Factors of a product are inverted one by one, so that 1/P² and
-    /// 1/P³ are powers of one coordinate 1/P.
+    /// Reads expr^sign, where sign is ±1. Factors of a product are inverted one by one, so that
+    /// 1/P² and 1/P³ are powers of one coordinate 1/P.
     fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> ReadResult<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {
@@ -246,7 +248,8 @@ impl Reader {
         Monomial::power(coordinate, exponent.saturating_mul(finest / index))
     }
 
-    /// Includes a multiple of an argument in the greatest common divisor, and returns it.
+    /// Includes a multiple of an argument in the greatest common divisor of multiples, and returns
+    /// that divisor.
     fn unit(&mut self, family: Family, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
@@ -274,7 +277,7 @@ impl Reader {
         if base.is_zero() {
             return refuse(span, "a power of 0 whose exponent is a parameter", "write a number");
         }
-        // b^(n + 2) = b^n b²: the number in the exponent is split off.
+        // The number in an exponent is split off, as in b^(n + 2) = b^n b².
         let constant = exponent.as_polynomial().map_or_else(Rational::zero, |sum| {
             sum.terms().find(|(one, _)| one.is_one()).map_or_else(Rational::zero, |(_, value)| value.clone())
         });
@@ -308,7 +311,7 @@ impl Reader {
             "cos" => self.circular(Family::Circular, argument, span).map(|[_, cosine]| cosine),
             "sinh" => self.circular(Family::Hyperbolic, argument, span).map(|[sine, _]| sine),
             "cosh" => self.circular(Family::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
-            // tan′ = 1 + tan², tanh′ = 1 − tanh²: one variable instead of sine and cosine.
+            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², one variable replaces sine and cosine.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
             "sqrt" => self.power(argument, &Rational::new(1, 2), span),
@@ -318,7 +321,7 @@ impl Reader {
                 Ok(self.function(Function::Log, argument, slope))
             }
             _ => {
-                // `arctan` means `atan`.
+                // For example, `arctan` means `atan`.
                 let name = function.replace("arc", "a");
                 let found = INVERSES.iter().find(|(one, ..)| one.name() == name);
                 let Some(&(function, [constant, square], [above, below])) = found else {
@@ -345,7 +348,8 @@ impl Reader {
         self.function(function, argument, slope)
     }
 
-    /// Returns exp u, as a product over the terms of u unless u has a constant term.
+    /// Returns exp u as a product over the terms of u. If u has a constant term, exp u is one
+    /// coordinate.
     fn exponential(&mut self, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         if argument.is_zero() {
             return Ok(Laurent::number(Rational::one()));
@@ -387,7 +391,8 @@ impl Reader {
         let (multiple, primitive) = argument.primitive();
         let unit = self.unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-        // cos′ = sign·sin; sin² = 1 − cos², cosh² = 1 + sinh²
+        // The derivative is cos′ = sign·sin. The relations are sin² = 1 − cos² and cosh² = 1 +
+        // sinh².
         let (functions, sign) = match family {
             Family::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),
@@ -434,7 +439,7 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("csch", None, "sinh"),
 ];
 
-/// Functions of u with derivatives (a + b u²)^e: \[a, b\], and e as a ratio.
+/// Functions of u whose derivatives are (a + b u²)^e. Each has the pair \[a, b\], and e as a ratio.
 const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
     (Function::Atan, [1, 1], [-1, 1]),
     (Function::Asin, [1, -1], [-1, 2]),
@@ -446,7 +451,7 @@ const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
 
-/// Returns why a function is not lifted, and how to replace it.
+/// Returns the reason why a function is not lifted, and the way to replace it.
 fn reason(function: &str) -> Option<(String, &'static str)> {
     let help = match function {
         "acos" | "arccos" => "write `pi/2 - asin(u)` for `acos(u)`",
@@ -496,7 +501,7 @@ fn small(number: i64) -> i16 {
     i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
 }
 
-/// Splits a coefficient into a rational number with sign, and a primitive factor.
+/// Writes a coefficient as the product of a rational number with sign and a primitive factor.
 fn signed_content(value: &RationalFunction) -> (Rational, RationalFunction) {
     let content = value.numerator().content();
     let inverse = content.recip().expect("not 0");

@@ -5,26 +5,27 @@ use crate::embedding::{CalledFunction, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
-/// The error of a relation, relative to its terms, that counts as rounding, in units of 2⁻⁵².
+/// The error of a relation, relative to its terms and in units of 2⁻⁵², that counts as rounding.
 const ROUNDING: f64 = 8.0;
 
-/// Steps of a lifted map with symmetric projection onto the relations.
+/// Steps of a lifted map with symmetric projection onto the relations w = g(x) between new
+/// variables w and states x.
 ///
-/// A step begins at (x, g(x) + μ) with μ such that its image (x̃, w̃) satisfies w̃ + μ = g(x̃).
-/// Reversible maps stay reversible, and a composed map keeps its order.
+/// A step begins at (x, g(x) + μ). The shift μ is chosen such that the image (x̃, w̃) satisfies w̃
+/// + μ = g(x̃). Reversible maps stay reversible, and a composed map keeps its order.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
-    /// μ of the last step, the initial guess of the next one.
+    /// The shift μ of the previous step, which is the initial guess for the next step.
     shift: Vec<f64>,
     image: Vec<f64>,
 }
 
 impl Reembedding {
-    /// Advances `states` by one step. Returns whether the iteration converged; if not, the states
-    /// do not change.
+    /// Advances `states` by one step. Returns whether the iteration converged. If it did not, the
+    /// states do not change.
     ///
-    /// `step` maps all variables to their image; `embed` returns the new variables at given states.
-    /// A step usually takes 2 to 16 calls of `step`.
+    /// The function `step` replaces all variables by their image, and `embed` returns the new
+    /// variables at given states. A step usually calls `step` 2 to 16 times.
     pub fn step(
         &mut self,
         states: &mut [f64],
@@ -41,7 +42,7 @@ impl Reembedding {
             step(&mut self.image);
             let (reached, lifted) = self.image.split_at(states.len());
             let wanted = embed(reached);
-            // The largest error of a relation, relative to its terms.
+            // The largest error of a relation, relative to the terms of the relation.
             let mut error = 0.0_f64;
             for (((new, wanted), value), shift) in new.iter().zip(&wanted).zip(lifted).zip(&mut self.shift) {
                 let difference = wanted - value - *shift;
@@ -52,7 +53,7 @@ impl Reembedding {
             if !error.is_finite() || !reached.iter().all(|value| value.is_finite()) {
                 break;
             }
-            // Stop at rounding level, or just above it when the error stops decreasing.
+            // Stop at rounding level, or just above it if the error has stopped decreasing.
             let is_rounding = error <= ROUNDING * f64::EPSILON;
             if is_rounding || (error >= before && before <= 1e3 * f64::EPSILON) {
                 states.copy_from_slice(reached);
@@ -66,8 +67,9 @@ impl Reembedding {
 }
 
 impl Embedding {
-    /// Returns the indices of the new variables that are positive by definition: even roots, powers
-    /// with non-integer exponents, exponentials, and sums, products, quotients and powers of these.
+    /// Returns the indices of the new variables that are positive by definition. They are even
+    /// roots, powers with non-integer exponents, exponentials, and sums, products, quotients and
+    /// powers of these.
     #[must_use]
     pub fn positive(&self) -> Vec<usize> {
         let operations = &self.program.operations;
@@ -77,7 +79,7 @@ impl Embedding {
                 Operation::Call(function, a, exponent) => match function {
                     CalledFunction::SquareRoot
                     | CalledFunction::Elementary(Function::Exp | Function::Cosh) => true,
-                    // Odd roots have the sign of their argument.
+                    // An odd root has the sign of its argument.
                     CalledFunction::RealPower => !matches!(
                         &operations[exponent.0],
                         Operation::Constant(value) if value.to_f64().recip().round() % 2.0 != 0.0

@@ -1,8 +1,8 @@
-//! The differential ring of the equations.
+//! The differential ring that the states and functions of the equations generate.
 //!
 //! Coordinates are the states and the functions that occur. The derivative of a coordinate along
-//! the field is a Laurent polynomial in coordinates. Relations rewrite monomials to a normal form,
-//! such as sin² to 1 − cos².
+//! the field is a Laurent polynomial in coordinates. Relations rewrite monomials to a normal form;
+//! for example, sin² becomes 1 − cos².
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -15,31 +15,31 @@ use crate::laurent::{Laurent, Monomial};
 /// An elementary function whose derivative is a Laurent polynomial in coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
-    /// exp u
+    /// The exponential function exp u.
     Exp,
-    /// log u
+    /// The natural logarithm log u.
     Log,
-    /// sin u
+    /// The sine sin u.
     Sin,
-    /// cos u
+    /// The cosine cos u.
     Cos,
-    /// tan u
+    /// The tangent tan u.
     Tan,
-    /// sinh u
+    /// The hyperbolic sine sinh u.
     Sinh,
-    /// cosh u
+    /// The hyperbolic cosine cosh u.
     Cosh,
-    /// tanh u
+    /// The hyperbolic tangent tanh u.
     Tanh,
-    /// arcsin u
+    /// The inverse sine arcsin u.
     Asin,
-    /// arctan u
+    /// The inverse tangent arctan u.
     Atan,
-    /// arsinh u
+    /// The inverse hyperbolic sine arsinh u.
     Asinh,
-    /// arcosh u
+    /// The inverse hyperbolic cosine arcosh u.
     Acosh,
-    /// artanh u
+    /// The inverse hyperbolic tangent artanh u.
     Atanh,
 }
 
@@ -73,22 +73,23 @@ impl Function {
     }
 }
 
-/// The function of the states that is a coordinate.
+/// The function of the states for which a coordinate stands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum CoordinateDefinition {
     State(usize),
     /// An elementary function of a polynomial in coordinates.
     Function(Function, Laurent),
-    /// The root of a polynomial with this index; index 1 is the polynomial itself.
+    /// The root of a polynomial; the number is the index of the root. Index 1 means the polynomial
+    /// itself.
     Root(Laurent, i16),
-    /// A power of a polynomial with an exponent that depends on parameters.
+    /// A power of a polynomial. The exponent depends on parameters.
     Power(Laurent, RationalFunction),
-    /// A polynomial that occurs often.
+    /// A polynomial that occurs often and is a coordinate for that reason.
     Sum(Laurent),
 }
 
 impl CoordinateDefinition {
-    /// Returns the polynomial to which the function is applied, `None` for a state.
+    /// Returns the polynomial to which the function is applied. `None` for a state.
     pub(crate) fn argument(&self) -> Option<&Laurent> {
         match self {
             CoordinateDefinition::State(_) => None,
@@ -103,25 +104,27 @@ impl CoordinateDefinition {
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
     pub meaning: CoordinateDefinition,
-    /// F′(u) as a polynomial in coordinates, 1 for a state.
+    /// The derivative F′(u) of the function F with argument u, as a polynomial in coordinates; 1
+    /// for a state.
     pub slope: Laurent,
 }
 
-/// A relation between coordinates, as a rewriting rule.
+/// A relation between coordinates, as a rule that rewrites monomials.
 #[derive(Clone, Debug)]
 enum Rule {
-    /// The monomial equals the polynomial.
+    /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
-    /// b^index = base, where `instead` equals the leading monomial of `base`. Powers of b are
-    /// reduced below the index; in products with negative powers of b the leading monomial is
-    /// replaced.
+    /// The coordinate b is a root: b^index = `base`, and `instead` equals the leading monomial of
+    /// `base`. Powers of b are reduced below the index. In products with negative powers of b, the
+    /// leading monomial is replaced by `instead`.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
 /// Coordinates with their relations and derivatives. Products are in normal form.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ring {
-    /// States first; the argument of each coordinate contains only earlier ones.
+    /// The coordinates. The states come first, and the argument of each coordinate contains only
+    /// earlier coordinates.
     pub coordinates: Vec<Coordinate>,
     rules: Vec<Rule>,
     pub field: Vec<Laurent>,
@@ -130,7 +133,8 @@ pub(crate) struct Ring {
     normal: PolynomialCache,
 }
 
-/// A cache of polynomials by monomial, behind a mutex, as threads share rings. A clone is empty.
+/// A cache of polynomials by monomial. A mutex protects it, as threads share rings. A clone is
+/// empty.
 #[derive(Debug, Default)]
 struct PolynomialCache(Mutex<FxHashMap<Monomial, Laurent>>);
 
@@ -146,7 +150,7 @@ impl Clone for PolynomialCache {
     }
 }
 
-/// Solves polynomial = value for the leading monomial of the polynomial.
+/// Solves the equation polynomial = value for the leading monomial of the polynomial.
 fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
     let (leading, factor) = polynomial.leading_term().expect("roots and sums have terms");
     let mut instead = Laurent::from(value);
@@ -164,8 +168,8 @@ impl Ring {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
-    /// Returns the coordinate with this meaning. A new one gets F′(u) from `slope`, called with its
-    /// index.
+    /// Returns the coordinate with this definition. If it is new, its derivative F′(u) is the
+    /// result of `slope`, which is called with the coordinate's index.
     pub(crate) fn coordinate(
         &mut self,
         meaning: CoordinateDefinition,
@@ -193,10 +197,11 @@ impl Ring {
         self.derivatives.known().clear();
     }
 
-    /// Returns the ring with frequent sums as further coordinates: the polynomial factors of P′, P″
-    /// and P‴ for the base P of each root. `None` if no derivative has one.
+    /// Returns the ring in which frequent sums are further coordinates. These are the polynomial
+    /// factors of P′, P″ and P‴ for the base P of each root. `None` if no derivative has such a
+    /// factor.
     ///
-    /// Kepler's problem becomes one in r, x·p and p·p.
+    /// For example, Kepler's problem becomes one in r, x·p and p·p.
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
@@ -234,7 +239,7 @@ impl Ring {
         self.rewritten(monomial).is_none()
     }
 
-    /// Rewrites a monomial by one rule; `None` if it is in normal form.
+    /// Rewrites a monomial by one rule. `None` if the monomial is in normal form.
     fn rewritten(&self, monomial: &Monomial) -> Option<Laurent> {
         self.rules.iter().find_map(|rule| match rule {
             Rule::Replace(from, to) => {
@@ -247,7 +252,7 @@ impl Ring {
                     return Some(base.shifted(&monomial.over(&root)));
                 }
                 if leading.is_one() {
-                    // The base is a constant c: b^−1 = b^(index−1)/c.
+                    // If the base is a constant c, b^−1 = b^(index−1)/c.
                     return (exponent < 0).then(|| {
                         let inverse = RationalFunction::one().checked_div(&base.coefficient(leading));
                         Laurent::from(monomial.times(&root)).scale(&inverse.expect("not 0"))

@@ -1,9 +1,10 @@
-//! The search for a smallest set of monomials that makes the equations quadratic.
+//! Searches a smallest set of monomials that makes the equations quadratic.
 //!
-//! A set of variables is closed if each monomial in their derivatives can be written: as 1, a
-//! variable, a product of two variables, or from a product by a relation of the ring. Iterative
-//! deepening branches over the ways to write one missing monomial. If its budget of nodes ends
-//! first, local changes improve a greedy closure. No clock is read, so the result is reproducible.
+//! A set of variables is closed if each monomial in their derivatives can be written. A monomial
+//! can be written as 1, as a variable, as a product of two variables, or from a product by a
+//! relation of the ring. Iterative deepening branches over the ways to write one missing monomial.
+//! If its budget of nodes is used up, local changes improve a greedy solution. The search reads no
+//! clock, so its result is reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -16,14 +17,14 @@ use crate::laurent::{Laurent, Monomial};
 use crate::ring::{CoordinateDefinition, Ring};
 use crate::table::{MonomialId, Table};
 
-/// The task of a search: given variables and monomials to be written.
+/// The task of a search: the given variables, and the monomials that must be written in variables.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Problem {
     /// Monomials that are already variables.
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials to be written as products, besides those in derivatives of new variables.
+    /// Monomials that must be products of variables, besides those in derivatives of new variables.
     pub required: Vec<Monomial>,
     /// Coordinates that may have negative powers in new variables.
     pub negative: BTreeSet<usize>,
@@ -31,24 +32,24 @@ pub(crate) struct Problem {
 
 #[derive(Clone, Debug)]
 pub(crate) struct VariableSets {
-    /// Sets of new variables: those of the smallest size found, then larger ones.
+    /// Sets of new variables. The sets of the smallest size found come first, then larger ones.
     pub sets: Vec<Vec<Laurent>>,
-    /// Whether all smaller sets were excluded, among those in which each missing monomial is a
-    /// product of two variables.
+    /// Whether the search excluded all smaller sets in which each missing monomial is a product of
+    /// two variables.
     pub is_optimal: bool,
 }
 
 const MOST_SETS: usize = 24;
 pub(crate) const MOST_VARIABLES: usize = 60;
-/// The number of search nodes that take as long as one local change.
+/// The number of search nodes that take as much time as one local change.
 const NODES_A_CHANGE: usize = 20;
 const LOCAL_CHANGES: usize = 40;
 
-/// The monomials that can be written in some variables.
+/// The monomials that can be written in the variables of a set.
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// For each product with several uncovered monomials, the list of its monomials.
+    /// For each product that contains several monomials not yet covered, the list of its monomials.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -64,7 +65,7 @@ impl MonomialCover {
         }
     }
 
-    /// Covers the only missing monomial of a product, repeatedly.
+    /// Covers the only missing monomial of a product, and repeats this while it changes the cover.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -85,14 +86,15 @@ struct Search<'a> {
     required: Vec<MonomialId>,
     nodes: usize,
     largest: u32,
-    /// Whether new variables must be coordinates, their inverses, or products of two variables.
+    /// Whether each new variable must be a coordinate, the inverse of one, or a product of two
+    /// variables.
     founded: bool,
     visited: FxHashMap<Vec<MonomialId>, usize>,
     sets: Vec<Vec<MonomialId>>,
 }
 
-/// Returns the smallest closed sets of at most `most` variables that are found within `budget`
-/// nodes, and sets of `surplus` more. Returns `None` if no set is found.
+/// Returns the smallest closed sets that are found within `budget` nodes, of at most `most`
+/// variables. Sets that have up to `surplus` more variables follow. `None` if no set is found.
 pub(crate) fn search(
     ring: &Ring,
     problem: &Problem,
@@ -102,7 +104,8 @@ pub(crate) fn search(
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
-    // If `most` is the result of another ring, success is unlikely after a failed greedy closure.
+    // If `most` comes from another ring, a search is unlikely to succeed after the greedy one
+    // failed.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -128,15 +131,15 @@ pub(crate) fn search(
     Some(VariableSets { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
-/// Finds a closed set, not always a smallest one, in which each variable has a defining quadratic
-/// relation: it is a product of two others, or the inverse of a polynomial.
+/// Finds a closed set in which each variable has a defining quadratic relation: it is a product of
+/// two others, or the inverse of a polynomial. The set need not be a smallest one.
 pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
     let mut seeds: Vec<MonomialId> = Vec::new();
     for coordinate in &ring.coordinates {
         let CoordinateDefinition::Root(base, 1) = &coordinate.meaning else { continue };
         for (term, _) in base.terms() {
-            // x⁴ is the square of x², x³ the product of x² and x.
+            // For example, x⁴ is the square of x², and x³ the product of x² and x.
             let mut power = term.clone();
             while power.size() > 1 {
                 let id = search.table.id(&power);
@@ -222,7 +225,8 @@ impl<'a> Search<'a> {
         self.extend(&mut Vec::new(), &cover, size);
     }
 
-    /// Returns the cover of `new`: the monomials of products of at most two variables.
+    /// Returns the monomials that the variables `new` cover, which are those of products of at most
+    /// two variables.
     fn cover(&mut self, new: &[MonomialId]) -> MonomialCover {
         let mut cover = MonomialCover::default();
         cover.covered.insert(Table::ONE);
@@ -242,7 +246,7 @@ impl<'a> Search<'a> {
         cover
     }
 
-    /// Adds the products of a variable with itself, with others and with the sums.
+    /// Adds the products of a variable with itself, with other variables, and with the sums.
     fn join(&mut self, cover: &mut MonomialCover, others: &[MonomialId], variable: MonomialId) {
         cover.covered.insert(variable);
         for &other in others.iter().chain([&variable]) {
@@ -288,7 +292,8 @@ impl<'a> Search<'a> {
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
     }
 
-    /// Returns the monomials that, as single new variables, make `target` a product.
+    /// Returns the monomials each of which, as a new variable, makes `target` a product of two
+    /// variables.
     fn singles(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
@@ -301,8 +306,8 @@ impl<'a> Search<'a> {
         ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
     }
 
-    /// Returns pairs of new monomials with product `target`, with exponents between 0 and those of
-    /// it.
+    /// Returns pairs of new monomials whose product is `target`. Their exponents lie between 0 and
+    /// those of `target`.
     fn pairs(&mut self, target: MonomialId) -> Vec<[MonomialId; 2]> {
         let target = self.table.monomial(target).clone();
         let mut halves = vec![Monomial::one()];
@@ -377,14 +382,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns a closed set: adds the variable that leaves the fewest monomials missing, step by
-    /// step, then removes unnecessary ones.
+    /// Returns a closed set. Step by step, adds the variable that leaves the fewest monomials
+    /// missing; then removes unnecessary variables.
     fn greedy(&mut self, most: usize) -> Option<Vec<MonomialId>> {
         let closed = self.closure(Vec::new(), most, 0)?;
         Some(self.reduced(closed))
     }
 
-    /// Removes variables without which a closure is smaller, one by one.
+    /// Removes variables one by one if the set is still closed, or can be closed with fewer
+    /// variables.
     fn reduced(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {
@@ -428,7 +434,7 @@ impl<'a> Search<'a> {
             ranked.sort_by_key(|&(left, turn, single, _)| (left, turn, single));
             let second = twist != 0 && ranked.len() > 1 && turn(target) % 4 == 0;
             let Some((_, _, next, joined)) = ranked.into_iter().nth(usize::from(second)) else {
-                // No single variable helps; continue with a factor of the target.
+                // No single variable helps, so continue with a factor of the target.
                 let pairs = self.pairs(target).into_iter().flatten();
                 let next = pairs.filter(|one| !new.contains(one)).collect::<Vec<MonomialId>>();
                 let next = next.into_iter().find(|&one| self.is_founded(one, &new))?;
@@ -440,7 +446,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Improves a closed set: removes up to four variables at random and closes again.
+    /// Improves a closed set: removes up to four variables at random, and closes the set again.
     fn improved(&mut self, mut best: Vec<MonomialId>, most: usize) -> Vec<MonomialId> {
         let mut random = Shake256::new(b"local changes");
         let mut since = 0;

@@ -1,6 +1,7 @@
-//! The growth of errors of the relations of a lift along an orbit.
+//! Computes the growth of errors of a lift's relations along an orbit.
 //!
-//! The error r = w − g(x) satisfies r′ = Λ r + … along the orbit with
+//! Let x be the states, w = g(x) the new variables, and F the lifted field. The error r = w − g(x)
+//! satisfies r′ = Λ r + … along the orbit with
 //!
 //!   Λ = ∂F_w/∂w − Dg · ∂F_x/∂w
 //!
@@ -15,21 +16,22 @@ use crate::ring::Ring;
 const HORIZON: f64 = 100.0;
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
-/// The amplification at which a fast growth ends the computation.
+/// The amplification of errors at which the computation ends because growth is fast.
 const HOPELESS: f64 = 1e8;
 const MOST_POINTS: usize = 20_000;
-/// The largest number of substeps for the errors in one step of the orbit.
+/// The largest number of parts into which a step of the orbit is divided to compute errors.
 const MOST_PARTS: f64 = 64.0;
-/// The error tolerance of a step of the orbit, relative to the largest component of the state.
+/// The tolerance for the error of a step of the orbit, relative to the largest component of the
+/// state.
 const TOLERANCE: f64 = 1e-6;
 
 /// The growth of errors of the relations along an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ErrorGrowth {
-    /// The mean rate, per unit of time.
+    /// The mean rate of exponential growth, per unit of time.
     pub(crate) exponent: f64,
     pub(crate) amplification: f64,
-    /// The largest amplification in the first half of the time.
+    /// The largest amplification of errors in the first half of the time.
     half: f64,
 }
 
@@ -46,7 +48,7 @@ impl ErrorGrowth {
 
 #[derive(Clone, Debug)]
 pub(crate) struct Orbit {
-    /// Step sizes, with the states in the middle of each step.
+    /// The step sizes of the orbit, each with the state in the middle of the step.
     points: Vec<(f64, Vec<f64>)>,
     parameters: Vec<f64>,
 }
@@ -63,7 +65,8 @@ fn runge_kutta(field: impl Fn(&[f64]) -> Vec<f64>, x: &[f64], h: f64) -> Vec<f64
     (0..x.len()).map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect()
 }
 
-/// Multiplies square matrices in row-major order. Most entries of the left one are 0.
+/// Multiplies square matrices whose entries are listed row by row. Most entries of the left matrix
+/// are 0.
 fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
     product.fill(0.0);
     for (place, &factor) in left.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
@@ -75,7 +78,7 @@ fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
 }
 
 impl Orbit {
-    /// Computes the orbit over the horizon, or as far as it is finite.
+    /// Computes the orbit up to the time `HORIZON`, or as long as it is finite.
     pub(crate) fn new(ring: &Ring, start: &[f64], parameters: &[f64]) -> Self {
         let field = Builder::embedding(ring, &ring.field);
         let field = |x: &[f64]| field.values(x, parameters);
@@ -104,14 +107,14 @@ impl Orbit {
         Orbit { points, parameters: parameters.to_vec() }
     }
 
-    /// Computes the growth of errors along the orbit. `field` has one equation a variable, states
-    /// first.
+    /// Computes the growth of errors along the orbit. The list `field` has one equation for each
+    /// variable, states first.
     pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> ErrorGrowth {
         let (states, count) = (ring.field.len(), new.len());
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // Dg, then ∂F/∂w at the values of the variables.
+        // The entries of Dg, then those of ∂F/∂w at the values of the variables.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -129,7 +132,7 @@ impl Orbit {
         let mut matrix: Vec<f64> =
             (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
         let [mut first, mut second] = [matrix.clone(), matrix.clone()];
-        // Relative errors, independent of units.
+        // The errors are relative to these sizes, hence independent of the units of the variables.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
             let values = functions.values(x, &self.parameters);
@@ -153,7 +156,8 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // exp(hΛ) ≈ (1 + sΛ + (sΛ)²/2)^(h/s) with s‖Λ‖ ≤ 1/2, up to the limit on substeps.
+            // Approximate exp(hΛ) by (1 + sΛ + (sΛ)²/2)^(h/s) for a step h of the orbit. The part s
+            // satisfies s‖Λ‖ ≤ 1/2, unless the number of parts is limited.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;

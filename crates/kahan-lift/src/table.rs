@@ -1,4 +1,4 @@
-//! Numbered monomials with cached products and derivatives.
+//! Assigns numbers to monomials, and stores their products and derivatives.
 
 use std::rc::Rc;
 
@@ -12,7 +12,7 @@ pub(crate) type MonomialId = u32;
 #[derive(Clone, Debug)]
 struct Entry {
     monomial: Monomial,
-    /// The monomials of its normal form; `None` if it is in normal form.
+    /// The monomials of the monomial's normal form. `None` if the monomial is in normal form.
     rewritten: Option<Rc<[MonomialId]>>,
     derivative: Option<Rc<[MonomialId]>>,
 }
@@ -35,7 +35,7 @@ impl<'a> Table<'a> {
         table
     }
 
-    /// Returns the number of a monomial; a new one is added.
+    /// Returns the number of a monomial. A new monomial gets the next number.
     pub(crate) fn id(&mut self, monomial: &Monomial) -> MonomialId {
         if let Some(&id) = self.ids.get(monomial) {
             return id;
@@ -57,7 +57,7 @@ impl<'a> Table<'a> {
         &self.entries[id as usize].monomial
     }
 
-    /// Returns the monomials of the normal form; `None` if the monomial is in normal form.
+    /// Returns the monomials of the normal form. `None` if the monomial is in normal form.
     pub(crate) fn rewritten(&self, id: MonomialId) -> Option<&Rc<[MonomialId]>> {
         self.entries[id as usize].rewritten.as_ref()
     }

@@ -1,4 +1,4 @@
-//! Orbits of lifted fields: their accuracy, relations and energies.
+//! Tests orbits of lifted fields: their accuracy, relations and energies.
 
 use kahan_algebra::lenient;
 use kahan_lift::{Lift, Options, Reembedding, lift};
@@ -40,7 +40,7 @@ impl System {
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-    // `max` would ignore NaN.
+    // The function `max` would ignore NaN.
     let far = |a: f64, b: f64| if a.is_finite() && b.is_finite() { (a - b).abs() } else { f64::INFINITY };
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
@@ -117,7 +117,7 @@ const QUARTIC: System = System {
     parameters: &[],
     field: |x| vec![x[1], -x[0].powi(3)],
 };
-/// The new variables x² and x³ come near 0, where rounding is relatively large.
+/// The new variables x² and x³ come near 0, where rounding errors are relatively large.
 const DUFFING: System = System {
     text: "x' = p; p' = -x - x^3/2",
     start: &[1.0, 0.2],
@@ -131,7 +131,7 @@ const DISSIPATIVE: [System; 5] =
 fn default_lifts_solve_the_original_equations_to_order_two() {
     for system in DISSIPATIVE.into_iter().chain([PENDULUM, KEPLER, QUARTIC]) {
         let lift = system.lift();
-        // Up to time 20. The reference has an error below 1e-9, as step halving shows.
+        // The reference solution up to time 20 has an error below 1e-9, as step halving shows.
         let reference = solution(&system, 20.0, 40_000);
         let error = |eps: f64, steps| distance(&system.states(&lift, eps, steps), &reference);
         let [coarse, middle, fine] = [error(0.01, 1000), error(0.005, 2000), error(0.0025, 4000)];
@@ -151,7 +151,7 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
             let (states, new) = point.split_at(system.start.len());
             distance(new, &lift.embed(states, system.parameters))
         };
-        // At time 1000. Errors are O(ε²), with the factor of the stiffest system.
+        // The errors at time 1000 are O(ε²), with the constant of the stiffest system.
         let [coarse, fine] = [error(0.01, 50_000), error(0.0025, 200_000)];
         assert!(coarse < 2e-2 && fine < 2e-3, "{}: {coarse:e}, {fine:e}", system.text);
     }

@@ -1,7 +1,7 @@
-//! Independent second proofs of claims in `kahan!` blocks.
+//! Proves claims of `kahan!` blocks a second time, independently of the macro.
 //!
-//! The macro proves claims modulo primes. This module repeats that proof, and adds an expansion of
-//! both sides over ℚ unless it would be too large.
+//! The macro proves claims modulo primes. This module repeats that proof. It also expands both
+//! sides over ℚ, unless the expansion would be too large.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
@@ -16,7 +16,8 @@ use super::formula::mutations;
 use super::identity::Evidence;
 use super::registry::outcome;
 
-/// Decides one claim of a system with its evidence, in milliseconds, at most a second.
+/// Decides one claim of a system, and returns the evidence in words. The decision takes
+/// milliseconds, at most a second.
 #[must_use]
 pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
@@ -58,7 +59,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
     let claim = claim_text(system, &system.claims[index]);
     let block = macro_block(&before);
-    // The context precedes the claim: header, constants, equations and earlier claims.
+    // The text before the claim is the context: header, constants, equations and earlier claims.
     let Some(context) = block.strip_prefix("kahan! {").and_then(|block| block.split_once(&claim)) else {
         return (0, None);
     };

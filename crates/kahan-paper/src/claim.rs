@@ -1,4 +1,4 @@
-//! Claims: formulas of the paper with their place, statement and method of proof.
+//! Claims: formulas of the paper, each with its place, its statement and the method that proves it.
 
 use kahan_algebra::rational::Rational;
 
@@ -11,13 +11,13 @@ use super::section::Section;
 /// A formula of the paper: an equation, a cell of a table, or a sentence with a number.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// The stable identifier, such as `table3.e4.P23`.
+    /// The stable identifier, for example `table3.e4.P23`.
     pub id: Id,
     /// The section of the paper.
     pub section: Section,
-    /// The command name of the system, or `general`.
+    /// The name of the system in commands, or `general`.
     pub system: &'static str,
-    /// The place in the paper, in words: `Table 3, i = 4, P23`.
+    /// The place in the paper, in words, for example `Table 3, i = 4, P23`.
     pub place: String,
     /// The erratum that the claim corrects or explains.
     pub erratum: Option<Erratum>,
@@ -29,40 +29,41 @@ pub struct Claim {
 /// The method by which a claim is established.
 #[derive(Clone, Debug)]
 pub(super) enum ProofMethod {
-    /// A claim of the system's own `kahan!` block.
+    /// The claim is one of the system's own `kahan!` block.
     Block {
         /// The claim's index in the block.
         index: usize,
     },
     Formula {
-        /// Definitions used by the statement; other claims establish them.
+        /// Definitions that the statement uses; other claims establish them.
         given: String,
-        /// Intervals of names for numerical tests: (name, low, high).
+        /// Intervals from which numerical tests draw values of names: (name, low, high).
         domain: Vec<(String, Rational, Rational)>,
-        /// The orbit on which quantities are measured.
+        /// The orbit on which quantities are measured, if the claim is about one.
         orbit: Option<&'static Figure>,
         misprint: Option<Misprint>,
     },
 }
 
-/// A misprinted formula, and an exact point that refutes it.
+/// A misprinted formula, and an exact point at which it is false.
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
     pub(super) printed: String,
-    /// The point and both sides' values as definitions; empty if a measurement refutes the formula.
+    /// Definitions of the point's coordinates, and the values of both sides there. The text is
+    /// empty if a measurement refutes the formula.
     pub(super) counterexample: String,
 }
 
 /// The outcome of checking a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Both sides have equal expansions over ℚ (and modulo primes).
+    /// Both sides have equal expansions over ℚ. They also agree modulo primes.
     Proved,
-    /// Both sides agree at random points modulo primes; the error probability is below 2⁻¹⁰⁰.
+    /// Both sides agree at random points modulo primes. The probability of an error is below 2⁻¹⁰⁰.
     ProvedModP,
-    /// Both sides agree at this number of exact points.
+    /// Both sides agree at exact points; the field holds their number.
     Exact(u32),
-    /// Both sides agree to 10⁻ᵏ.
+    /// Both sides agree to 10⁻ᵏ; the field holds k.
     Numerical(u32),
     /// The printed form is refuted, and the corrected form established.
     Misprint,
@@ -80,13 +81,13 @@ pub struct Established {
 }
 
 impl Outcome {
-    /// The keys in `kahan verify --json`, from the strongest outcome to the weakest.
+    /// The keys of outcomes in `kahan verify --json`, from the strongest outcome to the weakest.
     const KEYS: [&str; Outcome::KINDS] =
         ["proved", "proved-mod-p", "exact", "numerical", "misprint", "failed"];
-    /// The number of kinds.
+    /// The number of kinds of outcomes.
     pub const KINDS: usize = 6;
 
-    /// Returns the index of the kind, from the strongest to the weakest.
+    /// Returns the index of the outcome's kind, from the strongest kind to the weakest.
     #[must_use]
     pub fn place(self) -> usize {
         match self {
@@ -99,7 +100,7 @@ impl Outcome {
         }
     }
 
-    /// Counts outcomes of each kind.
+    /// Counts how many outcomes are of each kind.
     #[must_use]
     pub fn counts(outcomes: impl IntoIterator<Item = Self>) -> [usize; Outcome::KINDS] {
         let mut counts = [0; Outcome::KINDS];
@@ -107,7 +108,7 @@ impl Outcome {
         counts
     }
 
-    /// Returns the key in `kahan verify --json`.
+    /// Returns the key of the outcome in `kahan verify --json`.
     #[must_use]
     pub fn key(self) -> &'static str {
         Self::KEYS[self.place()]
@@ -154,8 +155,8 @@ impl Claim {
         self
     }
 
-    /// Prefixes the statement with the definitions that it uses; they are shown, checked and
-    /// mutated.
+    /// Puts the definitions that the statement uses in front of it, so that they are shown, checked
+    /// and mutated with it.
     pub(super) fn spelling(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self
@@ -193,7 +194,7 @@ impl Claim {
         self
     }
 
-    /// Returns the misprinted formula, if any.
+    /// Returns the misprinted formula, if the claim corrects one.
     #[must_use]
     pub fn printed(&self) -> Option<&str> {
         match &self.basis {
@@ -202,7 +203,7 @@ impl Claim {
         }
     }
 
-    /// Returns the place in the paper with the erratum, if any.
+    /// Returns the place in the paper, followed by the erratum if there is one.
     #[must_use]
     pub fn source(&self) -> String {
         let place = &self.place;

@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-/// The number of an erratum, such as `A5` or `B1`.
+/// The number of an erratum, for example `A5` or `B1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Erratum {
-    /// A misprinted formula.
+    /// A misprinted formula; the field holds its number.
     A(u8),
-    /// A false sentence.
+    /// A false sentence; the field holds its number.
     B(u8),
 }
 

@@ -1,5 +1,5 @@
-//! Evaluates formulas at a point in any arithmetic: rational functions, prime fields, rationals,
-//! degree bounds or 256-bit floats.
+//! Evaluates formulas at a point. The arithmetic is one of rational functions, prime fields,
+//! rational numbers, degree bounds, or 256-bit floats.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -10,30 +10,30 @@ use kahan_algebra::rational::Rational;
 use super::formula::Formula;
 use super::model::Model;
 
-/// An arithmetic with some transcendental functions.
+/// An arithmetic that also evaluates some transcendental functions.
 pub(super) trait Calculus: Arithmetic<Constant = Rational> {
-    /// Evaluates a function by name; by default none is known.
+    /// Evaluates a function by its name. The default implementation knows no function.
     fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, EvaluationError> {
         Err(EvaluationError::Unknown(name.to_owned()))
     }
 
-    /// Evaluates base^exponent if the exponent is not an integer literal.
+    /// Evaluates base^exponent where the exponent is not an integer literal.
     fn power(&self, _: &Self::Value, _: &Self::Value) -> Result<Self::Value, EvaluationError> {
         Err(EvaluationError::Unknown("^".to_owned()))
     }
 }
 
-/// A reason why a formula has no value.
+/// The reason why a formula cannot be evaluated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum EvaluationError {
-    /// A division by zero, or an argument outside a function's domain.
+    /// The formula divides by zero, or an argument lies outside a function's domain.
     Undefined,
     Unknown(String),
 }
 
 pub(super) type Models = BTreeMap<&'static str, Model>;
 
-/// The values of names, and the cached next and previous points of the map.
+/// The values of names, and the next and previous point of the map, which are computed once.
 pub(super) struct Environment<V> {
     values: BTreeMap<String, V>,
     next: OnceCell<Result<Vec<V>, EvaluationError>>,
@@ -52,7 +52,7 @@ impl<V: Clone> Environment<V> {
     }
 }
 
-/// The context of an evaluation: an arithmetic, all systems, and the statement's system.
+/// The context of an evaluation: an arithmetic, all systems, and the system of the statement.
 pub(super) struct Evaluator<'a, A> {
     pub(super) arithmetic: &'a A,
     pub(super) models: &'a Models,
@@ -132,7 +132,7 @@ impl<A: Calculus> Evaluator<'_, A> {
         arguments: &[Formula],
         frame: &Environment<A::Value>,
     ) -> Result<A::Value, EvaluationError> {
-        // A first argument that names a system selects that system for the call.
+        // If the first argument names a system, that system is used for the call.
         if let Some((Formula::Name(system), rest)) = arguments.split_first()
             && is_of_the_map(name)
             && let Some(model) = self.models.get(system.as_str())
@@ -221,7 +221,7 @@ impl<A: Calculus> Evaluator<'_, A> {
     }
 }
 
-/// Returns whether a call refers to a system's field or map.
+/// Returns whether a call with this name refers to a system's field or map.
 fn is_of_the_map(name: &str) -> bool {
     matches!(name, "next" | "back" | "on" | "f" | "b" | "A" | "J" | "Df" | "detA" | "detJ")
 }

@@ -1,4 +1,4 @@
-//! Exact orbits of the paper's figures, and measurements of their heights.
+//! The exact orbits of the paper's figures, and measurements of the heights along them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -16,19 +16,19 @@ use kahan_systems::registry::find;
 /// An exact orbit of the paper.
 #[derive(Debug)]
 pub struct Figure {
-    /// The name of the figure's orbit, such as `dE3`.
+    /// The name of the figure's orbit, for example `dE3`.
     pub name: &'static str,
-    /// The command name of the system.
+    /// The name of the system in commands.
     pub system: &'static str,
-    /// The parameters as fractions, in the system's order.
+    /// The values of the parameters, each as a fraction, in the order of the system's header.
     pub parameters: &'static [(i64, i64)],
-    /// ε, half the time step, as a fraction.
+    /// Half the time step, ε, as a fraction.
     pub eps: (i64, i64),
-    /// The initial state x₀ as fractions.
+    /// The coordinates of the initial state x₀, each as a fraction.
     pub start: &'static [(i64, i64)],
-    /// The number of iterates.
+    /// The number of iterates of the initial state.
     pub steps: u64,
-    /// The statement of the paper about the orbit.
+    /// The statement that the paper makes about the orbit.
     pub caption: &'static str,
 }
 
@@ -90,22 +90,22 @@ figure!(LV, "lv", &[], (9, 14), &[(1, 2), (5, 3)], 17, "the first 17 iterates of
 
 static ALL: [&Figure; 12] = [&DE1, &DE2, &DE3, &DE4, &DE5, &DE6, &DE7, &DE7_1_5, &DE7_2_9, &DE8, &DE9, &LV];
 
-/// Heights along an orbit.
+/// The measured heights along an orbit.
 #[derive(Clone, Debug)]
 pub struct Measurement {
-    /// The names of the variables.
+    /// The names of the variables whose heights are measured.
     pub variables: Vec<String>,
-    /// The heights; index 0 is the initial state.
+    /// The heights of all variables. Index 0 belongs to the initial state.
     pub survey: DiophantineTest,
 }
 
 impl Figure {
-    /// Returns all orbits.
+    /// Returns the exact orbits of all figures.
     pub fn all() -> impl Iterator<Item = &'static Figure> {
         ALL.into_iter()
     }
 
-    /// Computes the orbit exactly, in up to some seconds. Panics for a system outside the catalog.
+    /// Computes the orbit exactly, in up to some seconds. Panics if the catalog lacks the system.
     #[must_use]
     pub fn measure(&self) -> Measurement {
         let entry = find(self.system).expect("a figure is about a system of the catalog");
@@ -129,7 +129,7 @@ impl Measurement {
         Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
     }
 
-    /// Replaces measured functions in a formula by their values:
+    /// Replaces measured functions in a formula by the numbers measured:
     ///
     /// | call | meaning |
     /// |---|---|
@@ -139,7 +139,7 @@ impl Measurement {
     /// | `mean(v, a, b)` | the mean of log(h/n) |
     /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
     ///
-    /// Fails if a value cannot be measured.
+    /// Fails if a quantity cannot be measured.
     pub(super) fn put_into(&self, formula: &Formula) -> Result<Formula, String> {
         formula.replaced(&|name, arguments| match class(name) {
             Some(class) if arguments.is_empty() => Ok(Some(Rational::from(class))),
@@ -147,7 +147,7 @@ impl Measurement {
         })
     }
 
-    /// Evaluates a measured function; `None` for other calls.
+    /// Evaluates a measured function. `None` for calls of other functions.
     fn quantity(&self, name: &str, arguments: &[Formula]) -> Result<Option<Rational>, String> {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
         if !matches!(name, "h" | "digits" | "slope" | "logslope" | "mean" | "growth") {
@@ -196,7 +196,7 @@ impl Measurement {
     }
 }
 
-/// Returns the number that represents a growth class in comparisons.
+/// Returns the number that stands for a growth class in comparisons.
 fn class(name: &str) -> Option<i64> {
     ["undecided", "bounded", "logarithmic", "linear", "quadratic", "exponential"]
         .iter()
@@ -206,15 +206,14 @@ fn class(name: &str) -> Option<i64> {
 
 /// Returns `parts` + 1 points of a closed level curve of H(ε) and K(ε) of dE4, which contains
 /// `point`. Requires xy > 0 and |εz| < 1. With s = x + y, d = x − y, h = 2ε²H and g = 2ε²K the
-/// integrals give
-///   (1−h)s² − (1+h)d² = 4H,  (1−g)(s² + d²) + 2z² = 4K.
-/// Eliminating s leaves an ellipse in d and z.
+/// integrals give (1−h)s² − (1+h)d² = 4H, (1−g)(s² + d²) + 2z² = 4K. Eliminating s leaves an
+/// ellipse in d and z.
 #[must_use]
 pub fn level_curve(point: &SVector<f64, 3>, eps: f64, parts: usize) -> Vec<SVector<f64, 3>> {
     let integrals = E4.integrals(point, eps);
     let (big_h, big_k) = (integrals[0], integrals[1]);
     let (h, g) = (2.0 * eps * eps * big_h, 2.0 * eps * eps * big_k);
-    // 2z² = a − b d²
+    // The ellipse is 2z² = a − b d².
     let a = 4.0 * big_k - (1.0 - g) * 4.0 * big_h / (1.0 - h);
     let b = (1.0 - g) * (1.0 + (1.0 + h) / (1.0 - h));
     let sign = point[0].signum();
@@ -238,5 +237,5 @@ pub fn slope(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     above / below
 }
 
-/// The measurements by orbit, each computed once.
+/// The measurements, one for each orbit; each is computed once.
 pub(super) type Measurements = BTreeMap<&'static str, std::sync::OnceLock<Measurement>>;

@@ -1,4 +1,5 @@
-//! The limits C₁ of h(yₙ)/n for dE7 and dE8, derived from the prime number theorem.
+//! Computes, for dE7 and dE8, the limit C₁ of h(yₙ)/n, where h is the logarithmic height. The
+//! formulas follow from the prime number theorem.
 
 use kahan_algebra::rational::Rational;
 
@@ -6,7 +7,7 @@ use kahan_systems::special::{Float256, Real, digamma};
 
 use super::formula::Formula;
 
-/// Replaces `C1_e7(xi, tau)` and `C1_e8(tau)` by their values.
+/// Replaces the calls `C1_e7(xi, tau)` and `C1_e8(tau)` in a formula by their values.
 pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     formula.replaced(&|name, arguments| {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
@@ -18,12 +19,13 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     })
 }
 
-/// Computes C₁ of dE7; `None` if the denominators differ.
+/// Computes the limit C₁ for dE7. `None` if the numbers a and b below have different denominators.
 ///
-/// For a = τ + 1 − ξ/2 and b = τ + ξ/2 with a common denominator M, C₁ is the mean of max(0, ψ(b_r)
-/// − ψ(a_r)) over the units r modulo M, where M a_r is M a/r modulo M, and likewise b_r. A prime p
-/// of the residue class r cancels from the product ∏ (j + a)/(j + b) exactly if it divides a
-/// numerator before a denominator. Sums of log p over such p give the digamma functions.
+/// Let a = τ + 1 − ξ/2 and b = τ + ξ/2 have the common denominator M. Then C₁ is the mean of max(0,
+/// ψ(b_r) − ψ(a_r)) over the residues r coprime to M, where M a_r is M a/r modulo M, and M b_r is M
+/// b/r modulo M. A prime p of the residue class r cancels from the product ∏ (j + a)/(j + b)
+/// exactly if p divides a numerator before a denominator. Sums of log p over these primes give the
+/// digamma functions ψ.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);
@@ -50,8 +52,8 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// Computes C₁ of dE8: (M/φ(M)) Σ 1/m over units 0 < m < M, where M is the denominator of τ + 1/2;
-/// 1 for M = 1.
+/// Computes the limit C₁ for dE8: (M/φ(M)) Σ 1/m over 0 < m < M coprime to M, where M is the
+/// denominator of τ + 1/2 and φ is Euler's function. The limit is 1 for M = 1.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

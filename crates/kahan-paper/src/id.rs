@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-/// A stable identifier: `table3.e4.P23` is the entry P23 of the system E4 in Table 3.
+/// A stable identifier. For example, `table3.e4.P23` is the entry P23 of the system E4 in Table 3.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Id(String);
 
 impl Id {
-    /// Makes an identifier of its parts.
+    /// Makes an identifier from its parts.
     pub fn of<const N: usize>(parts: [&str; N]) -> Self {
         Id(parts.join("."))
     }

@@ -1,4 +1,4 @@
-//! Misprints, refuted at an exact point.
+//! Refutes misprinted formulas at an exact point.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -11,8 +11,8 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item and its correction: among items that occur in one text only, the
-    /// pair with the most common words.
+    /// Returns the misprinted item and its correction. Among the items that occur in one text only,
+    /// they are the pair that shares the most words.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -36,7 +36,8 @@ fn in_common(a: &str, b: &str) -> usize {
 }
 
 impl Paper {
-    /// Refutes the printed form at its counterexample, and checks the values stated there.
+    /// Refutes the printed form at its counterexample, and checks the values that the
+    /// counterexample states.
     pub(super) fn misprint(
         &self,
         claim: &Claim,
@@ -61,7 +62,7 @@ impl Paper {
                     Some(value) => {
                         point.insert(definition.name, value);
                     }
-                    // Values such as log 3 are substituted as formulas.
+                    // A value such as log 3 is substituted as a formula.
                     None => others.push(definition),
                 },
                 witness @ Item::Relation { .. } => witnesses.push(witness),
@@ -94,7 +95,7 @@ impl Paper {
         Ok(if point.is_empty() { shown.join(", ") } else { format!("at {}", shown.join(", ")) })
     }
 
-    /// Evaluates both sides of a relation at a point; returns whether the relation holds.
+    /// Evaluates both sides of a relation at a point, and returns whether the relation holds there.
     fn at_point(
         &self,
         claim: &Claim,
@@ -108,7 +109,7 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // An inequation is refuted only by equality everywhere, not at one point.
+            // To refute an inequation, the sides must be equal everywhere; one point is not enough.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

@@ -1,4 +1,4 @@
-//! Catalog systems prepared for evaluation.
+//! Prepares catalog systems for evaluation.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::lexer::lex;
@@ -16,7 +16,7 @@ pub(super) struct Model {
     derived: Derived,
 }
 
-/// The values of a system's variables: states, parameters, ε.
+/// The values of a system's states, parameters and ε, in this order.
 pub(super) type Values<'a, V> = &'a [V];
 
 impl Model {
@@ -24,7 +24,7 @@ impl Model {
         Model::new(entry.command, entry.text())
     }
 
-    /// Makes the model of a valid block. Panics if the text has a mistake.
+    /// Makes the model from the text of a valid block. Panics if the text has a mistake.
     pub(super) fn new(name: &'static str, text: &str) -> Self {
         let system = read_unproved(&lex(text).tokens).system();
         let system = system.unwrap_or_else(|mistakes| panic!("the block of {name}: {mistakes:?}"));
@@ -50,7 +50,7 @@ impl Model {
         all.chain(["eps".to_owned()]).collect()
     }
 
-    /// Returns the components of the field as definitions: `f1 := …; f2 := …;`.
+    /// Returns the components of the field as definitions `f1 := …; f2 := …;`.
     pub(super) fn field_definitions(&self) -> String {
         let symbols = &self.system().field.symbols;
         let text = |polynomial: &Polynomial| Text.polynomial(symbols, polynomial);
@@ -67,8 +67,9 @@ impl Model {
             .collect()
     }
 
-    /// Evaluates the entries of an object row by row: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b`
-    /// b(x,ε), `J` ∂x̃/∂x.
+    /// Evaluates the entries of a vector or matrix row by row. The name `f` means the field f(x),
+    /// `Df` its Jacobian matrix f′(x), `A` the matrix A(x,ε), `b` the right-hand side b(x,ε), and
+    /// `J` the map's Jacobian matrix ∂x̃/∂x.
     pub(super) fn entries<A: Arithmetic<Constant = Rational>>(
         &self,
         object: &str,
@@ -89,7 +90,8 @@ impl Model {
         entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
     }
 
-    /// Computes x̃ by the reduced map, or by elimination if the map is not expanded.
+    /// Computes the next point by the map in lowest terms, or by elimination if that formula is too
+    /// large.
     pub(super) fn next<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -106,7 +108,7 @@ impl Model {
         numerators.iter().map(|numerator| arithmetic.divide(numerator, &denominator)).collect()
     }
 
-    /// Computes ∂x̃/∂x by dual numbers, independently of any formula for it.
+    /// Computes ∂x̃/∂x by dual numbers, which does not depend on any formula for it.
     fn jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

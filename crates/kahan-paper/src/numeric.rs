@@ -1,4 +1,4 @@
-//! Formulas in 256-bit arithmetic, for identities beyond rational functions.
+//! Evaluates formulas in 256-bit arithmetic, for identities beyond rational functions.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;
@@ -10,7 +10,7 @@ use kahan_systems::{e7, e8};
 
 use super::evaluate::{Calculus, EvaluationError};
 
-/// 256-bit floating point, 77 decimal digits.
+/// Floating-point arithmetic with 256 bits, which are 77 decimal digits.
 pub(super) struct Arithmetic256;
 
 impl Arithmetic for Arithmetic256 {
@@ -70,7 +70,7 @@ impl Calculus for Arithmetic256 {
             ("atan2", [y, x]) => y.atan2(x),
             ("gamma", [u]) => u.gamma(),
             ("digamma", [u]) => u.digamma(),
-            // The second integrals of dE7 and dE8, which are series.
+            // The second integrals of dE7 and dE8 are series.
             ("K7", [x, y, z, eps, xi]) => {
                 e7::integral_k(xi, &point([x, y, z]), eps).map_err(|_| EvaluationError::Undefined)?
             }

@@ -1,4 +1,4 @@
-//! All claims of the paper, and the method that establishes each.
+//! The list of all claims of the paper, and the choice of the method that establishes each claim.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -22,7 +22,7 @@ use super::identity::{Evidence, Identity};
 use super::model::Model;
 use super::sections;
 
-/// The claims of the paper and of the catalog's further systems, with models of the systems.
+/// The claims of the paper and of the further systems in the catalog, with models of the systems.
 #[derive(Debug)]
 pub struct Paper {
     models: Models,
@@ -37,8 +37,8 @@ impl Default for Paper {
 }
 
 impl Paper {
-    /// Reads the catalog and lists the claims in a few milliseconds, without checking any. Panics
-    /// if a catalog block is invalid, which the compiler excludes.
+    /// Reads the catalog and lists the claims in a few milliseconds. No claim is checked. Panics if
+    /// a catalog block is invalid, which the compiler excludes.
     #[must_use]
     pub fn new() -> Self {
         let mut models: Models = all().map(|entry| (entry.command, Model::of_catalog(entry))).collect();
@@ -49,13 +49,15 @@ impl Paper {
         Paper { models, claims, measurements }
     }
 
-    /// Returns all claims in the order of the paper, then those of the catalog's further systems.
+    /// Returns all claims. Those of the paper come first, in its order; those of the catalog's
+    /// further systems follow.
     #[must_use]
     pub fn claims(&self) -> &[Claim] {
         &self.claims
     }
 
-    /// Returns a claim's statement in LaTeX, one formula for each item, definitions first.
+    /// Returns a claim's statement in LaTeX, with one formula for each item. Definitions come
+    /// first.
     #[must_use]
     pub fn latex(&self, claim: &Claim) -> Vec<String> {
         match &claim.basis {
@@ -72,20 +74,21 @@ impl Paper {
         }
     }
 
-    /// Establishes a claim.
+    /// Establishes a claim by the method that the claim prescribes.
     #[must_use]
     pub fn establish(&self, claim: &Claim) -> Established {
         self.establish_as(claim, &claim.statement)
     }
 
-    /// Applies `work` to every claim on `threads` threads (default: all cores), keeping the order.
+    /// Applies `work` to every claim on `threads` threads, and keeps the order of results. The
+    /// default is one thread for each core.
     pub fn for_all<R: Send>(
         &self,
         claims: &[&Claim],
         threads: Option<usize>,
         work: impl Fn(&Claim) -> R + Sync,
     ) -> Vec<R> {
-        // Begin with claims about long orbits, so that none of them delays the end.
+        // Claims about long orbits come first, so that none of them delays the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
         let mut results = threads::map(order.len(), threads, |turn| (order[turn], work(claims[order[turn]])));
@@ -93,7 +96,7 @@ impl Paper {
         results.into_iter().map(|(_, result)| result).collect()
     }
 
-    /// Establishes a claim with another statement, such as a mutation.
+    /// Establishes a claim with another statement in place of its own, such as a mutation.
     #[must_use]
     pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
         let (outcome, detail) = match &claim.basis {
@@ -113,8 +116,8 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// Returns the definitions for a claim: of the field, the general ones, the given ones, its
-    /// own.
+    /// Returns the definitions that a claim may use: those of the field, general ones, those given
+    /// with the claim, and those in the claim.
     pub(super) fn definitions(
         &self,
         claim: &Claim,
@@ -174,7 +177,7 @@ impl Paper {
         self.models.get(claim.system).ok_or_else(|| format!("there is no system {}", claim.system))
     }
 
-    /// Substitutes definitions and measured quantities in both sides.
+    /// Substitutes definitions and measured quantities in both sides of a relation.
     pub(super) fn sides(
         &self,
         claim: &Claim,
@@ -195,7 +198,8 @@ impl Paper {
         Ok(sides)
     }
 
-    /// Returns the heights along an orbit, computed once. Fails if [`Figure::all`] lacks the orbit.
+    /// Returns the heights along an orbit, which are computed once. Fails if [`Figure::all`] lacks
+    /// the orbit.
     pub fn measurement(&self, figure: &'static Figure) -> Result<&Measurement, String> {
         let cell = self.measurements.get(figure.name).ok_or("no such figure")?;
         Ok(cell.get_or_init(|| figure.measure()))
@@ -216,7 +220,7 @@ pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
     }
 }
 
-/// Converts the evidence of a measurement, which holds at the orbit's points only.
+/// Converts the evidence of a measurement, which holds only at the points of the orbit.
 fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
     let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {

@@ -1,31 +1,31 @@
 //! Sections of the paper.
 
-/// A section of the paper, by which claims are grouped.
+/// A section of the paper. Claims are grouped by section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Section {
-    /// Section 1: Kahan's method, and the Lotka-Volterra map.
+    /// Section 1, on Kahan's method and the Lotka-Volterra map.
     Method,
-    /// Section 2: brackets in three dimensions, and the Euler top.
+    /// Section 2, on brackets in three dimensions and the Euler top.
     Brackets,
-    /// Section 3 with Table 1: the Lie-Poisson pairs of the flows.
+    /// Section 3 with Table 1, on the Lie-Poisson pairs of the flows.
     FlowPairs,
-    /// Section 4: a bracket from an integral and a volume.
+    /// Section 4, on a bracket from an integral and a volume.
     Construction,
-    /// Section 5 with Table 2 and Theorem 1: the maps and their integrals.
+    /// Section 5 with Table 2 and Theorem 1, on the maps and their integrals.
     Maps,
-    /// Tables 3 and 4 with Theorem 2: the Poisson pairs of the maps.
+    /// Tables 3 and 4 with Theorem 2, on the Poisson pairs of the maps.
     MapPairs,
-    /// Table 5: the solutions of the flows.
+    /// Table 5, with the solutions of the flows.
     FlowSolutions,
-    /// Theorem 3: the solutions of the maps.
+    /// Theorem 3, with the solutions of the maps.
     MapSolutions,
-    /// Section 6: dE7, dE8 and dE9.
+    /// Section 6, on dE7, dE8 and dE9.
     Transcendental,
-    /// Section 7 with Theorem 4: the Diophantine test.
+    /// Section 7 with Theorem 4, on the Diophantine test.
     Diophantine,
-    /// The appendix: elliptic curves and theta functions.
+    /// The appendix, on elliptic curves and theta functions.
     Appendix,
-    /// Catalog systems beyond the paper.
+    /// Claims about catalog systems that are not in the paper.
     Beyond,
 }
 
@@ -46,13 +46,13 @@ impl Section {
         Section::Beyond,
     ];
 
-    /// Returns the section's place in the paper, in one or two words.
+    /// Returns where the paper has the section, in one or two words.
     #[must_use]
     pub fn place(self) -> &'static str {
         self.words().0
     }
 
-    /// Returns the subject in a few words.
+    /// Returns the subject of the section in a few words.
     #[must_use]
     pub fn subject(self) -> &'static str {
         self.words().1

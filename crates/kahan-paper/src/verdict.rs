@@ -1,4 +1,4 @@
-//! Claims with their outcomes, for the paper or a block.
+//! Claims with their outcomes, for the paper or for another block.
 
 use super::claim::{Claim, Outcome};
 use super::registry::Paper;
@@ -6,21 +6,22 @@ use super::registry::Paper;
 /// A claim with its outcome.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// The identifier, which begins with the system: `table3.e4.P23`.
+    /// The identifier of the claim, for example `table3.e4.P23`.
     pub id: String,
-    /// The command name of the system.
+    /// The name of the system in commands.
     pub system: String,
-    /// The place in the paper, in words; empty if unknown.
+    /// The place in the paper, in words. The text is empty if the place is unknown.
     pub source: String,
-    /// The statement, in one line.
+    /// The statement of the claim, in one line.
     pub statement: String,
-    /// The outcome.
+    /// The outcome of checking the claim.
     pub outcome: Outcome,
-    /// The evidence or the reason of a failure; for misprints also the printed form.
+    /// The evidence, or the reason of a failure. For a misprint, the text also has the printed
+    /// form.
     pub detail: String,
-    /// The time in seconds; `None` without a clock.
+    /// The time of the check in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// The claim of the paper; `None` for claims of other blocks.
+    /// The claim of the paper. `None` for claims of other blocks.
     pub claim: Option<Claim>,
 }
 
@@ -33,10 +34,10 @@ pub struct OpenQuestion {
     pub detail: &'static str,
 }
 
-/// Claims with their outcomes, and totals.
+/// Claims with their outcomes, and the totals over all claims.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
-    /// The claims; those of the paper in its order.
+    /// The claims with their outcomes. Those of the paper are in its order.
     pub claims: Vec<Verdict>,
     /// The number of failed claims.
     pub failed: usize,
@@ -47,14 +48,14 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    /// Makes verdicts, and counts failed claims.
+    /// Collects claims with their outcomes, and counts the failed claims.
     #[must_use]
     pub fn of(claims: Vec<Verdict>, open: &'static [OpenQuestion], seconds: Option<f64>) -> Self {
         let failed = claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed).count();
         Verdicts { claims, failed, open, seconds }
     }
 
-    /// Lists the failed claims in one line; `None` if all claims hold.
+    /// Lists the failed claims in one line. `None` if all claims hold.
     #[must_use]
     pub fn complaint(&self) -> Option<String> {
         let failed = self.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
@@ -65,8 +66,8 @@ impl Verdicts {
 }
 
 impl Paper {
-    /// Establishes a claim of the paper. Takes milliseconds, about a hundred times longer for
-    /// claims measured on an orbit.
+    /// Establishes a claim of the paper. The check takes milliseconds, and about a hundred times
+    /// longer for claims measured on an orbit.
     #[must_use]
     pub fn verdict(&self, claim: &Claim) -> Verdict {
         let established = self.establish(claim);

@@ -1,16 +1,16 @@
-//! The packages as users get them: unpacked outside of the repository, with a user's program.
+//! Tests the packages as users get them: unpacked outside of the repository, with a user's program.
 //!
 //! 1. Pack every published crate and unpack it into a temporary folder.
 //! 2. Check its licences and its README.
-//! 3. A crate that depends on `kahan-core` of the registry gets these folders instead. It runs the
-//!    example of the packed README.
+//! 3. Write a crate that depends on `kahan-core` of the registry, which is replaced by these
+//!    folders. The crate runs the example of the packed README.
 //! 4. Check that cargo read no file of the repository.
 //!
 //! # Usage
 //!
-//! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this; usual test runs skip
-//! it, because it compiles everything again. `cargo package --workspace` checks that every crate
-//! compiles.
+//! `cargo test -p kahan-macro-tests --test packages -- --ignored` runs this test. Usual test runs
+//! skip it, because it compiles everything again. `cargo package --workspace` checks that every
+//! crate compiles.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -98,7 +98,7 @@ fn a_program_needs_nothing_but_the_packages() {
         if name == "kahan-core" {
             program = Some(read(&path.join("README.md")));
         }
-        // Patch only used packages, since cargo warns about others.
+        // Patch only used packages, since cargo warns about the others.
         if OF_THE_CORE.contains(&name) {
             manifest += &format!("{name} = {{ path = {path:?} }}\n");
         }
@@ -117,7 +117,7 @@ fn a_program_needs_nothing_but_the_packages() {
         .env("CARGO_TARGET_DIR", user.join("target"))
         .env_remove("RUSTFLAGS"));
 
-    // The list of all files that cargo read for the program.
+    // The file lists all files that cargo read for the program.
     let files = read(&user.join("target/debug/user.d"));
     let ours = workspace.to_str().expect("a path in UTF-8");
     assert!(files.contains("kahan-core"), "{files}");

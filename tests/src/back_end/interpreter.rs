@@ -1,4 +1,4 @@
-//! The interpreter of the front end, over exact numbers.
+//! Runs the interpreter of the front end over exact numbers.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -17,10 +17,10 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, product, q};
 use crate::expression::evaluate;
 
-/// A system as read by the front end, with derived objects computed on demand.
+/// A system as read by the front end. Derived objects are computed on demand.
 #[derive(Debug)]
 pub struct Read {
-    /// The system.
+    /// The system that was read.
     pub system: System,
     derived: OnceLock<Derived>,
 }
@@ -109,8 +109,8 @@ impl Interpreted {
         evaluation
     }
 
-    /// Returns the results of any claim, including claims for special parameters or ε. Panics
-    /// without a claim of this name.
+    /// Returns the results of any claim, including claims for special parameters or ε. Panics if no
+    /// claim has this name.
     #[must_use]
     pub fn claim(&self, name: &str, x: &[Q], eps: &Q) -> Option<Vector> {
         let claim = self.system.claims.iter().find(|claim| claim.name.text == name);
@@ -162,7 +162,8 @@ impl BackEnd for Interpreted {
         self.at(x, eps).jacobian.as_deref().map(outward_rows)
     }
 
-    /// Uses the tangent plan of generated code if there is one, otherwise the Jacobian.
+    /// Uses the compiled formula for tangent vectors that generated code uses. Without such a
+    /// formula, uses the Jacobian matrix.
     fn push_forward(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
         let plans = self.derived.plans.get_or_init(|| derive(self.system));
         let Some((_, plan)) = plans.tangent_map() else {
@@ -186,8 +187,8 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// Evaluates the expanded polynomials N̂, D̂ and ∏q; beyond the budget of terms, the
-    /// definition.
+    /// Evaluates the expanded polynomials N̂, D̂ and ∏q. If they are beyond the budget of terms,
+    /// evaluates the definition.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
         let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);

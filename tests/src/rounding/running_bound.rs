@@ -1,11 +1,12 @@
-//! Running bounds on the rounding errors of a plan.
+//! Computes bounds on the rounding errors of compiled formulas, operation by operation.
 //!
-//! A plan, inputs exact in the float type, and the unit roundoff u come in; the exact value and an
-//! error bound for each result go out. An operation returns fl(z) = z(1 + δ) with |δ| ≤ u. For
-//! operands â = a + α, b̂ = b + β with |α| ≤ e_a, |β| ≤ e_b its error is at most e + u(|result| +
-//! e), where e is the error propagated from the operands (Higham, Accuracy and Stability of
-//! Numerical Algorithms, §3.3, with exact instead of computed values). Sums may cancel. A
-//! multiply-add counts as two roundings, so the bound holds with and without fusing.
+//! The input is a list of operations, inputs that are exact in the float type, and the unit
+//! roundoff u. The output is the exact value and an error bound for each result. An operation
+//! returns fl(z) = z(1 + δ) with |δ| ≤ u. Let the operands be â = a + α and b̂ = b + β with |α| ≤
+//! e_a and |β| ≤ e_b. Then the error is at most e + u(|result| + e), where e is the error
+//! propagated from the operands (Higham, Accuracy and Stability of Numerical Algorithms, §3.3, with
+//! exact instead of computed values). Sums may cancel. A multiply-add counts as two roundings, so
+//! the bound holds with and without fusing.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
@@ -30,14 +31,15 @@ impl Rounded {
         Self { error, ..self }
     }
 
-    /// Multiplies before rounding: |âb̂ − ab| ≤ |a|e_b + |b|e_a + e_a e_b.
+    /// Multiplies without rounding: |âb̂ − ab| ≤ |a|e_b + |b|e_a + e_a e_b, where e_a and e_b bound
+    /// the errors of the operands â and b̂.
     pub(super) fn times(&self, other: &Self) -> Self {
         let error = self.size() * other.error + other.size() * self.error + self.error * other.error;
         Self { exact: &self.exact * &other.exact, error }
     }
 
-    /// Divides before rounding, |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` if e_b ≥
-    /// |b|/2.
+    /// Divides without rounding: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b), where e_a and e_b
+    /// bound the errors of the operands â and b̂. `None` if e_b is at least half of |b|.
     pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
         let exact = self.exact.checked_div(&divisor.exact)?;
         let size = divisor.size();
@@ -54,7 +56,7 @@ impl Rounded {
     }
 }
 
-/// Bounds the results of a plan; `None` if a divisor may have lost every digit.
+/// Bounds the results of compiled formulas. `None` if a divisor may have lost every digit.
 pub(super) fn results(
     plan: &Plan,
     prepared: &[Option<Rounded>],

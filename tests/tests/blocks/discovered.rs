@@ -1,6 +1,6 @@
-//! Blocks printed by `discover` compile unchanged. Each file in `discovered/` holds equations and
-//! the claims found for them, which the macro proves. The library must find exactly these claims
-//! from the equations.
+//! Tests that blocks printed by `discover` compile unchanged. Each file in `discovered/` holds
+//! equations and the claims found for them, which the macro proves. The library must find exactly
+//! these claims from the equations.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
@@ -31,12 +31,13 @@ fn parts(file: &str) -> (Vec<&str>, String) {
     )
 }
 
-/// Compares the claims found for a file with its text; `map` is the type compiled from the file.
+/// Compares the claims found for a file with the file's text. `map` is a value of the type compiled
+/// from the file.
 fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
     let system = read(&lexer::lex(&equations).tokens).system().expect("a system");
     assert_eq!(system.field.symbols.states, map.variables());
-    // Fixes the degree and uses no clock, so that slow machines find the same claims.
+    // Fix the degree and use no clock, so that slow machines find the same claims.
     let degree = Some(default_degree(map.variables().len()));
     let options = Options { eps, degree, iterates: 6, iterate_degree: 50, ..Options::default() };
     let report = discover(&system, &options, &Unwatched).expect("there is a map");

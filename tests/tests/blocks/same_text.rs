@@ -1,6 +1,6 @@
 //! Checks that rustc and the command report mistakes with equal texts at equal places. The blocks
-//! of the compile-error cases are read as text, as by `kahan show --field`; rustc's output must
-//! contain exactly the same mistakes.
+//! of the compile-error cases are read as text, as by `kahan show --field`. The output of rustc
+//! must contain exactly the same mistakes.
 
 mod cases;
 
@@ -12,8 +12,8 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// Returns the tokens that rustc passes to the macro. They differ from those of a text, in which
-/// `**` is a power and `.5` a number: rustc passes two stars, and a point with a number.
+/// Returns the tokens that rustc passes to the macro. They differ from those of a text. In a text,
+/// `**` is a power and `.5` is a number; rustc passes two stars, and a point followed by a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
     let split = |(token, range): (Token, Range<usize>)| {
@@ -29,7 +29,7 @@ fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     tokens.into_iter().zip(ranges).flat_map(split).collect()
 }
 
-/// Returns for each mistake `<line>:<column>` as rustc prints it, and the lines of the message.
+/// Returns each mistake as `<line>:<column>`, as rustc prints it, and the lines of its message.
 fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     let mut mistakes = Vec::new();
     for block in &case.blocks {

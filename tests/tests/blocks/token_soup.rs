@@ -1,5 +1,5 @@
-//! The front end never panics, and reports inputs that are too large. Random tokens and mutated
-//! blocks go through lexer, parser, checker and prover. The seed is fixed, so failures are
+//! Tests that the front end never panics, and reports inputs that are too large. Random tokens and
+//! mutated blocks go through lexer, parser, checker and prover. The seed is fixed, so failures are
 //! reproducible.
 
 use std::ops::Range;
@@ -34,7 +34,7 @@ fn read_text(text: &str) -> Checked {
     reading
 }
 
-/// Tokens of the language, and similar ones.
+/// Tokens of the language, and tokens that resemble them.
 const WORDS: [&str; 68] = [
     "xdot",
     "ydot",
@@ -121,7 +121,7 @@ fn soup(length: Range<usize>) -> impl Strategy<Value = String> {
     })
 }
 
-/// Generates a valid block with some tokens replaced, removed, doubled or swapped.
+/// Generates a valid block in which some tokens are replaced, removed, doubled or swapped.
 fn mutated() -> impl Strategy<Value = String> {
     let changes = proptest::collection::vec((any::<prop::sample::Index>(), 0..4u8, 0..WORDS.len()), 1..5);
     (0..VALID.len(), changes).prop_map(|(block, changes)| {
@@ -276,7 +276,7 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     let others: String = (1..40).map(|i| format!("x{i}dot = 0;")).collect();
     let reading = read_text(&format!("x0dot = {}; {others}", long_sum()));
     assert!(reading.diagnostics().is_empty());
-    // xᵢxⱼ and xⱼxᵢ are one product, so for each power of `a` the 1600 terms are 820 products.
+    // xᵢxⱼ and xⱼxᵢ are equal products, so for each power of `a` the 1600 terms are 820 products.
     let terms = reading.system().expect("a system").field.components[0].numerator().len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
 }

@@ -1,6 +1,6 @@
 //! Compares the interpreter with generated code, for the catalog and random fields of dimensions 1
-//! to 6: all objects are equal over ℚ. The expression tree of each random field is an independent
-//! reference.
+//! to 6. All objects must be equal over ℚ. The expression tree of each random field is an
+//! independent reference.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{Rationals, q};

@@ -1,6 +1,6 @@
-//! The laws of Kahan's map over ℚ, for the catalog and random fields, in both back ends, at seeded
-//! points. References use only values of f, whose differences are exact for quadratic f. A wrong
-//! bilinear form is therefore compared with an independent one.
+//! Tests the laws of Kahan's map over ℚ, for the catalog and random fields, in both back ends, at
+//! seeded points. The references use only values of f, whose differences are exact for quadratic f.
+//! A wrong bilinear form is therefore compared with an independent one.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{
@@ -13,19 +13,19 @@ fn origin(x: &[Q]) -> Vector {
     vec![q(0, 1); x.len()]
 }
 
-/// Q(x) = ½[f(x) + f(−x)] − f(0).
+/// Computes Q(x) = ½[f(x) + f(−x)] − f(0), the quadratic part of the field f.
 fn quadratic_part(back_end: &dyn BackEnd, x: &[Q]) -> Vector {
     let even = sum(&back_end.field(x), &back_end.field(&scaled(&q(-1, 1), x)));
     difference(&scaled(&q(1, 2), &even), &back_end.field(&origin(x)))
 }
 
-/// Bx = ½[f(x) − f(−x)].
+/// Computes Bx = ½[f(x) − f(−x)], the linear part of the field f.
 fn linear_part(back_end: &dyn BackEnd, x: &[Q]) -> Vector {
     let odd = difference(&back_end.field(x), &back_end.field(&scaled(&q(-1, 1), x)));
     scaled(&q(1, 2), &odd)
 }
 
-/// 2f((x+y)/2) − ½f(x) − ½f(y), the right-hand side of the midpoint form.
+/// Computes 2f((x+y)/2) − ½f(x) − ½f(y), the right-hand side of the midpoint form of the map.
 fn midpoint_form(back_end: &dyn BackEnd, x: &[Q], y: &[Q]) -> Vector {
     let middle = back_end.field(&scaled(&q(1, 2), &sum(x, y)));
     let ends = sum(&back_end.field(x), &back_end.field(y));
@@ -174,7 +174,7 @@ fn the_rational_map_is_cramer_s_rule() {
     });
 }
 
-/// ε = 1/(∂f₁/∂x₁) makes A₁₁ = 0, so elimination must exchange rows.
+/// For ε = 1/(∂f₁/∂x₁) the entry A₁₁ is 0, so elimination must exchange rows.
 #[test]
 fn a_zero_in_the_first_pivot_s_place_changes_nothing() {
     let swapped = std::cell::Cell::new(0);

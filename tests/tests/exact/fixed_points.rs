@@ -1,4 +1,5 @@
-//! Zeros of the field are fixed points of the map, over ℚ, for the catalog and random fields.
+//! Tests over ℚ that zeros of the field are fixed points of the map, for the catalog and random
+//! fields.
 
 use std::cell::{Cell, RefCell};
 

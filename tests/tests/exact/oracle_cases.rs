@@ -1,6 +1,7 @@
-//! The reference cases over ℚ, in both back ends. If the file omits a value (`null`), the value
-//! must be undefined here, too: the accessor of an exact scalar panics, the interpreter returns
-//! `None`. The catalog's bracket Q is Q(ε)/c, so c times it equals Q of the file.
+//! Checks the cases of the reference files over ℚ, in both back ends. If a file omits a value
+//! (`null`), the value must be undefined here, too: the accessor of an exact scalar panics, and the
+//! interpreter returns `None`. The catalog's bracket Q is Q(ε)/c, so c times it equals Q of the
+//! file.
 
 use std::cell::Cell;
 
@@ -9,7 +10,7 @@ use kahan_tests::exact::{Matrix, Q, Vector, q, scaled, shown};
 use kahan_tests::oracle::{Entry, SYSTEMS, file};
 use kahan_tests::subject::{Subject, catalog};
 
-/// Checks every case in both back ends; returns the number of checks.
+/// Checks every case of the reference files in both back ends. Returns the number of checks.
 fn on_every_case(check: impl Fn(&str, Entry<'_>, &dyn BackEnd, &[Q], &Q)) -> usize {
     on_every_entry("cases", |name, case, subject| {
         let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
@@ -136,7 +137,7 @@ fn the_brackets_are_the_oracle_s() {
             compared[1] += usize::from(case.scalar("c").and(case.matrix("Q")).is_some());
             for back_end in catalog(name, &case.parameters()).back_ends() {
                 assert_eq!(back_end.bracket("P", &x, &eps), case.matrix("P"), "{}", back_end.label());
-                // c = 1/x² has no value at x = 0.
+                // The function c = 1/x² is undefined at x = 0.
                 if let Some(c) = case.scalar("c") {
                     let times_c = |m: Matrix| m.iter().map(|row| scaled(&c, row)).collect::<Matrix>();
                     assert_eq!(
@@ -156,7 +157,8 @@ fn upper(matrix: &Matrix) -> Vector {
     (0..matrix.len()).flat_map(|i| matrix[i][i + 1..].to_vec()).collect()
 }
 
-/// Compares `factor` times a conditional claim with the entry of the file.
+/// Compares `factor` times a claim with a condition to the entry of the file. Returns the number of
+/// comparisons.
 fn compare_claim(subject: &Subject, claim: &str, factor: &Q, case: Entry<'_>, key: &str) -> usize {
     let (x, eps) = (case.vector("x").expect("a point"), case.scalar("eps").expect("eps"));
     let Some(expected) = case.scalar(key).map(|value| vec![value]) else { return 0 };
@@ -188,8 +190,8 @@ fn the_integral_of_lotka_volterra_at_eps_one_and_minus_one_is_the_oracle_s() {
     assert_eq!(compared, 2);
 }
 
-/// A claim of the catalog is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u), u = 1/(2εx), times a power of 2ε. Each
-/// unit of ξ − 1 gives a factor u, so the power is (2ε)^(1−ξ).
+/// The claim of the catalog is Ĥ₇ = (y/x) Γ(ξ/2+u)/Γ(1−ξ/2+u) with u = 1/(2εx), times a power of
+/// 2ε. Each unit of ξ − 1 gives a factor u, so the power is (2ε)^(1−ξ).
 #[test]
 fn the_claims_of_e7_at_integers_are_the_oracle_s() {
     let mut compared = 0;
@@ -260,7 +262,7 @@ fn where_the_oracle_s_determinant_is_zero_every_way_to_step_says_pole() {
             assert_eq!(Some(back_end.matrix(&x, &eps)), point.matrix("A"));
             assert_eq!(Some(back_end.rhs(&x, &eps)), point.vector("b"));
             assert_eq!(back_end.det_matrix(&x, &eps), q(0, 1));
-            // The point is no removable pole. Generated code also checks that `step` panics.
+            // The point is not a removable pole. Generated code also checks that `step` panics.
             assert_eq!(back_end.step(&x, &eps), None);
             assert_eq!(back_end.jacobian(&x, &eps), None);
             assert_eq!(back_end.det_jacobian(&x, &eps), None);

@@ -1,10 +1,12 @@
-//! Projective orbits agree with `kahan poles` and with limits of nearby orbits.
+//! Tests that projective orbits agree with `kahan poles` and with limits of nearby orbits.
 //!
 //! 1. Take a rational point on each curve that a map sends to infinity or contracts.
-//! 2. The projective orbit is at infinity exactly where the curve's image is.
+//! 2. Check that the projective orbit is at infinity exactly where the curve's image is.
 //! 3. Move the point by a tiny rational δ and compute the ordinary exact orbit. The simplest
-//!    rationals near its coordinates, or near their quotients, are those of the projective orbit.
-//! 4. Over `f64`, the orbit from the rounded point agrees with the exact orbit from there.
+//!    rational numbers near its coordinates, or near their quotients, must be those of the
+//!    projective orbit.
+//! 4. Check over `f64` that the orbit from the rounded point agrees with the exact orbit from the
+//!    rounded point.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -20,15 +22,16 @@ use kahan_tests::surface::moved_onto;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-/// The dimension; systems with fewer variables get additional constant variables.
+/// The dimension. Systems with fewer variables get additional constant variables.
 const N: usize = 4;
 
 type Map = Interpreted<Q, N>;
 
-/// The steps computed for a curve whose singularity is never confined.
+/// The number of steps computed for a curve whose singularity is never confined.
 const STEPS: usize = 4;
 
-/// Returns the first convergent of a number's continued fraction within `distance` of it.
+/// Returns the first convergent of a number's continued fraction that lies within `distance` of the
+/// number.
 fn simplest_near(number: &Q, distance: &Q) -> Q {
     let (mut rest, mut before, mut last) =
         (number.clone(), (BigInt::zero(), BigInt::one()), (BigInt::one(), BigInt::zero()));
@@ -50,7 +53,8 @@ fn bits(point: &ProjectivePoint<Q, N>) -> usize {
 }
 
 /// Returns the limit of the n-th points of moved orbits if its numbers have at most `bits` bits,
-/// and whether it is at infinity. A point at infinity is a direction whose largest coordinate is 1.
+/// and whether the limit is at infinity. A point at infinity is a direction whose largest
+/// coordinate is 1.
 fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SVector<Q, N>, bool) {
     let power = |k: usize| Q::new(BigInt::one(), BigInt::one() << k);
     let (delta, near) = (power(6 * bits + 600), power(3 * bits + 100));
@@ -86,7 +90,7 @@ fn point_on(
     })
 }
 
-/// Compares the exact orbit from a point of a curve with the limits.
+/// Compares the exact projective orbit from a point of a curve with the limits of moved orbits.
 fn follows(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let x: SVector<Q, N> = SVector::from_fn(|i, _| x.get(i).map_or_else(Q::zero, Rational::to_big));
     let is_confined = pattern.confined == Some(true);
@@ -132,8 +136,8 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     followed
 }
 
-/// The error bound of projective orbits over `f64`, relative to the largest coordinate: 2¹⁶ u, ten
-/// bits more than the 64 u of an ordinary step.
+/// The error bound of projective orbits over `f64`, relative to the largest coordinate. It is 2¹⁶ u
+/// with the unit roundoff u = 2⁻⁵³, ten bits more than the 64 u of an ordinary step.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {

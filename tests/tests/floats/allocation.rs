@@ -1,5 +1,5 @@
-//! Steps over floats allocate nothing. The allocator of this program counts the allocations of a
-//! thread.
+//! Tests that steps over floats allocate no memory. The allocator of this program counts the
+//! allocations of a thread.
 
 use allocation_counter::measure;
 use kahan_core::__private::{Boundary, Sizes, Stencil};
@@ -124,7 +124,7 @@ fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
     assert_eq!(allocations(10), allocations(1000));
 }
 
-/// Volterra's ring ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).
+/// Volterra's ring of variables, ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).
 #[derive(Clone, Debug)]
 struct Ring;
 
@@ -193,7 +193,8 @@ kahan! {
     for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
 }
 
-/// Asserts that a chain at ε stores at most 3h + 12 numbers per unknown.
+/// Asserts that a chain at ε stores at most 3h + 12 numbers for each unknown, where h is the half
+/// bandwidth.
 fn holds_few_numbers<M: LatticeMap<f64>>(map: &M, half_bandwidth: usize) {
     const SITES: usize = 12_000;
     let mut state: Vec<f64> = (0..SITES * M::BLOCK).map(|k| 1.0 + 0.1 * (k as f64).sin()).collect();

@@ -1,6 +1,7 @@
-//! The drift of the map's integral over long orbits, with and without compensated summation. Ĥ is
-//! evaluated in `Dd` at the orbit's ε. Long runs are ignored by default; `cargo test --release -p
-//! kahan-tests compensated -- --ignored --nocapture` takes minutes and prints the figures.
+//! Measures how the map's integral Ĥ changes by rounding over long orbits, with and without
+//! compensated summation. Ĥ is evaluated in `Dd` at the orbit's ε. Long runs are ignored by
+//! default. `cargo test --release -p kahan-tests compensated -- --ignored --nocapture` takes
+//! minutes and prints the figures.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -16,7 +17,7 @@ fn starts() -> impl Iterator<Item = SVector<f64, 3>> {
     })
 }
 
-/// The root mean square and the mean, over all orbits, of the change of Ĥ after `steps` steps.
+/// The root mean square and the mean of the change of Ĥ after `steps` steps, over all orbits.
 #[derive(Debug)]
 struct Drift {
     steps: u64,
@@ -24,7 +25,7 @@ struct Drift {
     mean: f64,
 }
 
-/// Measures changes relative to the initial value, or to 1/4 if that is larger.
+/// Measures changes of the integral relative to its initial value, or to 1/4 if that is larger.
 fn drift(
     milestones: &[u64],
     integral: impl Fn(&SVector<f64, 3>) -> Dd,
@@ -72,9 +73,9 @@ fn e6_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
 const E6_EPS: f64 = 1.0 / 1024.0;
 
 /// After 10⁵ steps the rounding of three coordinates changes the integral of a plain orbit by about
-/// √(10⁵)·½u = 2·10⁻¹⁴ (measured 2.8·10⁻¹⁴). On a compensated orbit only the final rounding counts,
-/// ½u in each coordinate (measured 1.2·10⁻¹⁶). The bound of 10 u includes that and excludes a
-/// random walk.
+/// √(10⁵)·½u = 2·10⁻¹⁴ (measured 2.8·10⁻¹⁴), where u = 2⁻⁵³. On a compensated orbit only the final
+/// rounding counts, which is ½u in each coordinate (measured 1.2·10⁻¹⁶). The bound of 10 u includes
+/// the final rounding and excludes a random walk.
 #[test]
 fn a_compensated_orbit_keeps_its_integral_to_the_rounding_of_its_last_point() {
     let milestones = [100_000];
@@ -109,7 +110,8 @@ fn top<T: Scalar>(convert: impl Fn(f64) -> T) -> EulerTop<T> {
     EulerTop { a1, a2, a3 }
 }
 
-/// (α₃y² − α₂z²)/(1 − ε²α₁α₂z²), whose size is independent of ε; 1 − H is ε²α₁ times this integral.
+/// Returns the integral (α₃y² − α₂z²)/(1 − ε²α₁α₂z²), whose size is independent of ε. If H is the
+/// other integral, 1 − H is ε²α₁ times this integral.
 fn top_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
     move |x| {
         let EulerTop { a1, a2, a3 } = top(Dd::from);
@@ -127,7 +129,8 @@ fn the_remedies_for_a_badly_rounded_eps_give_the_same_law() {
     let shortened =
         drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short).compensated()));
     let shortened_plain = drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short)));
-    // X = εx at ε = 1 has the same orbit, and its integral is ε² times that of x.
+    // The variable X = εx at ε = 1 has the same orbit as x at ε. Its integral is ε² times that of
+    // x.
     let of_scaled = |x: &SVector<f64, 3>| top_integral(1.0)(x) / (Dd::from(bad) * Dd::from(bad));
     let scaled = drift(&LONG, of_scaled, |x| {
         let scaled = top(f64::from).orbit(x, bad).scaled().expect("a homogeneous field");

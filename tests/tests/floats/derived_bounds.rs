@@ -1,5 +1,6 @@
-//! Float steps are within the bound derived in `rounding`, and nothing panics. Points and ε are
-//! dyadic with few bits, so both float types represent them exactly and no product underflows.
+//! Tests that float steps are within the bound derived in `rounding`, and that nothing panics.
+//! Points and ε are dyadic with few bits, so both float types represent them exactly and no product
+//! underflows.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Pivot;
@@ -39,7 +40,8 @@ fn subjects() -> Vec<Subject> {
     paper().into_iter().chain(random()).collect()
 }
 
-/// Compares a float step with the exact one; returns the bound relative to x̃, if there is one.
+/// Compares a float step with the exact step. Returns the bound relative to x̃, if there is a
+/// bound.
 fn compare<T: Float>(
     subject: &Subject,
     bound: &StepBound<'_>,
@@ -79,7 +81,7 @@ fn ordinary_points_stay_within_the_bound<T: Float>(seed: u64) {
         judged.sort_by(f64::total_cmp);
         assert!(judged.len() >= 9, "{} (seed {seed}): only {} points judged", subject.name, judged.len());
         // At half of the points the bound must detect errors of 2²⁰ u (10⁻¹⁰ for f64, 0.06 for
-        // f32).
+        // f32), where u is the unit roundoff.
         let median = judged[judged.len() / 2];
         assert!(median <= T::UNIT * 2_f64.powi(20), "{} (seed {seed}): a bound of {median:e}", subject.name);
     }
@@ -95,7 +97,7 @@ fn a_single_precision_step_stays_within_its_derived_bound() {
     ordinary_points_stay_within_the_bound::<f32>(402);
 }
 
-/// Returns a random point and an ε near a sign change of det A, by bisection to 16 bits.
+/// Returns a random point and an ε near a sign change of det A, found by bisection to 16 bits.
 fn near_pole(subject: &Subject, draws: &mut SplitMix64) -> Option<(Vec<f64>, f64)> {
     let x: Vec<f64> = (0..subject.dimension()).map(|_| dyadic(draws, 64, 5)).collect();
     let state: Vec<Q> = x.iter().map(|entry| exact(*entry)).collect();
@@ -167,7 +169,7 @@ fn no_input_panics<T: Float>(seed: u64) {
         for _ in 0..150 {
             let (x, eps): (Vec<T>, T) = ((0..subject.dimension()).map(|_| hard()).collect(), hard());
             eprintln!("{} (seed {seed}): x = {x:?}, eps = {eps:?}", subject.name);
-            // Orbits over floats never end: after a pole, points are infinite or NaN.
+            // Orbits over floats never end, since points after a pole are infinite or NaN.
             assert_eq!(call_everything(map.as_ref(), &x, eps), 4);
             match map.try_step(&x, eps) {
                 Ok(next) => assert!(next.iter().all(T::is_finite_number), "Ok with {next:?}"),
@@ -178,7 +180,7 @@ fn no_input_panics<T: Float>(seed: u64) {
 }
 
 /// Runs with less stack than the usual 2 MiB of Rust's threads, although tests are not optimised.
-/// All precisions of `try_step` are reached.
+/// The test reaches all precisions of `try_step`.
 fn on_a_small_stack(run: fn()) {
     let thread = std::thread::Builder::new().stack_size(3 << 19).spawn(run).expect("a thread");
     thread.join().expect("no panic");

@@ -1,10 +1,11 @@
-//! Steps in double-double, rounded to `f64`, near true poles, compared with exact steps.
+//! Compares steps computed in double-double and rounded to `f64` with exact steps, near true poles.
 //!
 //! Points and ε have all bits, at a relative distance δ from a zero of det A along ε or a
 //! coordinate, where the map is unbounded. Components without cancellation have a relative error of
-//! a few dozen u²/δ; rounding to `f64` adds half an ulp. The sum is at most 0.5 + 1e-5 ulp down to
-//! δ = 1e-9, and 0.6 ulp at 1e-12. If x̃ᵢ = xᵢ + increment nearly cancels, the inputs have too few
-//! digits, and the error is small only relative to ‖x̃‖; the last test shows such points.
+//! a few dozen u²/δ, where u = 2⁻⁵³; rounding to `f64` adds half an ulp. The sum is at most 0.5 +
+//! 1e-5 ulp down to δ = 1e-9, and 0.6 ulp at 1e-12. If x̃ᵢ = xᵢ + increment nearly cancels, the
+//! inputs have too few digits, and the error is small only relative to ‖x̃‖. The final test shows
+//! points of this kind.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Dd;
@@ -23,7 +24,7 @@ struct Place {
 }
 
 impl Place {
-    /// Returns coordinate i, or ε after the last coordinate.
+    /// Returns the coordinate with index i, or ε after the coordinates.
     fn number(&mut self, i: usize) -> &mut f64 {
         if i < self.x.len() { &mut self.x[i] } else { &mut self.eps }
     }
@@ -52,7 +53,8 @@ fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
 
-/// Returns the double next to a zero of det A along number i, by bisection with exact signs.
+/// Returns the double next to a zero of det A. The number with index i varies, by bisection with
+/// exact signs.
 fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut high: f64) -> Option<f64> {
     let sign_at = |value: f64| is_positive(subject, &place.with(i, value));
     let sign = sign_at(low);
@@ -87,12 +89,12 @@ struct Worst {
     poles: usize,
     down_to_1e_9: f64,
     at_1e_12: f64,
-    /// The largest error of plain `f64` steps at these points.
+    /// The largest error of plain `f64` steps at the points.
     plain: f64,
 }
 
 impl Worst {
-    /// Takes steps near the pole at a value of number i, unless reduction removes the pole.
+    /// Takes steps near a pole at a value of the number with index i. Removable poles are skipped.
     fn look(
         &mut self,
         subject: &Subject,
@@ -104,7 +106,7 @@ impl Worst {
         const DISTANCES: [f64; 6] = [1e-12, -1e-12, 1e-9, -1e-9, 1e-6, -1e-4];
         let at = |distance: f64| place.with(i, pole * (1.0 + distance));
         let near = at(1e-12).exact_step(subject).expect("det A is not 0 there");
-        // At a pole of the map a component grows like the inverse distance.
+        // At a pole of the map some component grows like the inverse distance.
         if size(&near) < 1e6 * largest(&place.x.iter().copied().map(f64::abs).collect::<Vec<_>>()) {
             return;
         }
@@ -137,8 +139,8 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
                 break;
             }
             let numbers = subject.dimension() + 1;
-            // Coordinates of different sizes would avoid poles: E3 has none if x and y are large
-            // compared with z.
+            // Coordinates of different sizes would avoid poles. For example, E3 has none if x and y
+            // are large compared with z.
             let x = (1..numbers)
                 .map(|_| 2.0_f64.powi(2 - draws.below(4) as i32) * signed_unit(&mut draws))
                 .collect();
@@ -152,16 +154,17 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
         let Worst { poles, down_to_1e_9, at_1e_12, plain } = worst;
         eprintln!("{}: {poles} poles, {down_to_1e_9:.9}, {at_1e_12:.6}, in f64 {plain:.1e}", subject.name);
         assert!(poles >= POLES, "{}: {poles} poles are too few", subject.name);
-        // The points are hard, and the bound is nearly attained.
+        // The points are hard for plain steps, and the bound is nearly attained.
         assert!(plain > 1e9 && down_to_1e_9 > 0.45, "{}: {plain:e}, {down_to_1e_9}", subject.name);
     }
 }
 
-/// Steps onto a coordinate plane: starting from the rounded preimage of a point with x̃ᵢ = 0, x̃ᵢ
+/// Steps onto a coordinate plane. The start is the rounded preimage of a point with x̃ᵢ = 0, so x̃ᵢ
 /// is as small as the rounding errors of the inputs.
 #[test]
 fn a_component_that_cancels_is_exact_against_the_others() {
-    /// The bound on a component's error beyond half an ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
+    /// The bound on a component's error beyond half an ulp, in u²·‖x̃‖/|det A| with u = 2⁻⁵³. The
+    /// measured value is 1.6.
     const BOUND: f64 = 8.0;
     let (mut worst, mut worst_in_ulps, mut shown) = (0.0_f64, 0.0_f64, String::new());
     for (index, (subject, map)) in paper().iter().zip(steps::<Dd>()).enumerate() {
@@ -179,7 +182,7 @@ fn a_component_that_cancels_is_exact_against_the_others() {
             let Some(next) = place.exact_step(subject) else { continue };
             judged += 1;
             if next[i].is_zero() {
-                // Nothing is lost if the plane is invariant or the preimage has few bits.
+                // Nothing is lost if the plane is invariant, or if the preimage has few bits.
                 assert_eq!(place.step(map.as_ref())[i], 0.0);
                 continue;
             }

@@ -1,7 +1,8 @@
-//! Steps for every size of ε. Steps divided by the time step use another form for zero, tiny and
-//! huge ε. Steps must be accurate at the borders between the forms and far beyond. For ε‖f′‖ ≪ u
-//! the error is at most ½ ulp from rounding x + increment, plus the effect of an increment far
-//! below the last digit. For large ε it is at most the 64 u of ‖exact‖∞ that `try_step` promises.
+//! Tests steps for every size of ε. Steps divided by the time step use another form for zero, tiny
+//! and huge ε. Steps must be accurate at the borders between the forms and far beyond. For ε‖f′‖ ≪
+//! u, the unit roundoff, the error is at most ½ ulp from rounding x + increment, plus the effect of
+//! an increment far below the last digit. For large ε the error is at most 64 u ‖exact‖∞, as
+//! `try_step` guarantees.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_tests::back_end::BackEnd;
@@ -50,7 +51,7 @@ fn at_zero_every_map_is_the_identity() {
     }
 }
 
-/// Just above the lower border the increment is far below the last digit: the step returns x.
+/// Just above the lower border the increment is far below the last digit, so the step returns x.
 #[test]
 fn a_tiny_half_step_moves_nothing() {
     let mut draws = SplitMix64::new(72);
@@ -73,7 +74,7 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// At the border of `f32` increments reach the last digits; both forms err by at most one ulp.
+/// At the border of `f32` increments reach the last digits. Both forms err by at most one ulp.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);

@@ -1,6 +1,7 @@
-//! Accuracy of tangent vectors for long steps, compared with double-double. For ‖εf′‖∞ up to 1000,
-//! the planner refuses forms whose median error exceeds 45 times that of elimination with pivoting,
-//! if the latter is at most 10 u. The test measures this at other points.
+//! Tests the accuracy of tangent vectors for long steps, compared with double-double. For ‖εf′‖∞ up
+//! to 1000, the planner refuses forms whose median error exceeds 45 times that of elimination with
+//! pivoting, if the latter is at most 10 u with the unit roundoff u. The test measures this at
+//! other points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -25,7 +26,8 @@ kahan! {
     xdot = x - y*x; ydot = x*y - y; zdot = z*x - z*y + x; wdot = w*z - x*w + z;
 }
 
-/// Returns the median error in units of u of the largest entry, over points with ‖εf′‖∞ = `size`.
+/// Returns the median error of tangent vectors over points with ‖εf′‖∞ = `size`. The unit is the
+/// unit roundoff times the largest entry.
 fn median_error<M: ExtendScalars<f64, N>, const N: usize>(map: &M, size: f64) -> f64 {
     const POINTS: usize = 301;
     let mut random = SplitMix64::new(7);

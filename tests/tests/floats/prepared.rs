@@ -1,4 +1,5 @@
-//! All ways to take a step have equal bits: `step`, the prepared map, orbits and the interpreter.
+//! Tests that all ways to take a step yield equal bits: `step`, the prepared map, orbits and the
+//! interpreter.
 
 use kahan_algebra::arithmetic::{Arithmetic, Float32, Float64};
 use kahan_algebra::derive;
@@ -11,7 +12,7 @@ use kahan_tests::subject::{Subject, paper, random};
 
 const STEPS: usize = 50;
 
-/// The limits of ε for division by the time step, for `f32` and `f64`.
+/// The limits of ε beyond which steps are not divided by the time step, for `f32` and `f64`.
 const BORDERS: [f32; 4] =
     [1.0 / 65_536.0, 65_536.0, 1.0 / 18_446_744_073_709_551_616.0, 18_446_744_073_709_551_616.0];
 
@@ -58,8 +59,9 @@ fn every_way_to_step_gives_the_same_bits_in_single_precision() {
     every_way_gives_the_same_bits::<f32>(502);
 }
 
-/// Compares the interpreter with generated code. On targets that fuse, generated code rounds a
-/// multiply-add once and the interpreter twice; there, `floats` bounds both.
+/// Compares the interpreter with generated code. On targets with fused multiply-adds, generated
+/// code rounds a multiply-add once and the interpreter twice. For these targets, the folder
+/// `floats` has error bounds for both.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn the_interpreter_steps_with_the_same_bits() {

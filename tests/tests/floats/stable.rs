@@ -1,8 +1,8 @@
-//! The promise of `try_step`, checked by exact rationals: `Ok` is within 64 u of the exact step,
-//! and an error has a reason: a pole, a result outside the scalar's range, or an ill-conditioned
-//! step. The points are seeded: ordinary ones, mixed magnitudes from 1e-150 to 1e150 with ε from
-//! 1e-300 to 1e300, and both sides of true and removable poles. `kahan extremes` checks a larger
-//! sample.
+//! Checks the guarantee of `try_step` by exact rational numbers. An `Ok` is within 64 u of the
+//! exact step, where u is the unit roundoff. An error has a reason: a pole, a result outside the
+//! scalar's range, or an ill-conditioned step. The points are seeded: ordinary ones, mixed
+//! magnitudes from 1e-150 to 1e150 with ε from 1e-300 to 1e300, and both sides of true and
+//! removable poles. `kahan extremes` checks a larger sample.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -31,9 +31,9 @@ kahan! {
 trait Judged: Pivot + Copy + ToPrimitive {
     const STATES: i32;
     const EPS: i32;
-    /// The exponent of the unit roundoff, −53 or −24.
+    /// The exponent of the unit roundoff as a power of two, −53 or −24.
     const UNIT: i32;
-    /// The least normal number, and the condition number below which a step must succeed.
+    /// The exponent of the least normal number as a power of two.
     const NORMAL: i32;
     const CONDITION: f64;
     fn of(value: f64) -> Self;
@@ -141,7 +141,7 @@ where
             {
                 return;
             }
-            // Relative differences of the step for relative changes of the input of 2⁻⁸⁰.
+            // Compute relative differences of the step for relative changes of the input by 2⁻⁸⁰.
             let change = two_to(-80);
             let moved = |x: &SVector<BigRational, N>, eps: &BigRational| {
                 step(x, eps).map(|next| (next - &exact).map(|entry| entry.abs()))
@@ -184,7 +184,8 @@ where
     tally
 }
 
-/// Returns an ε near a zero of det A(x,ε), found by bisection and moved by a relative 2⁻ᵏ.
+/// Returns an ε near a zero of det A(x,ε). The zero is found by bisection and moved by a relative
+/// 2⁻ᵏ.
 fn near_a_pole<T, M, const N: usize>(map: &M, x: &SVector<T, N>, draws: &mut Draws) -> T
 where
     T: Judged,
@@ -222,7 +223,7 @@ where
     M32: ExtendScalars<f32, N>,
 {
     for tally in [sample::<f64, _, N>(name, double, trials), sample::<f32, _, N>(name, single, trials)] {
-        // Steps that always fail would keep the promise, too, so require successes.
+        // Steps that always fail would keep the guarantee, too, so require successes.
         assert!(tally.established > trials / 3, "{name}: {} of {trials} flagged", tally.flagged);
     }
 }
@@ -258,13 +259,14 @@ fn states_far_out_are_right_or_flagged() {
     let mut tally = Tally::default();
     judge("May–Leonard", &MayLeonard { a: 0.5, b: 0.7 }, vector![1e100, 0.2, 0.3], 0.05, &mut tally);
     judge("E3", &E3, vector![1e60, 1e130, 0.0], 0.5, &mut tally);
-    // Elimination has a small backward error, but its result is wrong.
+    // Elimination has a small backward error here, but its result is wrong.
     judge("Volterra", &VolterraLattice, vector![0.3, 1.7, 2.9], 1e17, &mut tally);
     judge("E6", &E6, vector![1e-200, 1e-200, -1e-200], 0.5, &mut tally);
     judge("E6 at rest", &E6, vector![0.0, 0.0, 0.0], 0.5, &mut tally);
-    // x² − y² dominates and is exactly 0.
+    // The difference x² − y² of the dominating terms is exactly 0.
     judge("wave", &Wave, vector![1e60, 1e60, 1e-160], 0.5, &mut tally);
-    // 1 + εz = 0 is a removable pole; the increments are 10¹⁶⁸ times the components of x̃.
+    // The point with 1 + εz = 0 is a removable pole. The increments are 10¹⁶⁸ times the components
+    // of x̃.
     let x = vector![-8.676922526036922e48, -1.5830949700414324e75, 4.794036587204811e-94];
     judge("E3", &E3, x, -2.0859248397665138e93, &mut tally);
     // The factor 1 − ξ of the largest terms is 0.
@@ -290,7 +292,7 @@ fn what_is_not_finite_is_never_ok() {
     }
 }
 
-/// 1 + εx = 0 is a removable pole of E1, 1 − εx = 0 a true pole.
+/// E1 has a removable pole at 1 + εx = 0, and a true pole at 1 − εx = 0.
 #[test]
 fn removable_poles_have_values_and_true_ones_have_none() {
     let next = E1.try_step(&vector![-2.0, 0.75, 0.5], 0.5).expect("the reduced map has a value");
@@ -302,7 +304,7 @@ fn removable_poles_have_values_and_true_ones_have_none() {
     assert_eq!((error.determinant(), error.eps(), error.bound()), (0.0, 0.5, f64::INFINITY));
 }
 
-/// Ordinary points need no higher precision, so the bits equal those of `step`.
+/// Ordinary points need no higher precision, so the bits of `try_step` equal those of `step`.
 #[test]
 fn ordinary_points_have_the_bits_of_the_fast_step() {
     let mut draws = Draws(SplitMix64::new(5));

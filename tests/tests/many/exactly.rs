@@ -1,4 +1,5 @@
-//! The defining equation over ℚ, also if leading minors of A vanish in elimination order.
+//! Tests the defining equation over ℚ, also where leading minors of A vanish in the order of
+//! elimination.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -23,7 +24,7 @@ where
     assert_eq!(map.matrix(x, eps.clone()) * jacobian, map.matrix(&next, -eps.clone()));
 }
 
-/// Tests small integers, for which minors of A sometimes vanish.
+/// Tests points with small integers, for which minors of A sometimes vanish.
 fn at_small_points<M, const N: usize>(map: &M, seed: u64)
 where
     M: KahanMap<BigRational, N>,
@@ -54,7 +55,7 @@ fn the_defining_equation_holds_for_every_kind_of_coupling() {
     at_small_points::<_, 18>(&Web, 4);
 }
 
-/// The diagonal entry of xᵢ, 1 − ε(xᵢ₊₁ − xᵢ₋₁), vanishes for a variable that is eliminated early.
+/// The diagonal entry 1 − ε(xᵢ₊₁ − xᵢ₋₁) vanishes for a variable xᵢ that is eliminated early.
 #[test]
 fn pivots_that_vanish_are_exchanged() {
     let start = SVector::<_, 12>::from_fn(|i, _| q(i64::try_from(i * i * i).expect("small") - 400, 77));

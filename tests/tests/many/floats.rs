@@ -1,4 +1,5 @@
-//! The promise of `try_step`, checked exactly, and equal bits of compiled and run-time fields.
+//! Checks the guarantee of `try_step` exactly, and that compiled and run-time fields yield equal
+//! bits.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::ExtendScalars;
@@ -35,7 +36,7 @@ fn exact<T: ToPrimitive>(value: &T) -> BigRational {
     BigRational::from_f64(value.to_f64().expect("a float")).expect("finite")
 }
 
-/// Returns the largest number of entries in a row of A, at a point without accidental zeros.
+/// Returns the largest number of entries in a row of A. The point has no accidental zeros.
 fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usize {
     let x = SVector::from_fn(|i, _| BigRational::new((i * i + 3).into(), 7.into()));
     let matrix = map.extend_scalars(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
@@ -43,7 +44,7 @@ fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usi
     widths.max().unwrap_or(0)
 }
 
-/// maxᵢ |Ax̃ − b|ᵢ/(|A||x̃| + |b|)ᵢ
+/// Returns maxᵢ |Ax̃ − b|ᵢ/(|A||x̃| + |b|)ᵢ for a computed step x̃.
 fn backward_error<T, M, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
@@ -70,7 +71,8 @@ where
     worst
 }
 
-/// Checks points of ordinary and mixed sizes, some with zeros, and ε from 1e-6 to 1e3.
+/// Checks `try_step` at points of ordinary and mixed sizes, some with zeros, and for ε from 1e-6 to
+/// 1e3.
 fn keeps_its_promise<T, M, const N: usize>(map: &M, seed: u64, count: usize)
 where
     T: Judged,
@@ -92,7 +94,8 @@ where
                 let error = backward_error(map, &x, &eps, &next);
                 assert!(error.to_f64().expect("a float") <= promise, "{error} at {x:?}, {eps:?}");
             }
-            // For extreme numbers every precision may fail; ordinary ones fail at poles only.
+            // For extreme numbers every precision may fail. Steps at ordinary points fail at poles
+            // only.
             Err(_) if sizes == T::SIZES => {}
             Err(why) => {
                 let determinant =
@@ -118,7 +121,7 @@ fn try_step_says_why_there_is_no_step() {
     let start = SVector::<f64, 11>::from_fn(|i, _| if i == 3 { f64::NAN } else { 1.0 });
     let why = Arrow { a: 0.5 }.try_step(&start, 0.1).expect_err("no number");
     assert!(why.to_string().contains("not a finite number"), "{why}");
-    // The variable x6 is a block of A, with the entry 1 − εx3.
+    // The variable x6 is a block of A, whose only entry is 1 − εx3.
     let mut start = SVector::<f64, 10>::repeat(1.0);
     (start[3], start[6]) = (2.0, 5.0);
     let why = Cascade.try_step(&start, 0.5).expect_err("a pole");
@@ -144,7 +147,7 @@ fn has_the_bits_of_the_field_read_at_run_time<T, M, const N: usize>(
         let mut next = vec![T::zero(); N];
         at.step(x.as_slice(), &mut next).expect("as many variables");
         let compiled = map.step(&x, eps);
-        // Printed numbers distinguish signed zeros and identify all NaNs.
+        // Printed numbers distinguish signed zeros, but not NaNs from each other.
         let same = |a: &T, b: &T| format!("{a:?}") == format!("{b:?}");
         assert!(next.iter().zip(&compiled).all(|(a, b)| same(a, b)), "{trial}: {x:?}, {eps:?}");
         if trial % 10 == 0 {

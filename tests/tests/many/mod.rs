@@ -1,4 +1,4 @@
-//! More than eight variables: steps by elimination along the couplings.
+//! Tests maps of more than eight variables, whose steps use elimination along the couplings.
 
 mod exactly;
 mod floats;

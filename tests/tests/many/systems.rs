@@ -1,4 +1,4 @@
-//! Fields of more than eight variables, with all kinds of couplings.
+//! Fields of more than eight variables, which have all kinds of couplings.
 
 use kahan_core::prelude::*;
 
@@ -10,7 +10,7 @@ macro_rules! block {
 }
 
 block! { RING:
-    /// Volterra's chain, closed to a ring.
+    /// Volterra's chain, which is closed to a ring.
     pub(super) struct Ring;
     x0dot = x0*(x1 - x11);
     x1dot = x1*(x2 - x0);
@@ -27,7 +27,7 @@ block! { RING:
 }
 
 block! { ARROW:
-    /// One variable that is coupled to all others in both directions.
+    /// A field in which one variable is coupled to all others in both directions.
     pub(super) struct Arrow { a }
     hubdot = 1 - x0*hub - x1*hub - x2*hub - x3*hub - x4*hub - x5*hub - x6*hub - x7*hub - x8*hub - x9*hub;
     x0dot = a*hub*x0 - x0^2;
@@ -43,7 +43,7 @@ block! { ARROW:
 }
 
 block! { CASCADE:
-    /// Three coupled triples and a single variable, each driven by the earlier ones.
+    /// Three coupled triples and a single variable. Each is driven by the earlier ones.
     pub(super) struct Cascade;
     x0dot = x1*x2;
     x1dot = -x0*x2;
@@ -58,7 +58,7 @@ block! { CASCADE:
 }
 
 block! { WEB:
-    /// Species that all act on each other.
+    /// A field of species that all act on each other.
     pub(super) struct Web;
     x0dot = x0*(1 - 1/7*x0 - 4/7*x1 - 7/7*x2 - 3/7*x3 - 6/7*x4 - 2/7*x5 - 5/7*x6 - 1/7*x7 -
         4/7*x8 - 7/7*x9 - 3/7*x10 - 6/7*x11 - 2/7*x12 - 5/7*x13 - 1/7*x14 - 4/7*x15 - 7/7*x16 -

@@ -1,10 +1,10 @@
-//! States with zero and tiny pivots, for which elimination needs row exchanges.
+//! Tests states with zero and tiny pivots, for which elimination needs row exchanges.
 
 use kahan_core::prelude::*;
 
 use super::systems::Ring;
 
-/// Returns a state of the ring for ε = 1/2 with x₁ − x₁₁ = 2 + δ: the first pivot is −δ/2.
+/// Returns a state of the ring with x₁ − x₁₁ = 2 + δ. For ε = 1/2 the first pivot is −δ/2.
 fn state(delta: f64) -> SVector<f64, 12> {
     let mut x = SVector::from_fn(|i, _| 1.0 + 0.25 * f64::from(i as u32 % 3));
     x[1] = x[11] + 2.0 + delta;

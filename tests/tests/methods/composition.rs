@@ -1,4 +1,4 @@
-//! Compositions: structures that they preserve or lose, over ℚ, and their measured orders.
+//! Tests compositions: structures that they preserve or lose, over ℚ, and their measured orders.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd};
@@ -8,8 +8,8 @@ use kahan_tests::taylor::{distance, flow};
 
 type Point = SVector<Q, 3>;
 
-/// Returns γ of a symmetric composition with rational coefficients. Preservation of structures does
-/// not depend on the order conditions.
+/// Returns the weights γ of a symmetric composition with rational coefficients. Preservation of
+/// structures does not depend on the order conditions.
 fn gammas() -> [Q; 5] {
     [q(2, 3), q(-3, 4), q(7, 6), q(-3, 4), q(2, 3)]
 }
@@ -56,8 +56,8 @@ fn integrals_without_eps_survive_and_those_with_eps_do_not() {
     assert_ne!(E3.integrals(&e3, eps.clone())[1], E3.integrals(&x, eps)[1]);
 }
 
-/// H and K have one denominator, and det ∂x̃/∂x is the square of its cofactor. So H/K and c/(HK)
-/// are preserved, but neither H nor K.
+/// The integrals H and K have a common denominator, and det ∂x̃/∂x is the square of its cofactor.
+/// So the composition preserves H/K and the density c/(HK), but neither H nor K.
 fn keeps_the_ratio_and_the_measure<M>(name: &str, map: &M, density: impl Fn(&M, &Point, Q) -> Q)
 where
     M: KahanMap<Q, 3> + Integrals<Q, 3, 2>,
@@ -79,7 +79,8 @@ fn the_ratio_of_two_integrals_with_one_denominator_survives() {
     keeps_the_ratio_and_the_measure("E6", &E6, E6::density);
 }
 
-/// (α₃y² − α₂z²)/(α₁z² − α₃x²); the density is the reciprocal of the product of both terms.
+/// Tests that the composition preserves (α₃y² − α₂z²)/(α₁z² − α₃x²). The density is the reciprocal
+/// of the product of both terms.
 #[test]
 fn the_euler_top_keeps_the_ratio_of_its_quadratic_forms() {
     let (x, eps) = start();
@@ -109,9 +110,9 @@ where
     })
 }
 
-/// Asserts the slope for each halving of ε. At these times errors exceed 10⁻²⁶, far above rounding
-/// (10⁻³¹) and the Taylor series (10⁻³⁰). The next order, 2 more, changes slopes by less than the
-/// tolerance.
+/// Asserts the slope of log(error) for each halving of ε. At these times errors exceed 10⁻²⁶, far
+/// above rounding (10⁻³¹) and the Taylor series (10⁻³⁰). The next order, 2 more, changes slopes by
+/// less than the tolerance.
 fn has_its_order<M, const N: usize>(name: &str, map: &M, start: [f64; N])
 where
     M: KahanMap<Dd, N>,

@@ -1,4 +1,4 @@
-//! Compares the error estimate with the flow: its sign, its order and its accumulation.
+//! Compares the error estimate with the exact flow: its sign, its order and its accumulation.
 
 use kahan_core::prelude::*;
 use kahan_core::{Dd, ExtendScalars};
@@ -14,7 +14,7 @@ fn top() -> EulerTop<Dd> {
     EulerTop { a1, a2, a3 }
 }
 
-/// Returns the sizes of x̃ − flow and of x̃ − flow − estimate.
+/// Returns the sizes of x̃ − flow and of x̃ − flow − estimate after one step.
 fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64) -> [f64; 2] {
     let (x, half_step) = (point(start), Dd::from(eps));
     let next = map.step(&x, half_step);
@@ -23,7 +23,8 @@ fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64)
     [distance(&next, &flow), distance(&corrected, &flow)]
 }
 
-/// Errors of 10⁻¹² to 10⁻²⁰ are above rounding; neglected terms change slopes by at most 2⁻¹⁰.
+/// Tests the estimate for one step. Errors of 10⁻¹² to 10⁻²⁰ are above rounding, and neglected
+/// terms change slopes by at most 2⁻¹⁰.
 fn estimates_the_step<M: KahanMap<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let sizes = [11, 12, 13].map(|k| local(map, start, 2_f64.powi(-k)));
     for pair in sizes.windows(2) {
@@ -42,7 +43,8 @@ fn the_estimate_is_the_leading_term_of_a_step() {
     estimates_the_step("LV", &LotkaVolterra, [1.5, 0.75]);
 }
 
-/// At a fixed time the error has order 2, and the error minus the accumulated estimate order 4.
+/// Tests that the error at a fixed time has order 2, and the error minus the accumulated estimate
+/// has order 4.
 fn estimates_the_orbit<M: ExtendScalars<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let (time, x) = (Dd::from(4.0), point(start));
     let end = flow(map, x, time, 64);

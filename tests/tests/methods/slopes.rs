@@ -1,6 +1,6 @@
-//! The measured order of the method: the slope of log(error) over log(ε) at a fixed time, for
+//! Measures the order of the method: the slope of log(error) over log(ε) at a fixed time, for
 //! nonlinear fields with closed solutions (Table 5). Linear fields would hide a wrong bilinear
-//! form, because the map is a Cayley transform.
+//! form, because their map is a Cayley transform.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E2, E3, E5};
@@ -15,7 +15,8 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     rise / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
-/// Returns (log ε, log error) at `TIME` for steps of TIME/n, far above rounding (10⁻¹⁴).
+/// Returns the pairs (log ε, log error) at `TIME` for steps of TIME/n. The errors are far above
+/// rounding (10⁻¹⁴).
 fn errors<M: KahanMap<f64, 3> + Clone>(map: &M, flow: impl Fn(f64) -> [f64; 3]) -> Vec<(f64, f64)> {
     [16, 32, 64, 128, 256, 512]
         .map(|n: u16| {
@@ -28,7 +29,7 @@ fn errors<M: KahanMap<f64, 3> + Clone>(map: &M, flow: impl Fn(f64) -> [f64; 3]) 
         .to_vec()
 }
 
-/// Asserts order two over a factor of 32 in ε; measured slopes are within 2.1·10⁻⁴ of 2.
+/// Asserts order two over a factor of 32 in ε. Measured slopes are within 2.1·10⁻⁴ of 2.
 fn has_order_two<M: KahanMap<f64, 3> + Clone>(name: &str, map: &M, flow: impl Fn(f64) -> [f64; 3]) {
     let points = errors(map, flow);
     let slope = slope(&points);
@@ -37,7 +38,7 @@ fn has_order_two<M: KahanMap<f64, 3> + Clone>(name: &str, map: &M, flow: impl Fn
 
 #[test]
 fn the_global_error_is_of_order_two() {
-    // α = 2, so T increases from 2 to 3.
+    // The solution has α = 2, so T = t + α increases from 2 to 3.
     has_order_two("E1", &E1, |t| {
         let (big, beta, gamma) = (t + 2.0, 0.7, 1.3);
         [1.0 / big, beta / big, gamma * big - beta * beta / big]

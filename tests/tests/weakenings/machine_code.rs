@@ -1,4 +1,5 @@
-//! Weakenings of machine code: encoder, registers and slots, routines, and programs of steps.
+//! Weakenings of machine code: the encoder, registers and stack slots, routines, and programs of
+//! steps.
 
 use super::list::Weakening;
 

@@ -1,12 +1,13 @@
-//! Mutation tests of code with proofs in comments: each weakening of a line must fail a test.
+//! Mutation tests of code with proofs in comments. Each weakening of a line must make a test fail.
 //!
-//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all in about
-//! twenty minutes; KAHAN_WEAKENING=WORDS selects by name or file. `change` instead of `every`
-//! selects the files changed since KAHAN_BASE (default: the last commit twelve hours older than
-//! HEAD) and four others by the hash of HEAD, and stops after [`MINUTES`] with a count.
+//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all
+//! weakenings in about twenty minutes. KAHAN_WEAKENING=WORDS selects weakenings by name or file.
+//! With `change` instead of `every`, it tries the weakenings of files changed since KAHAN_BASE
+//! (default: the last commit twelve hours older than HEAD), and four others chosen by the hash of
+//! HEAD. It stops after [`MINUTES`] with a count.
 //!
 //! Each weakening is applied to a copy of the workspace in the target folder, where its tests run;
-//! the workspace itself never changes. The copy reuses the workspace's builds. It is an error if a
+//! the workspace itself never changes. The copy reuses the workspace's builds. The run fails if a
 //! text does not occur exactly once, if the copy does not compile, or if the tests fail without a
 //! weakening.
 
@@ -31,7 +32,7 @@ use orbits::ORBITS;
 
 const MINUTES: u64 = 3;
 
-/// The number of further weakenings that are tried.
+/// The number of weakenings that are tried in files without changes.
 const OTHERS: usize = 4;
 
 fn every() -> impl Iterator<Item = &'static Weakening> {
@@ -47,7 +48,7 @@ fn folder() -> PathBuf {
     builds().with_file_name("weakenings").join("workspace")
 }
 
-/// Returns the folder of the copy's builds. Cargo identifies crates by their path in a workspace,
+/// Returns the folder for builds of the copy. Cargo identifies crates by their path in a workspace,
 /// so a shared folder would confuse weakened crates with original ones.
 fn target() -> PathBuf {
     folder().with_file_name("target")
@@ -59,7 +60,7 @@ fn copy_workspace() {
     if found {
         return update(root(), &folder());
     }
-    // Keeps modification times, so that builds stay valid. An unfinished copy has another name.
+    // Keep modification times, so that builds stay valid. An unfinished copy has another name.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));
@@ -97,7 +98,7 @@ fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     }
 }
 
-/// Makes one folder equal to another; equal files keep their modification times, hence their
+/// Makes one folder equal to another. Equal files keep their modification times, hence their
 /// builds.
 fn update(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder can be made");
@@ -124,7 +125,7 @@ fn write(path: &Path, bytes: &[u8]) {
     }
 }
 
-/// Runs `cargo test` in the copy; returns its success, or `None` after the deadline.
+/// Runs `cargo test` in the copy. Returns whether it succeeded, or `None` after the deadline.
 fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Option<bool> {
     let mut command = Command::new(env!("CARGO"));
     command.arg("test").args(words.split(' ').take_while(|word| *word != "--"));
@@ -134,7 +135,7 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
         let rest = words.split(' ').skip_while(|word| *word != "--");
         command.args(rest);
     }
-    // A crate is compiled repeatedly with one changed line.
+    // A crate is compiled repeatedly, each time with one changed line.
     command.current_dir(folder()).env("CARGO_TARGET_DIR", target()).env("CARGO_INCREMENTAL", "1");
     command.stdout(Stdio::null()).stderr(Stdio::null());
     let Some(deadline) = deadline else { return Some(command.status().expect("cargo runs").success()) };
@@ -197,13 +198,13 @@ fn hash(commit: &str, name: &str) -> u64 {
     commit.bytes().chain(name.bytes()).fold(0xcbf2_9ce4_8422_2325, mix)
 }
 
-/// Tries weakenings, grouped by tests. Panics if a weakening fails no test.
+/// Tries weakenings, grouped by their tests. Panics if a weakening makes no test fail.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
     // A weakening of a crate recompiles its dependents, so the front end comes last.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
-    // Groups are ordered by their first weakening.
+    // Order the groups by their first weakening.
     let mut commands: Vec<&str> = Vec::new();
     let mut groups: BTreeMap<&str, Vec<&Weakening>> = BTreeMap::new();
     for &weakening in &chosen {

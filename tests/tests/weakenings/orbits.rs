@@ -101,7 +101,7 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(PROOFS, "derivatives along a cycle in the other order", "crates/kahan-dynamics/src/periodic/cycle.rs",
         "product = factor * product;",
         "product *= factor;"),
-    // Branches.
+    // The next weakenings concern branches of periodic points.
     of(CYCLES, "a derivative by the parameter in other units", "crates/kahan-dynamics/src/periodic/branch.rs",
         "*entry = rate * self.length;",
         "*entry = rate;"),

@@ -1,6 +1,7 @@
-//! A process that computes Lyapunov exponents and stability maps on request; `numba/exponents.py`
-//! alternates between it and loops compiled by Numba. A line `e6 STEPS`, `lorenz STEPS` or `map
-//! STEPS` is answered by the seconds, followed by the orbit's exponent or the SALI of each cell.
+//! A process that computes Lyapunov exponents and stability maps on request. `numba/exponents.py`
+//! alternates between this process and loops compiled by Numba. The answer to a line `e6 STEPS`,
+//! `lorenz STEPS` or `map STEPS` is the time in seconds. The exponent of the orbit, or the smaller
+//! alignment index (SALI) of each cell, follows.
 
 use std::hint::black_box;
 use std::io::{self, BufRead, Write};

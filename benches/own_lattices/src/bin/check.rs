@@ -2,7 +2,8 @@
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 
-/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x) for y; f' by central differences is exact.
+/// Solves (I - eps f'(x)) (y - x) = 2 eps f(x) for y. The Jacobian f' by central differences is
+/// exact for a quadratic field f.
 fn kahan(f: &dyn Fn(&[f64]) -> Vec<f64>, x: &[f64], eps: f64) -> Vec<f64> {
     let n = x.len();
     let mut a = vec![vec![0.0; n + 1]; n];
@@ -196,14 +197,15 @@ fn main() {
                 &|x| sites(&|i| [open(x, 1, i), fput([i - 1, i, i + 1].map(|i| open(x, 0, i)))]),
                 &mut rng,
             ));
-            // Ill-conditioned steps, some of reach 3 at ε = 0.3, are accurate to fewer digits.
+            // Ill-conditioned steps, such as some of reach 3 at ε = 0.3, are accurate to fewer
+            // digits.
             assert!(w < 1e-9, "eps {eps}, {n} sites: {w:e}");
             if n % 20 == 1 {
                 println!("eps {eps}, {n} sites: largest difference {w:.1e}");
             }
         }
     }
-    // An equal system, written out.
+    // This system is equal, but its sums are written out.
     let plain = {
         let (du, dv, eat, die) = (0.2, 0.5, 0.9, 0.4);
         let (r0, r1, r2) = (0.5, 1.0, 1.5);

@@ -1,4 +1,4 @@
-//! The orbit of dE4 in space, on the level curve of its two integrals.
+//! The figure of an orbit of dE4 in space, on the level curve of its two integrals.
 
 use kahan_core::prelude::*;
 use maud::{Markup, html};
@@ -14,7 +14,7 @@ const POINTS: usize = 1000;
 
 type Point = SVector<f64, 3>;
 
-/// Draws the figure; `None` if the data lie outside the domain of the elliptic solution.
+/// Draws the figure. `None` if the data lie outside the domain of the elliptic solution.
 pub(super) fn plate() -> Option<FigureEntry> {
     let number = |&(p, q): &(i64, i64)| p as f64 / q as f64;
     let [x, y, z] = DE4.start else { return None };
@@ -76,7 +76,7 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
     .inline()
 }
 
-/// Draws the curve in a box; points near the viewer are larger.
+/// Draws the curve in a box. Points near the viewer are larger.
 fn in_space(orbit: &[Point], curve: &[Point]) -> Markup {
     let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     let cloud = |colour, mark, points: &[Point]| {

@@ -1,4 +1,5 @@
-//! Plots of heights along exact orbits: their growth, and the remainder after division by it.
+//! Plots heights along exact orbits: their growth, and the remainder after the growth is divided
+//! out.
 
 use maud::{Markup, html};
 
@@ -14,7 +15,8 @@ fn drawing(description: &str, axes: [&str; 2], series: Vec<Series>) -> Markup {
     Plot::around(description, axes, series).drawing().inline()
 }
 
-/// Plots heights against n on logarithmic scales, where nᵏ is a straight line of slope k.
+/// Plots heights against the step number n on logarithmic scales, where nᵏ is a straight line of
+/// slope k.
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
     drawing(description, ["log n", &format!("log h({of})")], series)
 }
@@ -23,7 +25,8 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
     log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
 }
 
-/// Plots log(h(xₙ)/nᵏ) against n, with the logarithm of its limit as a dashed line.
+/// Plots log(h(xₙ)/nᵏ) against n, where h is the logarithmic height. A dashed line is at the
+/// logarithm of the limit of h(xₙ)/nᵏ.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));

@@ -1,4 +1,4 @@
-//! The figures of the paper and two more, drawn from orbits computed for this page.
+//! The figures of the paper and two more figures, drawn from orbits computed for this page.
 
 mod curve;
 mod heights;
@@ -15,13 +15,13 @@ use kahan_draw::document::readable;
 pub(super) struct FigureEntry {
     pub(super) id: &'static str,
     pub(super) title: &'static str,
-    /// One or more drawings, side by side if the page is wide enough.
+    /// One or more drawings. They are side by side if the page is wide enough.
     pub(super) drawings: Vec<Markup>,
     /// The system, ε, the initial point and the number of iterates.
     pub(super) data: Markup,
-    /// The text on the visible and the measured result.
+    /// The text on the result that the drawing shows, and on the measured result.
     pub(super) result: Markup,
-    /// Name prefixes of the claims about the figure.
+    /// The prefixes of the names of claims about the figure.
     pub(super) claims: &'static [&'static str],
 }
 

@@ -1,4 +1,4 @@
-//! An orbit of the paper with its heights, and measurements of their growth.
+//! An orbit of the paper with its heights, and measurements of how the heights grow.
 
 use maud::{Markup, html};
 
@@ -9,7 +9,7 @@ use kahan_paper::structure;
 use kahan_study::{Study, Subject, Systems};
 use kahan_systems::registry::find;
 
-/// A measured orbit with the figure that defines its data.
+/// A measured orbit, with the figure that defines its system and initial state.
 pub(super) struct Orbit<'a> {
     pub(super) figure: &'static Figure,
     pub(super) measured: &'a Measurement,
@@ -27,7 +27,8 @@ impl Heights {
         self.pairs().map(|(n, h)| (libm::log(n), libm::log(h))).collect()
     }
 
-    /// Returns log(h/nᵖ) against n for n ≤ `end`.
+    /// Returns log(h/nᵖ) against n for n ≤ `end`, where h is the logarithmic height and p is
+    /// `power`.
     pub(super) fn correction(&self, power: i32, end: usize) -> Vec<(f64, f64)> {
         self.pairs().take(end).map(|(n, h)| (n, libm::log(h / n.powi(power)))).collect()
     }
@@ -47,8 +48,8 @@ impl Heights {
         slope(self.pairs())
     }
 
-    /// Returns the leading coefficient of the quadratic through the first, middle and last heights
-    /// of the second half.
+    /// Returns the leading coefficient of the quadratic polynomial through three heights: the
+    /// first, the middle and the last height of the second half of the orbit.
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
         let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);
@@ -101,7 +102,7 @@ impl<'a> Orbit<'a> {
 /// Returns the paper's name of the map, for example `dE3` or `Lotka–Volterra map`.
 fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
-    // The paper prefixes the maps of its own systems with d.
+    // The paper writes a letter d before the names of its own systems to denote their maps.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 

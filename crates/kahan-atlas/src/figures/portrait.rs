@@ -1,4 +1,5 @@
-//! Closed orbits of Kahan's Lotka–Volterra map beside the spirals of Euler's explicit method.
+//! The phase portrait: closed orbits of Kahan's Lotka–Volterra map beside the spirals of Euler's
+//! explicit method.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
@@ -10,17 +11,17 @@ use super::FigureEntry;
 use kahan_draw::decimal;
 use kahan_draw::{Canvas, Mark, NumberLine, Plot, Series};
 
-/// Half the time step; a cycle has about twenty steps.
+/// Half the time step. A cycle takes about twenty steps.
 const EPS: f64 = 0.147;
 const STEPS: usize = 360;
 const SHOWN: f64 = 4.2;
 
 type Point = SVector<f64, 2>;
 
-/// The orbits start at (1 − r, 1) for these r.
+/// The distances r of the initial points (1 − r, 1) from the fixed point (1, 1).
 const RADII: [f64; 5] = [0.15, 0.3, 0.5, 0.65, 0.75];
 
-/// Returns log(xy) − (x + y), the integral of the flow.
+/// Returns log(xy) − (x + y), which is an integral of the flow.
 fn integral(point: &Point) -> f64 {
     libm::log(point[0] * point[1]) - (point[0] + point[1])
 }

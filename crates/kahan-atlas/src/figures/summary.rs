@@ -1,4 +1,4 @@
-//! The table of all orbits of the figures.
+//! The table of the orbits of all figures.
 
 use maud::{Markup, html};
 

@@ -13,9 +13,9 @@ pub(crate) struct Case {
     pub(crate) system: System,
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) known: Known,
-    /// The reason why a known fact cannot be found, if any.
+    /// The reason why a known fact cannot be found, if there is one.
     pub(crate) limit: Option<String>,
-    /// Published claims in their shortest known form, each proved.
+    /// Published claims in their shortest known form. Each is proved.
     pub(crate) shortest: Vec<String>,
 }
 
@@ -74,7 +74,7 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // Names may repeat, so each claim is read separately, after the earlier drifts.
+    // Names may repeat, so each claim is read separately, after the drifts before it.
     let mut drifts = String::new();
     for claim in claims {
         read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;

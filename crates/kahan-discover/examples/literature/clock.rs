@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use kahan_discover::{Finding, Watch};
 
-/// A watch with a clock and all processors.
+/// A watch that has a clock and uses all processors.
 pub(crate) struct Clock {
     begun: Instant,
     found: Mutex<Vec<(Duration, Finding)>>,

@@ -1,4 +1,4 @@
-//! The findings of `discover` for a case, compared with the known facts.
+//! The findings of `discover` for a published case, compared with the known facts.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -12,12 +12,12 @@ use crate::clock::Clock;
 
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
-    /// The columns of the table between the name and the times.
+    /// The texts in the columns of the table between the name and the times.
     counts: [String; 5],
     last_finding: f64,
     total: f64,
     pub(crate) printed: Vec<String>,
-    /// Printed length divided by shortest known length; `None` if either is missing.
+    /// The printed length divided by the shortest known length. `None` if either is missing.
     pub(crate) ratio: Option<f64>,
     pub(crate) differences: Vec<String>,
 }
@@ -104,7 +104,8 @@ case             integrals written growth      densities drifts ranks          l
     }
 }
 
-/// Collects the claims that `kahan discover` prints, with compact forms of modified Hamiltonians.
+/// Collects the claims that `kahan discover` prints, and the compact forms of modified
+/// Hamiltonians.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
     for hamiltonian in report.compact() {

@@ -1,4 +1,5 @@
-//! Findings as proved claims in the language of `kahan!`, and conclusions as English sentences.
+//! Turns findings into proved claims in the language of `kahan!`, and conclusions into English
+//! sentences.
 
 pub mod proved;
 pub(crate) mod verdicts;

@@ -1,7 +1,7 @@
 //! Writes formulas as claims in the language of `kahan!`, and proves them.
 //!
-//! Polynomials come in. A claim goes out if the prover accepts its text, read again, or if the text
-//! states exactly the formula of a theorem. Formulas that fail are dropped.
+//! The input consists of polynomials. A claim is returned if the prover accepts its text, read
+//! again, or if the text states exactly the formula of a theorem. Formulas that fail are dropped.
 
 use std::slice::from_ref;
 
@@ -34,13 +34,14 @@ pub struct Formula {
     pub text: String,
     /// The claim as read from the text: an integral or a density.
     pub claim: Claim,
-    /// The larger degree in the states of numerator and denominator.
+    /// The degree in the states: the larger one of the numerator's and the denominator's degree.
     pub degree: u32,
     /// The numerator.
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
-    /// The irreducible factors of an integral that depend on states; empty for densities.
+    /// The irreducible factors of an integral that depend on states. The list is empty for
+    /// densities.
     pub factors: Vec<Polynomial>,
 }
 
@@ -52,12 +53,12 @@ impl Formula {
     }
 }
 
-/// A writer and prover of claims about one field, whose parameters and ε may be fixed.
+/// A writer and prover of claims about one field. Parameters of the field and ε may be fixed.
 #[derive(Clone, Debug)]
 pub struct Claims<'a> {
     system: &'a System,
     bare: System,
-    /// The equations as tokens; they seed the random points of the proofs.
+    /// The equations of the field as tokens, which seed the random points of the proofs.
     equations: Vec<Token>,
     /// The clause of fixed values, for example ` when a = 1, eps = 1/2`, or empty.
     pub(crate) condition: String,
@@ -70,7 +71,7 @@ impl<'a> Claims<'a> {
         let field = &system.field;
         let symbols = &field.symbols;
         let equations = equation_lines(field).collect::<Vec<_>>().join(" ");
-        // A parameter that cancelled does not occur in the printed equations.
+        // A parameter may cancel; then the printed equations do not contain it.
         let occurs = |name: &str| {
             symbols
                 .named(name)
@@ -88,15 +89,15 @@ impl<'a> Claims<'a> {
         Claims { system, bare, equations: lexer::lex(&equations).tokens, condition }
     }
 
-    /// Returns the name of the system's own density if a density found here would replace it: a
-    /// block holds only one density without `when`.
+    /// Returns the name of the block's own density if a density found here would replace it. A
+    /// block may hold only one density without a `when` clause.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
         self.condition.is_empty().then_some(own.name.text.as_str())
     }
 
-    /// Returns an unused name from the stem and index, with underscores appended if needed. The
+    /// Returns an unused name that consists of the stem, the index, and underscores if needed. The
     /// name of a density that will be [replaced](Self::own_density) counts as unused.
     pub(crate) fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
@@ -118,8 +119,8 @@ impl<'a> Claims<'a> {
         name
     }
 
-    /// Claims numerator/denominator as the integral H`index`; `None` if the proof fails. The text
-    /// is factored, and may use powers of a polynomial of `by` to be shorter.
+    /// Proves that numerator/denominator is an integral, and names it H`index`. `None` if the proof
+    /// fails. The text is factored; it may use powers of a polynomial of `by` to be shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -134,8 +135,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, numerator, denominator))
     }
 
-    /// Claims numerator/denominator as an integral that a theorem proves, since the prover may take
-    /// minutes. `None` if the text, read again, states another function.
+    /// Claims the integral numerator/denominator, which a theorem proves; the prover, which may
+    /// take minutes, is not called. `None` if the text, read again, states another function.
     pub(crate) fn integral_by_theorem(
         &self,
         symbols: &Symbols,
@@ -171,8 +172,8 @@ impl<'a> Claims<'a> {
         format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition)
     }
 
-    /// Claims ∏ factorᵏ as an invariant density; `None` if the proof fails. The text is factored,
-    /// and may use powers of a polynomial of `by` to be shorter.
+    /// Proves that ∏ factorᵏ is an invariant density; `None` if the proof fails. The text is
+    /// factored; it may use powers of a polynomial of `by` to be shorter.
     #[must_use]
     pub fn density(
         &self,
@@ -195,7 +196,8 @@ impl<'a> Claims<'a> {
         Some(formula(symbols, text, claim, &product(&above), &product(&below)))
     }
 
-    /// Writes the factored entries of a bracket; `tensor` has those above the diagonal, row by row.
+    /// Writes the entries of a bracket in factors. `tensor` has the entries above the diagonal, row
+    /// by row.
     pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &[RationalFunction]) -> String {
         let states = &symbols.states;
         let places = (0..states.len()).flat_map(|i| (i + 1..states.len()).map(move |j| (i, j)));
@@ -243,7 +245,7 @@ fn formula(
     }
 }
 
-/// Removes the sign in front of a density; it does not affect invariance.
+/// Removes the sign in front of a density; the sign does not affect invariance.
 fn unsigned(value: String) -> String {
     match value.strip_prefix('-') {
         Some(positive) if is_product(&value) => positive.to_owned(),

@@ -1,4 +1,4 @@
-//! The conclusions of a search as sentences; each states exactly what was shown.
+//! The conclusions of a search as sentences. Each sentence states exactly what was shown.
 
 mod drifts;
 mod plane;
@@ -24,7 +24,7 @@ fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// Returns all sentences; with `is_stopped`, time ran out before higher degrees.
+/// Returns all sentences. If `is_stopped`, time ran out before higher degrees were searched.
 pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.push(degrees(report));
@@ -67,7 +67,7 @@ fn degrees(report: &Report) -> String {
 fn ceiling(report: &Report) -> Option<String> {
     let ceiling = report.ceiling.as_ref()?;
     let n = report.variables.len();
-    // Orbits already give the bound n − 1.
+    // Orbits already give the bound n − 1 in n variables, so the sentence is omitted.
     if ceiling.integrals >= n || report.bound == Bound::Orbits {
         return None;
     }
@@ -161,7 +161,7 @@ fn orbits(report: &Report) -> Vec<String> {
         format!(
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
-                // For these bounds the absence of integrals is proved.
+                // Bounds of this kind prove that there are no integrals.
                 Bound::Orbits | Bound::Ceiling | Bound::Growth | Bound::Drifts if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }
@@ -268,7 +268,7 @@ fn modified(of: &[&HamiltonianReport]) -> String {
     }
 }
 
-/// Writes `K1, K2 and K3`; empty if the only K has no number.
+/// Writes the labels of the matrices K, such as `K1, K2 and K3`; empty if the only K has no number.
 fn listed_labels(of: &[&HamiltonianReport]) -> String {
     let numbered = of.iter().filter(|found| found.number.is_some());
     let labels: Vec<String> = numbered.map(|found| found.label("K")).collect();
@@ -332,7 +332,8 @@ fn density(report: &Report) -> String {
     }
 }
 
-/// Writes the sentence on a density of the field itself; a block holds one density without `when`.
+/// Writes the sentence on a density that the system's own block claims. A block holds only one
+/// density without a `when` clause.
 fn own_density(report: &Report) -> Option<String> {
     let own = report.own_density.as_ref().filter(|_| !report.densities.is_empty())?;
     Some(format!(

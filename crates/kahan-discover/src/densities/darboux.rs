@@ -1,9 +1,10 @@
-//! Darboux polynomials: P with a given cofactor C under the map φ, P(φ(x)) = C(x) P(x). The
-//! equation is linear in P.
+//! Darboux polynomials of the map φ: polynomials P with P(φ(x)) = C(x) P(x) for a given cofactor C.
+//! The equation is linear in P.
 //!
 //! If C = det ∂x̃/∂x, dx/P is an invariant measure; if C = 1, P is an integral. A quotient of
-//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density, too. If two P have equal C, their
-//! quotient is an integral, so P is not unique if integrals exist; the simplest P is returned.
+//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density, too. If two polynomials P have
+//! equal C, their quotient is an integral. So P is not unique if integrals exist, and the simplest
+//! P is returned.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -21,12 +22,12 @@ use crate::report::DensitySearch;
 
 const MOST_SAMPLES: usize = 16;
 
-/// The density ρ of an invariant measure ρ dx, in factors.
+/// The density ρ of an invariant measure ρ dx, as a product of factors.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Measure {
     /// The factors of ρ with their exponents.
     pub factors: Vec<(Polynomial, i32)>,
-    /// The sum of |exponent|·degree over all factors.
+    /// The sum of |exponent|·degree over all factors of ρ.
     pub degree: u32,
 }
 
@@ -39,7 +40,7 @@ pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(
 }
 
 /// Returns the null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on the monomials in `support`. `None` if
-/// the map has no value or the deadline passes.
+/// the map φ is undefined at the sampled points, or if the deadline passes.
 fn null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
@@ -57,8 +58,8 @@ fn null_vectors(
     })
 }
 
-/// Returns the space, possibly zero, of all P up to a degree with the cofactor det ∂x̃/∂x. `None`
-/// if the map has no value or the deadline passes.
+/// Returns the space of all P up to a degree with the cofactor det ∂x̃/∂x; the space may be zero.
+/// `None` if the map φ is undefined at the sampled points, or if the deadline passes.
 pub fn measure_space(
     map: &ModularMap,
     degree: u32,
@@ -71,14 +72,16 @@ pub fn measure_space(
     Some(PolynomialSpace::spanned(map.modulus(), vectors))
 }
 
-/// The highest degree of products 1/∏ factors.
+/// The highest degree of a product in a density 1/∏ factors.
 const HIGHEST_PRODUCT: u32 = 12;
 
-/// The highest degree of quotients of factors: numerator and denominator together.
+/// The highest degree of a density that is a quotient of factors. The degrees of numerator and
+/// denominator are added.
 const HIGHEST_QUOTIENT: u32 = 16;
 
-/// Finds the measure of least degree over ℚ(parameters, ε), and reports the search. Prefers
-/// products of `factors`, up to degree 12; other P have degrees up to `highest`.
+/// Finds the invariant measure of least degree over ℚ(parameters, ε), and reports the search.
+/// Products of `factors` are tried first, up to degree 12. Other polynomials P in 1/P have degrees
+/// up to `highest`.
 pub fn measure(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -160,7 +163,7 @@ mod tests {
         let square = |polynomial: &Polynomial| polynomial * polynomial;
         let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
         let factors = [long.clone(), y.clone()];
-        // The limit is below degree 4, the least degree of a 1/P.
+        // Other densities 1/P have at least degree 4, and are not searched up to degree 2.
         let far = Deadline::never();
         let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
         assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));

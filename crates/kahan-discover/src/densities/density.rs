@@ -1,4 +1,4 @@
-//! The invariant densities of a report.
+//! The invariant densities that a report lists.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -27,7 +27,7 @@ fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
 }
 
-/// Returns the density 1/Pf(P) of a bracket's tensor P of full rank.
+/// Returns the density 1/Pf(P), where P is a bracket's tensor of full rank and Pf its Pfaffian.
 pub(crate) fn pfaffian_density(
     tensor: &PoissonTensor,
     claims: &Claims<'_>,
@@ -39,7 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree, or else 1/det A if det(I − t f′) is even in t.
+/// Finds the density of least degree. If none is found and det(I − t f′) is even in t, the density
+/// is 1/det A, with A(x,ε) = I − ε f′(x).
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -69,8 +70,8 @@ pub(crate) fn densities(
     (densities, search)
 }
 
-/// Returns linear factors P of components of the field with P | ∇P·f. The hyperplane P = 0 is then
-/// invariant under the flow, hence under the map.
+/// Returns linear factors P of components of the field f for which P divides ∇P·f. The flow then
+/// preserves the hyperplane P = 0, and so does the map.
 fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     let symbols = &field.symbols;
     let mut found: Vec<Polynomial> = Vec::new();
@@ -90,7 +91,8 @@ fn invariant_hyperplanes(field: &Field) -> Vec<Polynomial> {
     found
 }
 
-/// Returns det A(x,ε) without state-independent factors, at the fixed ε; `None` if it is too long.
+/// Returns det A(x,ε), A = I − ε f′, at the fixed ε and without state-independent factors. `None`
+/// if the text is too long.
 fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
     let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);

@@ -1,25 +1,27 @@
-//! det A(x,ε) and numerators over it as polynomials, for fields beyond the budget of the map.
+//! Computes det A(x,ε), A = I − ε f′, and numerators over it, for fields whose map is beyond the
+//! budget.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 
-/// The most variables: a minor is stored for every set of columns.
+/// The most variables. The computation stores a minor for every set of columns.
 const MOST_VARIABLES: usize = 12;
 
-/// Returns ∏q · det A(x,ε), with qᵢ the denominators of the field's components.
+/// Returns ∏q · det A(x,ε), where qᵢ is the denominator of component i of the field.
 ///
 /// # Errors
-/// [`OverBudget`] beyond the budget or 12 variables.
+/// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
 pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// Returns ∏q · gᵀ adj(A) f, the numerator of gᵀ A⁻¹ f over [`determinant`]. Equals minus the
-/// determinant of A bordered by f and g.
+/// Returns ∏q · gᵀ adj(A) f, the numerator of gᵀ A⁻¹ f over [`determinant`]. Here A = I − ε f′, and
+/// qᵢ is the denominator of component i of the field. The result is minus the determinant of A
+/// bordered by f and g.
 ///
 /// # Errors
-/// [`OverBudget`] beyond the budget or 12 variables.
+/// Returns [`OverBudget`] beyond the budget, or for more than 12 variables.
 pub fn bordered_determinant(
     field: &Field,
     covector: &[Polynomial],
@@ -53,7 +55,8 @@ mod tests {
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
-        // g = i-th unit vector yields n̂ᵢ, and N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ.
+        // For the i-th unit vector g, the result is n̂ᵢ; the numerator is N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ over
+        // D̂ = det A.
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
         for i in 0..3 {
             let mut unit = vec![Polynomial::zero(); 3];

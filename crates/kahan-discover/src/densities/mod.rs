@@ -1,4 +1,4 @@
-//! Invariant densities from Darboux polynomials, their products, and det A.
+//! Invariant densities from Darboux polynomials, from products of them, and from det(I − ε f′).
 
 pub mod darboux;
 pub(crate) mod density;

@@ -1,4 +1,4 @@
-//! Products of powers of given polynomials that have a given cofactor under the map.
+//! Finds products of powers of given polynomials that have a given cofactor under the map.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -8,9 +8,9 @@ use crate::densities::darboux::random_step;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. Exponents have
-/// the given `signs`, and Σ |exponent|·degree = `degree`. The product is tested at two random
-/// points modulo 2⁶¹ − 1; the caller proves it.
+/// Finds the simplest product of powers of `factors` with the cofactor 1/det ∂x̃/∂x. The exponents
+/// have the given `signs`, and Σ |exponent|·degree equals `degree`. The product is tested at two
+/// random points modulo 2⁶¹ − 1; the caller proves it.
 pub(crate) fn product(
     searched: &SearchField,
     factors: &[Polynomial],
@@ -21,7 +21,8 @@ pub(crate) fn product(
     let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
-    // Cofactors with their inverses, and the determinant, at each of two points.
+    // At each of two points: the cofactors with their inverses, and the determinant of the
+    // Jacobian.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let sample = searched.sample(modulus, random)?;
@@ -50,7 +51,8 @@ pub(crate) fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    // Denominators of integrals are constant at ε = 0, like the flow's density of volume.
+    // Tells whether all factors are free of states at ε = 0, as denominators of integrals are. The
+    // flow then preserves volume.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
         used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))
@@ -61,8 +63,8 @@ pub(crate) fn product(
     Some(used.collect())
 }
 
-/// Returns all exponents with these signs and Σ |exponent|·degree = total. For many factors the
-/// list is incomplete: it ends after half a million steps or 20 000 entries.
+/// Returns all exponents with these signs and Σ |exponent|·degree = `total`. For many factors the
+/// list is incomplete: the enumeration ends after half a million steps or 20 000 entries.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

@@ -1,10 +1,11 @@
-//! Drifts: functions F whose next value F(x̃) is F(x) + c, c·F(x), or (aF(x) + b)/(cF(x) + d).
+//! Drifts: functions F whose value at the next point, F(x̃), is F(x) + c, c·F(x), or (aF(x) +
+//! b)/(cF(x) + d).
 //!
-//! Let P be a basis of a space of polynomials that the map leaves invariant up to a cofactor C:
-//! P(x̃) = C(x)·M·P(x). Then M acts on quotients of elements. The search finds these spaces modulo
-//! a prime, by degree and cofactor. If a space has a function independent of integrals and earlier
-//! drifts, basis and M are reconstructed over ℚ. `normal` finds drifts from the Jordan form of M,
-//! and each is proved as a claim.
+//! Let P be a basis of polynomials whose span the map leaves invariant up to a cofactor C: P(x̃) =
+//! C(x)·M·P(x) with a matrix M. Then M acts on quotients of polynomials of this span. The search
+//! finds these spaces modulo a prime, by degree and cofactor. If a space has a function independent
+//! of integrals and earlier drifts, P and M are reconstructed over ℚ. The module `normal` finds
+//! drifts from the Jordan form of M. Each drift is proved as a claim.
 
 mod cofactors;
 mod normal;
@@ -40,7 +41,7 @@ pub(crate) const SHARE: f64 = 0.03;
 
 const HIGHEST: u32 = 4;
 
-/// The most products in all eliminations together: a fraction of a second.
+/// The most products in all eliminations together, which take a fraction of a second.
 const MOST_PRODUCTS: usize = 20_000_000;
 
 const MOST_DIMENSIONS: usize = 8;
@@ -50,11 +51,11 @@ const MOST_CHARACTERS: usize = 1000;
 /// A proved drift.
 #[derive(Clone, Debug)]
 pub struct Drift {
-    /// The claim in the language of `kahan!`: `drift F1 = … by …;`.
+    /// The claim in the language of `kahan!`, for example `drift F1 = … by …;`.
     pub text: String,
     /// The claim as read from the text.
     pub claim: Claim,
-    /// The form of the next value.
+    /// The form of F at the next point.
     pub kind: DriftKind,
     /// The numerator of F.
     pub numerator: Polynomial,
@@ -62,20 +63,21 @@ pub struct Drift {
     pub denominator: Polynomial,
 }
 
-/// The next value of a drift F.
+/// The form of a drift F at the next point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DriftKind {
-    /// The sum F + c; holds c.
+    /// The sum F + c; the field holds c.
     Sum(Constant),
-    /// The multiple c·F; holds c.
+    /// The multiple c·F; the field holds c.
     Multiple(Constant),
     /// A Möbius image (aF + b)/(cF + d).
     Image,
-    /// A function of F, integrals and earlier drifts; holds their names.
+    /// A function of F, integrals and earlier drifts. The field holds the names of the integrals
+    /// and drifts.
     Link(Vec<String>),
 }
 
-/// A function of the parameters and ε.
+/// A function of the parameters and ε, free of states.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Constant {
     /// The function.
@@ -85,7 +87,8 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Returns whether c has infinite order: c ≠ 0 for F + c, c ≠ ±1 for c·F.
+    /// Returns whether the map F ↦ F + c or F ↦ c·F has infinite order: c ≠ 0 or c ≠ ±1,
+    /// respectively.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {
@@ -96,7 +99,8 @@ impl DriftKind {
     }
 }
 
-/// Finds and proves drifts, independent of each other and of the integrals; calls `tell` for each.
+/// Finds and proves drifts that are independent of each other and of the integrals. Calls `tell`
+/// for each drift.
 pub(crate) fn drifts(
     searched: &SearchField,
     field: &Field,
@@ -149,9 +153,10 @@ pub(crate) fn drifts(
 
 /// Returns an upper bound on the number of independent integrals in n dimensions with these drifts.
 ///
-/// Let F + c with c ≠ 0 and c′·G with c′ no root of unity be the next values of two drifts F and G.
-/// In the (F, G)-plane a generic orbit has the closure of all powers of (+c, ·c′), which is 𝔾ₐ ×
-/// 𝔾ₘ. So generic orbits have closures of dimension at least 2, or at least 1 for one drift only.
+/// Suppose that a drift F becomes F + c with c ≠ 0, and a drift G becomes c′·G with c′ no root of
+/// unity. In the (F, G)-plane a generic orbit has the closure of all powers of (+c, ·c′), which is
+/// 𝔾ₐ × 𝔾ₘ. So generic orbits have closures of dimension at least 2. If only one of F and G exists,
+/// the dimension is at least 1.
 pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     let kinds = || drifts.iter().map(|drift| &drift.kind).filter(|kind| kind.has_infinite_order());
     let has_sum = kinds().any(|kind| matches!(kind, DriftKind::Sum(_)));
@@ -159,9 +164,9 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// Drops the first drift that is no longer valid and all later ones, which may depend on it. A
-/// drift is invalid if it depends on integrals and earlier drifts, or if its claim names an
-/// integral of `before` that is not in `integrals`.
+/// Drops the first invalid drift and all later ones, which may depend on it. A drift is invalid if
+/// it depends on integrals and earlier drifts. It is also invalid if its claim names an integral of
+/// `before` that is not in `integrals`.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,
@@ -230,7 +235,8 @@ impl Search<'_> {
         Some(())
     }
 
-    /// Reconstructs a space of this form with its matrix M, and adds its drifts.
+    /// Reconstructs the invariant space of this form with its matrix M, and adds the drifts that M
+    /// gives.
     fn of_space(
         &mut self,
         monomials: &Monomials,
@@ -255,7 +261,8 @@ impl Search<'_> {
         let (rows, matrix) = (split(rows, width), split(matrix, size));
         let symbols = self.searched.family().symbols();
         let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
-        // Returns s·Σ vᵢPᵢ with integer coefficients and without state-independent factors, and s.
+        // Returns s·Σ vᵢPᵢ for the basis Pᵢ, and the factor s. The sum has integer coefficients and
+        // no state-independent factors.
         let element = |vector: &Vec<RationalFunction>| {
             let (numerators, common) = RationalFunction::over_common(&normal::image(vector, &rows));
             let whole = combination(&states, monomials, &form.support, &numerators);
@@ -267,7 +274,7 @@ impl Search<'_> {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
             let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
-            // F and 1/F are both drifts; the simpler polynomial becomes the denominator.
+            // F and 1/F are both drifts, so the simpler polynomial becomes the denominator.
             let size = |side: &Polynomial| (symbols.degree(side), side.len());
             candidates.push(match next.of_reciprocal() {
                 Some(next) if size(&below) > size(&above) => (below, above, next),
@@ -290,7 +297,7 @@ impl Search<'_> {
         self.claims.name("F", Some(self.found.len() + 1))
     }
 
-    /// Adds the drift above/below if its claim is short and proved.
+    /// Adds the drift above/below, if the claim of the drift is short and proved.
     fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
         let name = self.name();
         let value = quotient(self.searched.family().symbols(), from_ref(above), from_ref(below), &[]);
@@ -300,7 +307,8 @@ impl Search<'_> {
         }
     }
 
-    /// Adds drifts of states whose next value is a function of themselves and earlier drifts.
+    /// Adds drifts that are states: the next value of the state is a function of the state and of
+    /// earlier drifts.
     fn add_links(&mut self) -> Option<()> {
         while !self.is_done() && !self.deadline.passed() {
             let name = self.name();
@@ -318,7 +326,7 @@ impl Search<'_> {
     }
 
     /// Adds a drift if its claim is short and proved; returns whether it was added. The claim of a
-    /// link may refer to integrals and earlier drifts.
+    /// [`DriftKind::Link`] may refer to integrals and earlier drifts.
     fn add(
         &mut self,
         name: &str,

@@ -1,5 +1,6 @@
-//! Drifts from the Jordan form of M over ℚ(parameters, ε), for eigenvalues of degree at most 2.
-//! For a row vector v let P_v = Σ vᵢPᵢ; P(x̃) = C(x)·M·P(x) implies P_v(x̃) = C(x)·P_{vM}(x).
+//! Drifts from the Jordan form of a matrix M over ℚ(parameters, ε), for eigenvalues of degree at
+//! most 2. The basis P satisfies P(x̃) = C(x)·M·P(x). For a row vector v let P_v = Σ vᵢPᵢ; then
+//! P_v(x̃) = C(x)·P_{vM}(x).
 //!
 //! | v, w | F = P_w/P_v | next value |
 //! |---|---|---|
@@ -18,7 +19,7 @@ type Matrix = Vec<Vector>;
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The next value of F = P_w/P_v.
+/// The form of F = P_w/P_v at the next point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     /// The sum F + c.
@@ -54,7 +55,7 @@ impl Next {
         }
     }
 
-    /// Returns the next value of s·F as a function of s·F.
+    /// Returns the form of s·F at the next point, as a function of s·F.
     pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
         Some(match self {
             Next::Sum(step) => Next::Sum(&step * scale),
@@ -63,7 +64,7 @@ impl Next {
         })
     }
 
-    /// Returns the next value of 1/F as a function of 1/F; `None` for F + c.
+    /// Returns the form of 1/F at the next point, as a function of 1/F; `None` for F + c.
     pub(super) fn of_reciprocal(&self) -> Option<Next> {
         match self {
             Next::Sum(_) => None,
@@ -73,15 +74,15 @@ impl Next {
     }
 }
 
-/// A function F = P_above/P_below with its next value.
+/// A function F = P_above/P_below, where P_v = Σ vᵢPᵢ, with the form of F at the next point.
 pub(super) struct FunctionWithNext {
     pub(super) above: Vector,
     pub(super) below: Vector,
     pub(super) next: Next,
 }
 
-/// Returns all drifts in the table above for M: sums, multiples, images. `free` is a variable that
-/// does not occur in M.
+/// Returns all drifts in the table above for the matrix M: sums, multiples and images. `free` is a
+/// variable that does not occur in M.
 pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> {
     let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
     let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
@@ -132,7 +133,7 @@ pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<FunctionWithNext> 
 }
 
 fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<FunctionWithNext> {
-    // Of two basis vectors of a null space, each has an entry 1 where the other has 0.
+    // Returns an index at which the basis vector `of` has an entry 1 and `other` has 0.
     let place = |of: &Vector, other: &Vector| {
         (0..of.len()).find(|&place| of[place] == RationalFunction::one() && other[place].is_zero())
     };
@@ -179,8 +180,8 @@ fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
     sum
 }
 
-/// Returns a basis of the row vectors v with vM = 0, by elimination in Mᵀ. Each vector has 1 in one
-/// column without a pivot, and 0 in the other columns without a pivot.
+/// Returns a basis of the row vectors v with vM = 0, by elimination in the transposed matrix. Each
+/// vector has 1 in one column without a pivot, and 0 in the other columns without a pivot.
 fn left_null_space(matrix: &Matrix) -> Vec<Vector> {
     let columns = matrix.len();
     let transposed = |column: usize| matrix.iter().map(|row| row[column].clone()).collect();
@@ -225,7 +226,7 @@ mod tests {
 
     #[test]
     fn every_function_is_carried_as_it_says() {
-        // A chain of length 2, the eigenvalue 3, and a rotation.
+        // The matrix has a chain of length 2, the eigenvalue 3, and a rotation.
         let of = matrix(&[
             &[2, 0, 0, 0, 0],
             &[5, 2, 0, 0, 0],
@@ -236,7 +237,7 @@ mod tests {
         let found = carried(&of, Variable(0));
         let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
         assert_eq!(kinds.len(), 3);
-        // For a column P of values, F = wP/vP has the next value wMP/vMP.
+        // Let P be a column of values. Then F = wP/vP has the next value wMP/vMP.
         for FunctionWithNext { above, below, next } in found {
             let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
             let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);

@@ -1,9 +1,10 @@
-//! First-order recurrences: states whose next value is a function of themselves and earlier drifts.
+//! First-order recurrences: states whose value at the next point is a function of the state and of
+//! earlier drifts.
 //!
-//! If a drift or integral F contains a single state xᵢ, linearly in numerator and denominator, then
-//! xᵢ is a function of F. If the image of another state w contains only w and states known in this
-//! way, then w is a drift. Its product with a power of an earlier drift is a drift, too, and may
-//! have a shorter formula.
+//! Suppose that a drift or integral F contains a single state xᵢ, and is linear in xᵢ in numerator
+//! and denominator. Then xᵢ is a function of F. If the image of another state w contains only w and
+//! states known in this way, then w is a drift. The product of w with a power of an earlier drift
+//! is a drift, too, and may have a shorter formula.
 
 use std::slice::from_ref;
 
@@ -20,21 +21,22 @@ use super::{Constant, DriftKind};
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 200_000;
 
-/// The exponents of an earlier drift that are tried in its product with a state.
+/// The exponents of an earlier drift that are tried in the product of its power with a state.
 const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
 
 pub(super) struct TriangularSystem {
-    /// The states, followed by the names of drifts and integrals.
+    /// The names of the states, followed by the names of drifts and integrals.
     symbols: Symbols,
     own: Symbols,
     components: Vec<Polynomial>,
-    /// Each state as a function of drifts, if known.
+    /// For each state its expression in drifts, if known.
     values: Vec<Option<RationalFunction>>,
-    /// For each drift its variable, its value in states, and its next value in drifts.
+    /// For each drift: its variable, its expression in states, and its value at the next point in
+    /// drifts.
     steps: Vec<[RationalFunction; 3]>,
 }
 
-/// A candidate for a drift w·F^k, with a state w and an earlier drift F.
+/// A candidate for a drift w·F^k, where w is a state and F an earlier drift.
 pub(super) struct DriftCandidate {
     state: usize,
     pub(super) value: RationalFunction,
@@ -46,7 +48,7 @@ pub(super) struct DriftCandidate {
 }
 
 impl TriangularSystem {
-    /// Starts without drifts; `names` lists the names that drifts and integrals may get.
+    /// Starts without drifts. `names` lists the names that drifts and integrals may get.
     pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
         let states = [symbols.states.clone(), names].concat();
         let joint = Symbols { states, parameters: symbols.parameters.clone() };
@@ -59,7 +61,8 @@ impl TriangularSystem {
         self.symbols.states.iter().position(|known| known == name).map(|index| self.symbols.state(index))
     }
 
-    /// Returns a drift's variable, its next value, the kind of the next value, and its text.
+    /// Returns the drift's variable, its value at the next point, the kind of that value, and its
+    /// text.
     pub(super) fn written(
         &self,
         name: &str,
@@ -86,7 +89,7 @@ impl TriangularSystem {
         }
     }
 
-    /// Writes a next value of the form a·F + b; `None` if it has another form.
+    /// Writes the next value of a drift F if it has the form a·F + b; `None` otherwise.
     fn affine(&self, next: &RationalFunction, drift: Variable) -> Option<String> {
         let (above, below) = (next.numerator(), next.denominator());
         let is_affine = above.degree_where(|one| one == drift) == 1 && !below.contains(drift);
@@ -118,7 +121,7 @@ impl TriangularSystem {
         }
     }
 
-    /// Adds the drift above/below if a state is a function of it.
+    /// Records the drift above/below if a state is a function of the drift.
     pub(super) fn add_drift(
         &mut self,
         drift: RationalFunction,
@@ -141,13 +144,13 @@ impl TriangularSystem {
         };
         let ([a, b], [c, d]) =
             ([1, 0].map(|power| part(&above, power)), [1, 0].map(|power| part(&below, power)));
-        // F = (a·x + b)/(c·x + d).
+        // Solves F = (a·x + b)/(c·x + d) for the state x.
         self.values[state] = (&b - &(&d * &drift)).checked_div(&(&(&c * &drift) - &a));
         let in_states = RationalFunction::new(above, below).expect("a denominator is not zero");
         self.steps.push([drift, in_states, next]);
     }
 
-    /// Returns the shortest drift for the first state that yields one, with this name.
+    /// Returns the shortest drift with this name, for the first state that yields a drift.
     pub(super) fn link(&self, name: &str) -> Option<DriftCandidate> {
         if self.steps.is_empty() {
             return None;
@@ -192,7 +195,7 @@ impl TriangularSystem {
         links.min_by_key(|link| link.value_text.len() + link.next_text.len())
     }
 
-    /// Returns numerator and denominator of a link as polynomials in the states.
+    /// Returns numerator and denominator of a candidate as polynomials in the states.
     pub(super) fn in_states(&self, link: &DriftCandidate) -> [Polynomial; 2] {
         [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
     }
@@ -218,7 +221,7 @@ fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
     Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
 }
 
-/// Renames variables by index; states and parameters of both symbol tables correspond.
+/// Renames variables by index. States and parameters have equal indices in both symbol tables.
 fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
     polynomial.map_variables(|variable| match from.symbol(variable) {
         Symbol::State(i) | Symbol::SecondState(i) => to.state(i),

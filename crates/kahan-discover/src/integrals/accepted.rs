@@ -1,4 +1,4 @@
-//! Accepts integrals: simplifies and proves them, and rejects dependent ones.
+//! Simplifies and proves integrals, and accepts the independent ones.
 
 use std::slice::from_ref;
 
@@ -17,10 +17,11 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::tidy;
 
 /// The most coefficients of a degree that is searched before known integrals of higher degree are
-/// added.
+/// accepted.
 const MOST_AHEAD: usize = 150;
 
-/// Up to this total length P/Q is not replaced by other elements of its pencil.
+/// The total length up to which P/Q is not replaced by another quotient of elements of the pencil P
+/// + cQ.
 const SHORT: usize = 60;
 
 pub(crate) struct Accepted<'a> {
@@ -40,7 +41,8 @@ impl Accepted<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Accepts P/Q if it is independent and proved; if P and Q are both integrals, accepts each.
+    /// Accepts P/Q if it is independent and proved. If P and Q are both integrals, accepts each of
+    /// them.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none()
             && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
@@ -52,7 +54,8 @@ impl Accepted<'_> {
         }
     }
 
-    /// Accepts known integrals once the search reaches their degree, or becomes expensive.
+    /// Accepts known integrals once the search reaches the degree of the integral, or becomes
+    /// expensive.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
@@ -94,8 +97,8 @@ impl Accepted<'_> {
         }
     }
 
-    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of elements of its
-    /// pencil, among those whose limit at ε = 0 depends on the states.
+    /// Returns P/Q if it is short. Otherwise returns the shortest quotient of elements of the
+    /// pencil P + cQ whose limit at ε = 0 depends on the states.
     fn shortest(
         &self,
         (numerator, denominator): &(Polynomial, Polynomial),
@@ -112,7 +115,7 @@ impl Accepted<'_> {
         if special.is_empty() {
             return own;
         }
-        // Prefers denominators that are constant at ε = 0: the limit is then a polynomial.
+        // Prefer denominators that are constant at ε = 0, since the limit is then a polynomial.
         let is_flat = |member: &Polynomial| {
             !symbols.has_state(&member.substitute(symbols.epsilon(), &Rational::zero()))
         };
@@ -135,12 +138,13 @@ impl Accepted<'_> {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
             reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
-        // The new summand may have been a product of known factors, so test independence again.
+        // The subtracted term may be a product of known factors, so test independence again.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// Returns the gradients of the accepted integrals, in the coordinates of a level set. Empty on
-    /// a proper level set: the integrals that define it are constants there.
+    /// Returns the gradients of the accepted integrals, in the coordinates of a level set. The
+    /// result is empty on a proper level set, since the integrals that define the level set are
+    /// constants there.
     pub(crate) fn known_gradients(
         &self,
         leaf: &AffineSubspace,

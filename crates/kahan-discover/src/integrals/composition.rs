@@ -1,7 +1,7 @@
-//! Integrals that compositions preserve, tested on the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘
-//! φ_{γ₁ε}.
+//! Finds the integrals that compositions of the map φ preserve. They are tested on the symmetric
+//! product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂.
 //!
-//! Compositions of higher order have this pattern; here γ is random.
+//! Compositions of higher order have this pattern.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -14,14 +14,15 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::orbits::hilbert::{Hilbert, random_relations};
 
-/// The integrals that survive composition.
+/// The integrals that composed maps preserve.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CompositionIntegrals {
     /// The Hilbert function of a generic orbit of the composed map.
     pub hilbert: Hilbert,
-    /// For each formula, whether the composed map preserves it.
+    /// Tells for each formula whether the composed map preserves the formula.
     pub formulas: Vec<bool>,
-    /// Pairs of formulas that the composed map does not preserve, but whose quotient it does.
+    /// Pairs of formulas whose quotient the composed map preserves, but not the formulas
+    /// themselves.
     pub quotients: Vec<(usize, usize)>,
 }
 
@@ -45,7 +46,7 @@ impl ModularStep for Composed {
 }
 
 /// Follows an orbit of the composed map modulo a prime, at random parameters, ε and γ. Formulas use
-/// the ε of the composition. `None` if the map has no value or the deadline passes.
+/// the ε of the whole composition. `None` if the map is undefined or the deadline passes.
 pub fn survivors(
     searched: &SearchField,
     formulas: &[Formula],

@@ -1,4 +1,5 @@
-//! Functional independence of quotients of polynomials by the rank of gradients at a random point.
+//! Tests the functional independence of quotients of polynomials by the rank of gradients at a
+//! random point.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -8,7 +9,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{Sample, SampledStep, SearchField};
 use crate::modular::matrix::Echelon;
 
-/// Returns ∇(P/Q) Q² at a point; `None` if the prime divides a denominator of the coefficients.
+/// Returns ∇(P/Q) Q² at a point modulo a prime. `None` if the prime divides a denominator of the
+/// coefficients.
 #[must_use]
 pub fn quotient_gradient(
     searched: &SearchField,
@@ -30,8 +32,8 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// The gradients of accepted functions at a random point modulo a prime. Their rank is at most the
-/// rank over ℚ.
+/// The gradients of accepted functions at a random point modulo a prime. The rank of these
+/// gradients is at most their rank over ℚ.
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,
@@ -40,7 +42,7 @@ pub struct Independent<'a> {
 }
 
 impl<'a> Independent<'a> {
-    /// Starts without functions.
+    /// Chooses a random point, without any accepted function.
     pub fn new(searched: &'a SearchField, random: &mut SplitMix64) -> Self {
         Independent { searched, step: searched.step(random), gradients: Vec::new() }
     }
@@ -67,14 +69,14 @@ impl<'a> Independent<'a> {
         self.step.as_ref()
     }
 
-    /// Returns the rank of the accepted gradients together with `further`; 0 without a point.
+    /// Returns the rank of the accepted gradients together with `further`; 0 if no point was found.
     pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
         let Some(step) = &self.step else { return 0 };
         let rows = [self.gradients.clone(), further].concat();
         Echelon::of(step.sample.map.modulus(), rows, self.searched.dimension()).rank()
     }
 
-    /// Accepts P/Q.
+    /// Accepts the function P/Q.
     pub fn keep(&mut self, numerator: &Polynomial, denominator: &Polynomial) {
         self.gradients.extend(self.gradient(numerator, denominator));
     }

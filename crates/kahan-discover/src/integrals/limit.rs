@@ -1,4 +1,4 @@
-//! Integrals whose limit at ε = 0 depends on the states.
+//! Changes integrals so that their limit at ε = 0 depends on the states.
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational::Rational;
@@ -9,8 +9,9 @@ use crate::modular::subspace::tidy;
 
 const LIMIT_WORK: u64 = 2_000_000;
 
-/// Returns P′ such that P′/Q depends on the states at ε = 0. While P/Q has a constant limit c, P is
-/// replaced by (P − cQ)/εᵏ. On a level set, the integrals that define it count as constants.
+/// Returns a polynomial P′ such that P′/Q depends on the states at ε = 0. While P/Q has a constant
+/// limit c, P is replaced by (P − cQ)/εᵏ. On a level set, the integrals that define the level set
+/// count as constants.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

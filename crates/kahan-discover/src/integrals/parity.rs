@@ -1,24 +1,26 @@
-//! Sign changes of states that map orbits to orbits.
+//! Finds the sign changes of states that map orbits to orbits.
 //!
 //! If f(Sx) = ±S f(x) with S = diag(±1), then φ(Sx) = Sφ(x) at ε or −ε, and S maps the closure of
-//! the orbit of x to that of Sx. An entry of the reduced relations then changes by the signs of its
-//! two monomials. So P and Q with P/Q equal to this entry can be restricted to monomials of one
-//! sign each.
+//! the orbit of x to that of Sx. A coefficient of the reduced relations then changes by the signs
+//! of two monomials: its own and the leading one. So if P/Q equals this coefficient, P and Q can be
+//! restricted to monomials of one sign each.
 
-/// The most generators returned.
+/// The most generators of sign changes that are returned.
 const MOST: usize = 8;
 
-/// A term of component i, xⱼxₖ, xⱼ or 1, as the sum over F₂ of the unit vectors of i, j and k.
+/// The condition that a term xⱼxₖ, xⱼ or 1 of component i sets on sign changes. It is the sum over
+/// F₂ of the unit vectors of i, j and k, as a bit set.
 pub type TermSigns = u64;
 
-/// Returns generators of the sign changes S, each as a bit set of states. `terms` are all terms of
-/// the field in `states` states; above 63 states the list is empty.
+/// Returns generators of the sign changes S, each as a bit set of states. `terms` holds all terms
+/// of a field in `states` states. Above 63 states the list is empty.
 #[must_use]
 pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     if states > 63 {
         return Vec::new();
     }
-    // The condition of a term is σ·sᵢ = sⱼsₖ, linear over F₂ in the bits of s and σ; σ is last.
+    // A sign change with signs sᵢ of the states and σ of time must satisfy σ·sᵢ = sⱼsₖ for each
+    // term. The condition is linear over F₂ in the bits of s and σ; the bit of σ is last.
     let time = 1u64 << states;
     let mut rows: Vec<u64> = terms.iter().map(|term| term | time).collect();
     let mut pivots: Vec<(usize, u64)> = Vec::new();
@@ -40,7 +42,7 @@ pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     solutions.filter(|solution| *solution != 0).take(MOST).collect()
 }
 
-/// Returns the sign of a monomial under each generator, one bit each.
+/// Returns the sign of a monomial under each generator. Each sign is one bit of the result.
 #[must_use]
 pub fn character(generators: &[u64], exponents: &[u32]) -> u64 {
     let odd = exponents.iter().enumerate().filter(|(_, exponent)| *exponent % 2 == 1);
@@ -55,13 +57,13 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // For ẋ = yz, ẏ = zx, ż = xy all terms are xyz, so each state may change its sign with
-        // time.
+        // For ẋ = yz, ẏ = zx, ż = xy all conditions are that of xyz, so each state may change its
+        // sign together with time.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);
         assert_ne!(character(&generators, &[1, 1, 0]), 0);
-        // For x² + x no sign change of x is compatible with either sign of time.
+        // For ẋ = x² + x no sign change of x is compatible with either sign of time.
         assert!(sign_changes(1, &[0b1, 0b0]).is_empty());
     }
 }

@@ -1,4 +1,5 @@
-//! Spaces of polynomials whose quotients are integrals, and their evaluation at other parameters.
+//! Spaces of polynomials whose quotients are integrals, and the evaluation of these spaces at other
+//! parameters.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -11,15 +12,15 @@ use crate::modular::subspace::{Form, PolynomialSpace, scattered};
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::Relations;
 
-/// The number of equations beyond the number of unknowns.
+/// The number of equations in a linear system beyond the number of unknowns.
 pub(crate) const SPARE: usize = 4;
 
-/// A space of polynomials whose quotients are integrals, at one choice of the unknowns.
+/// A space of polynomials whose quotients are integrals, at one choice of the parameters and ε.
 #[derive(Clone, Debug)]
 pub struct Pencil {
     /// The degree of the polynomials.
     pub degree: u32,
-    /// The space; quotients of its elements are integrals.
+    /// The space of polynomials. Quotients of its elements are integrals.
     pub space: PolynomialSpace,
     pub(crate) source: Source,
 }
@@ -29,23 +30,25 @@ pub struct Pencil {
 pub(crate) enum Source {
     /// The span of the relations on several orbits.
     Span,
-    /// Numerators and denominators of coefficients of relations.
+    /// Numerators and denominators of coefficients of relations; the coefficients are integrals.
     Entries { relation_degree: u32, entries: Vec<PencilEntry> },
 }
 
-/// A coefficient of a reduced relation that equals P/Q.
+/// A coefficient of a reduced relation that equals an integral P/Q.
 #[derive(Clone, Debug)]
 pub(crate) struct PencilEntry {
-    /// The leading monomial of the relation; `lower` is the monomial of the coefficient.
+    /// The index of the leading monomial of the relation.
     pub(crate) leading: usize,
+    /// The index of the monomial whose coefficient equals P/Q.
     pub(crate) lower: usize,
     pub(crate) numerator: Vec<usize>,
     pub(crate) denominator: Vec<usize>,
 }
 
 impl PencilEntry {
-    /// Solves P − cQ = 0 at the starts of orbits for P and Q; c is a coefficient of their
-    /// relations. `None` unless the solution is unique and found before the deadline.
+    /// Finds P and Q with c = P/Q from starts of orbits, where c is a coefficient of the orbit's
+    /// relations. Solves P − cQ = 0 at all starts. `None` unless the solution is unique and found
+    /// before the deadline.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -71,8 +74,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the space for another map of the family. `None` if the space has another form, the
-    /// map has no value, or the deadline passes.
+    /// Returns the space of the pencil for another map of the family. `None` if the space has
+    /// another form, the map is undefined, or the deadline passes.
     pub fn at(
         &self,
         map: &impl ModularStep,
@@ -107,8 +110,8 @@ impl Pencil {
         PolynomialSpace::of_form(&modulus, form, vectors)
     }
 
-    /// Returns the span of the relations of two orbits on the space's monomials, if it is the
-    /// space.
+    /// Returns the span of the relations of two orbits on the pencil's monomials. `None` if the
+    /// span is not the pencil's space.
     fn span_at(
         &self,
         map: &impl ModularStep,

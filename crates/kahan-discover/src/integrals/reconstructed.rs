@@ -1,4 +1,4 @@
-//! Independent integrals over ℚ(parameters, ε), reconstructed and proved.
+//! Reconstructs independent integrals over ℚ(parameters, ε), and proves them.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -21,10 +21,10 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 use crate::orbits::hilbert::Hilbert;
 
-/// Integrals are searched at least up to this degree, if the number of coefficients allows it.
+/// The degree up to which integrals are searched at least, if the number of coefficients allows it.
 const HIGHEST: u32 = 8;
 
-/// Up to this number of monomials, all orders of the variables are tried.
+/// The number of monomials up to which all orders of the variables are tried.
 const CHEAP: usize = 100;
 
 /// The inputs and limits of a search.
@@ -33,21 +33,22 @@ pub struct SearchGoals<'a> {
     pub proved: &'a [Formula],
     /// Polynomial integrals of the flow that the map preserves.
     pub kept: &'a [Polynomial],
-    /// Integrals P/Q with a deadline. Each is accepted once the search has passed its degree, and
-    /// the remaining ones before this deadline.
+    /// Integrals P/Q, and a deadline. Each integral is accepted once the search has passed its
+    /// degree. The remaining integrals are accepted before the deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
-    /// The number and degrees of integrals that orbits show; `None` prevents a search.
+    /// The number and degrees of integrals that orbits show. `None` prevents a search.
     pub hilbert: Option<&'a Hilbert>,
-    /// Integrals P/Q; each is accepted unless the search finds others below its degree.
+    /// Known integrals P/Q. Each is accepted unless the search finds other integrals of lower
+    /// degree.
     pub known: &'a [(Polynomial, Polynomial)],
     /// The limits on the size of formulas.
     pub reach: FormulaLimits,
-    /// Called with each integral as soon as it is proved.
+    /// A function that is called with each integral as soon as it is proved.
     pub tell: &'a dyn Fn(&Formula),
 }
 
 /// Finds and proves independent integrals over ℚ(parameters, ε), of least degree first. Stops at
-/// the number that orbits show, or at the deadline.
+/// the number of integrals that orbits show, or at the deadline.
 pub fn integrals(
     searched: &SearchField,
     claims: &Claims<'_>,
@@ -75,7 +76,7 @@ pub fn integrals(
     }
     let (further, end) = aims.further;
     if !further.is_empty() && !end.passed() {
-        // Accept known integrals even beyond the number that orbits show.
+        // Accept known integrals even beyond the number of integrals that orbits show.
         collector.wanted = usize::MAX;
         collector.offer_further(u32::MAX);
     }
@@ -182,7 +183,8 @@ impl Accepted<'_> {
         bases
     }
 
-    /// Returns special members as a basis of a pencil in all states, if at least two are found.
+    /// Returns special elements P + cQ of a pencil in all states as its basis, if at least two are
+    /// found.
     fn special_basis(
         &self,
         pencil: &Pencil,
@@ -205,8 +207,8 @@ impl Accepted<'_> {
         (members.len() > 1).then_some(members)
     }
 
-    /// Accepts the quotients of a basis by its simplest element that does not vanish on the level
-    /// set.
+    /// Accepts the quotients of all elements of a basis by its simplest element that does not
+    /// vanish on the level set.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
@@ -226,7 +228,7 @@ impl Accepted<'_> {
     }
 }
 
-/// Permutes coefficients from the variable order of a level set to the order of the states.
+/// Permutes coefficients from the order of variables on a level set to the order of the states.
 fn reordered(coefficients: &[u64], order: &[usize], monomials: &Monomials) -> Vec<u64> {
     let own = |index: usize| {
         let exponents = monomials.exponents(index);

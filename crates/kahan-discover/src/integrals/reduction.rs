@@ -1,8 +1,9 @@
-//! Simplifies integrals P/Q: subtracting a multiple of a known product cancels a factor of Q.
+//! Simplifies integrals P/Q. The numerator's difference from a multiple of a known product cancels
+//! a factor of Q.
 //!
 //! Two polynomials with equal cofactors have an integral as their quotient. Let M be a product of
-//! factors of known integrals with Q's cofactor. If P and M are proportional on the zeros of a
-//! factor q of Q, a combination αP − βM is divisible by q.
+//! factors of known integrals that has the cofactor of Q. If P and M are proportional on the zeros
+//! of a factor q of Q, some combination αP − βM is divisible by q.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
@@ -13,7 +14,7 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::{SampledStep, SearchField};
 use crate::modular::subspace::tidy;
 
-/// Cancels factors of the denominator as often as possible; `factors` come from known integrals.
+/// Cancels factors of the denominator as often as possible, using `factors` of known integrals.
 pub(crate) fn reduced(
     searched: &SearchField,
     step: &SampledStep,
@@ -31,7 +32,7 @@ pub(crate) fn reduced(
     (numerator, denominator)
 }
 
-/// Returns (αP − βM)/q and Q/q for a factor q of Q and a product M.
+/// Returns (αP − βM)/q and Q/q, where q is a factor of Q and M a product of known factors.
 fn without_factor(
     searched: &SearchField,
     step: &SampledStep,
@@ -48,7 +49,7 @@ fn without_factor(
     let moves = moving_states(searched, step, factors);
     for pole in &poles {
         for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
-            // Returns scale · P modulo the factor, and the scale.
+            // Returns scale · P modulo the factor q, and the number `scale`.
             let rest = |polynomial: &Polynomial| {
                 let written = in_powers(symbols, polynomial, pole, variable)?;
                 let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
@@ -57,7 +58,8 @@ fn without_factor(
             let Some((own, own_scale)) = rest(numerator) else { continue };
             for product in &products {
                 let Some((other, other_scale)) = rest(product) else { continue };
-                // For own = α t, other = β t: β own_scale P = α other_scale M where q = 0.
+                // Let own = α t and other = β t. Then β · own_scale · P = α · other_scale · M where
+                // q = 0.
                 let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
                 let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
                 let beta = match (shape == same, shape == -&same) {
@@ -94,7 +96,8 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
     common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
 }
 
-/// Returns products of factors with the denominator's cofactor and at most the numerator's degree.
+/// Returns products of factors that have the denominator's cofactor, and at most the numerator's
+/// degree.
 fn products(
     searched: &SearchField,
     step: &SampledStep,
@@ -133,7 +136,8 @@ mod tests {
 
     #[test]
     fn what_other_integrals_add_to_a_pole_is_taken_away() {
-        // Integrals of the lattice: xz/((1 + ε(y − w))(1 − ε(y − w))), and the sum of states.
+        // The lattice has the integral xz/((1 + ε(y − w))(1 − ε(y − w))), and the sum of the
+        // states.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;

@@ -1,9 +1,9 @@
-//! Rational integrals from the relations of orbits.
+//! Finds rational integrals from the polynomial relations of orbits.
 //!
-//! Let U be a space of polynomials whose quotients are all integrals, so all cofactors are equal.
-//! The elements of U that vanish on an orbit are those that vanish at its start, a subspace of
-//! codimension 1. Conversely, the relations of all orbits span such a space if their span has one
-//! dimension more than the relations of one orbit.
+//! Let U be a space of polynomials whose quotients are all integrals, so that all cofactors are
+//! equal. An element of U vanishes on an orbit if it vanishes at the orbit's start. These elements
+//! are a subspace of codimension 1. Conversely, if the relations of all orbits span a space of one
+//! dimension more than the relations of one orbit, then all quotients in this span are integrals.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -18,27 +18,29 @@ use crate::modular::subspace::PolynomialSpace;
 use crate::orbits::hilbert::random_relations;
 use crate::orbits::relations::{gradient, monomial_gradients};
 
-/// The size of formulas that are searched.
+/// Limits on the size of the formulas that are searched.
 #[derive(Clone, Copy, Debug)]
 pub struct FormulaLimits {
-    /// The most unknown coefficients of P and Q together.
+    /// The most unknown coefficients of numerator and denominator together.
     pub coefficients: usize,
-    /// The most monomials in the states of a pencil's shortest polynomial.
+    /// The most monomials in the states of a pencil's shortest polynomial. All quotients of a
+    /// pencil's polynomials are integrals.
     pub terms: usize,
     /// The most orders of the variables to try for relations with many monomials.
     pub orders: usize,
 }
 
 impl FormulaLimits {
-    /// The largest limits.
+    /// The largest limits on formulas.
     pub const FULL: Self = FormulaLimits { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
 
-    /// Limits for readable formulas, if bases describe the other integrals.
+    /// Limits for readable formulas, for searches in which bases describe the other integrals.
     pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
-/// Finds pencils spanned by relations of orbits, by ascending degree up to `relation_degree`. Stops
-/// at `wanted` independent integrals.
+/// Finds spaces of polynomials that are spanned by relations of orbits and whose quotients are
+/// integrals. Degrees ascend up to `relation_degree`. The search stops at `wanted` independent
+/// integrals.
 pub fn spanned_pencils<M: ModularStep>(
     map: &M,
     relation_degree: u32,
@@ -60,9 +62,10 @@ pub fn spanned_pencils<M: ModularStep>(
 
 /// Finds pencils of exactly this degree in which coefficients of relations are quotients P/Q.
 ///
-/// Returns those with integrals independent of the functions whose gradients `known` returns at a
-/// point. Empty if the deadline passes. Cost: for P and Q with N monomials each, 2N orbits and
-/// (2N)³ products for each coefficient of the relations up to `relation_degree`.
+/// Returns the pencils with integrals independent of the functions whose gradients `known` returns
+/// at a point. The list is empty if the deadline passes. For P and Q with N monomials each, the
+/// search needs 2N orbits, and (2N)³ products for each coefficient of the relations up to
+/// `relation_degree`.
 pub fn pencils_of_entries<M: ModularStep>(
     map: &M,
     relation_degree: u32,
@@ -96,7 +99,7 @@ impl<'a, M: ModularStep> Search<'a, M> {
         Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
     }
 
-    /// Accepts a pencil if it has an integral that is independent of the earlier ones.
+    /// Accepts a pencil if it has an integral that is independent of the accepted ones.
     pub(crate) fn offer(&mut self, pencil: Pencil) {
         let before = self.rank();
         let known = self.gradients.len();
@@ -110,7 +113,8 @@ impl<'a, M: ModularStep> Search<'a, M> {
     }
 }
 
-/// Returns gradients, up to factors, of the quotients of the elements of a space by the first one.
+/// Returns gradients, up to factors, of quotients: each element of a space is divided by the first
+/// one.
 #[must_use]
 pub fn quotient_gradients(
     modulus: &Modulus,
@@ -127,7 +131,7 @@ pub fn quotient_gradients(
         })
         .collect();
     let Some(((base, base_slope), others)) = evaluated.split_first() else { return Vec::new() };
-    // ∇(P/Q) Q² = Q ∇P − P ∇Q.
+    // Use ∇(P/Q) Q² = Q ∇P − P ∇Q.
     let quotient = |(value, slope): &(u64, Vec<u64>)| {
         let pairs = slope.iter().zip(base_slope);
         pairs
@@ -137,7 +141,8 @@ pub fn quotient_gradients(
     others.iter().map(quotient).collect()
 }
 
-/// Returns the span of the relations of all orbits, if one orbit has one dimension less.
+/// Returns the span of the relations of all orbits. `None` unless the relations of one orbit have
+/// one dimension less.
 fn span_of_relations(
     map: &impl ModularStep,
     degree: u32,

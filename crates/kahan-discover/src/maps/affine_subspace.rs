@@ -1,9 +1,10 @@
-//! Affine level sets: orbits with linear relations, studied in fewer variables.
+//! Affine level sets. Linear relations confine an orbit to such a set, where fewer variables
+//! suffice.
 //!
-//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace. Their
-//! varying coefficients c₁, c₂, … are integrals and become unknowns. On one level set, other
-//! integrals are not mixed with multiples of the linear relations. Formulas found there hold
-//! everywhere once each cⱼ is replaced by its own formula.
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace. The
+//! varying coefficients c₁, c₂, … of these relations are integrals, and become unknowns. On one
+//! level set, other integrals are not mixed with multiples of the linear relations. Formulas found
+//! there hold everywhere once each cⱼ is replaced by its own formula.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -22,35 +23,37 @@ use crate::modular::subspace::combination;
 use crate::modular::weights::Weights;
 use crate::orbits::hilbert::random_relations;
 
-/// The coordinates on an affine level set, and the coefficients of the linear relations.
+/// The coordinates on an affine level set, and the varying coefficients of the linear relations.
 #[derive(Clone, Debug)]
 pub struct AffineSubspace {
-    /// The varying coefficients, each with the leading monomial of its relation.
+    /// The positions of the varying coefficients. Each is given with the leading monomial of its
+    /// relation.
     places: Vec<(usize, usize)>,
-    /// The states that serve as coordinates; the last one is lowest in the order of monomials.
+    /// The states that serve as coordinates. The last state is the lowest in the order of
+    /// monomials.
     order: Vec<usize>,
 }
 
-/// The quotient cⱼ = Pⱼ/Qⱼ.
+/// The formula cⱼ = Pⱼ/Qⱼ of a coefficient that defines the level set.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
-    /// The numerator Pⱼ.
+    /// The numerator Pⱼ of the formula.
     pub numerator: Polynomial,
-    /// The denominator Qⱼ.
+    /// The denominator Qⱼ of the formula.
     pub denominator: Polynomial,
 }
 
-/// The map on one affine level set, in its coordinates.
+/// The map on one affine level set, in the coordinates of the level set.
 #[derive(Clone, Debug)]
 pub struct MapOnSubspace {
     map: ModularMap,
     order: Vec<usize>,
-    /// Each dependent state with its coefficients of 1 and of the coordinates.
+    /// Each state that is no coordinate, with its coefficients of 1 and of the coordinates.
     leading: Vec<(usize, Vec<u64>)>,
 }
 
 impl Coordinate {
-    /// Returns the weight of cⱼ under the scaling symmetries.
+    /// Returns the weight of the coefficient cⱼ under the scaling symmetries.
     #[must_use]
     pub fn weight(&self, weights: &Weights) -> Vec<Rational> {
         let of = |side: &Polynomial| {
@@ -67,8 +70,8 @@ impl AffineSubspace {
         AffineSubspace { places: Vec::new(), order }
     }
 
-    /// Returns the affine level sets of a map. Returns the whole space if linear relations are
-    /// missing, or if their coefficients cannot be chosen independently.
+    /// Returns the affine level sets of a map. The result is the whole space if there are no linear
+    /// relations, or if their coefficients cannot be chosen independently.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = AffineSubspace::whole((0..n).collect());
@@ -93,7 +96,7 @@ impl AffineSubspace {
             |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = AffineSubspace { places, order };
-        // Check that randomly chosen coefficients are recovered from an orbit.
+        // Check that an orbit on the level set of random coefficients shows these coefficients.
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
@@ -118,7 +121,7 @@ impl AffineSubspace {
         self.places.len()
     }
 
-    /// Returns the level sets with rotated coordinates, in both directions.
+    /// Returns the level sets with all rotations of the order of coordinates, in both directions.
     pub fn orders(&self) -> impl Iterator<Item = AffineSubspace> {
         let count = self.order.len();
         let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);
@@ -134,7 +137,8 @@ impl AffineSubspace {
         &self.order
     }
 
-    /// Returns the map on the level set with these cⱼ; `None` if relations have another form.
+    /// Returns the map on the level set with these coefficients. `None` if relations have another
+    /// form.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<MapOnSubspace> {
         let modulus = *map.modulus();
         let n = map.dimension();
@@ -165,7 +169,8 @@ impl AffineSubspace {
         Some(MapOnSubspace { map, order: self.order.clone(), leading })
     }
 
-    /// Reconstructs the formulas of the cⱼ, if they are quotients of polynomials of degree 1.
+    /// Reconstructs the formulas of the coefficients cⱼ, if they are quotients of polynomials of
+    /// degree 1.
     pub fn coordinates(
         &self,
         searched: &SearchField,
@@ -192,7 +197,7 @@ impl AffineSubspace {
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };
             let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
-            // A common denominator of all coefficients makes P and Q polynomials.
+            // Multiplication by a common denominator of all coefficients makes P and Q polynomials.
             let (entries, _) = RationalFunction::over_common(&entries);
             let (above, below) = entries.split_at(linear.len());
             let [numerator, denominator] =
@@ -204,7 +209,7 @@ impl AffineSubspace {
 }
 
 impl MapOnSubspace {
-    /// Returns the point of the whole space with these coordinates.
+    /// Returns the point of the whole space that has these coordinates on the level set.
     #[must_use]
     pub fn embed(&self, point: &[u64]) -> Vec<u64> {
         let modulus = self.map.modulus();
@@ -228,7 +233,7 @@ impl ModularStep for MapOnSubspace {
         self.order.len()
     }
 
-    /// Returns the sign changes of the whole space; none are known on a proper level set.
+    /// Returns the sign changes of states on the whole space. None are known on a proper level set.
     fn sign_changes(&self) -> Vec<u64> {
         if self.order.len() < self.map.dimension() {
             return Vec::new();

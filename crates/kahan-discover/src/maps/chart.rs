@@ -1,4 +1,5 @@
-//! Affine level sets with formulas for their constants cⱼ, which extend formulas to all states.
+//! Affine level sets with formulas for the constants that define them. With these formulas, a
+//! formula on a level set becomes one in all states.
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
@@ -10,12 +11,12 @@ use crate::modular::subspace::Names;
 
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
-/// A level set with formulas for its constants.
+/// A level set with formulas for the constants that define it.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// The level set.
     pub leaf: AffineSubspace,
-    /// The formulas in the order of the constants; last the value of an integral, if any.
+    /// The formulas in the order of the constants. The value of an integral, if any, comes last.
     pub coordinates: Vec<Coordinate>,
 }
 
@@ -37,7 +38,8 @@ impl Chart {
         names
     }
 
-    /// Returns P/Q in lowest terms with constants replaced; `None` beyond the budget and for Q = 0.
+    /// Returns P/Q in lowest terms, with formulas in place of the constants. `None` beyond the
+    /// budget, and for Q = 0.
     #[must_use]
     pub fn substituted(
         &self,

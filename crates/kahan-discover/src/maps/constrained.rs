@@ -1,7 +1,8 @@
-//! Orbits on a level set of a known integral.
+//! Restricts orbits to a level set of a known integral.
 //!
-//! If relations mix several integrals and one of them, F = P/Q, is known, starts are sampled on P −
-//! cQ = 0, with c as a further unknown. Relations of these orbits mix one integral less.
+//! Suppose that relations mix several integrals, and that one of them, F = P/Q, is known. Then
+//! starts of orbits are sampled on P − cQ = 0, with c as a further unknown. Relations of these
+//! orbits mix one integral less.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};
@@ -18,16 +19,17 @@ use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 use crate::modular::subspace::reconstruct_space;
 
-/// The polynomial P − cQ: coefficients of monomials, each a polynomial in unknowns.
+/// The polynomial P − cQ: coefficients of monomials, each of which is a polynomial in the unknowns.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     monomials: Monomials,
     coefficients: Vec<(Polynomial, Polynomial)>,
-    /// A coordinate in which P and Q are linear; P − cQ = 0 is solved for it.
+    /// The index of a coordinate in which P and Q are linear. The equation P − cQ = 0 is solved for
+    /// it.
     linear: usize,
 }
 
-/// A map whose sampled points satisfy a constraint.
+/// A map whose sampled points satisfy a constraint P − cQ = 0.
 #[derive(Clone, Debug)]
 pub struct ConstrainedMap<'a> {
     base: MapOnSubspace,
@@ -36,7 +38,8 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// Prepares P/Q, given by coefficients; `None` if no coordinate is linear in both.
+    /// Prepares the integral P/Q, which is given by coefficients. `None` if no coordinate is linear
+    /// in both P and Q.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
@@ -48,7 +51,7 @@ impl Constraint {
         Some(Constraint { monomials, coefficients, linear })
     }
 
-    /// Returns the map on the level set F = `value`; `None` if a coefficient has no value modulo
+    /// Returns the map on the level set F = `value`. `None` if a coefficient is undefined modulo
     /// the prime.
     #[must_use]
     pub fn on(
@@ -95,7 +98,7 @@ impl ModularStep for ConstrainedMap<'_> {
             let base = self.residual(&point);
             point[self.constraint.linear] = modulus.one();
             let slope = modulus.minus(self.residual(&point), base);
-            // Almost every random point succeeds, since the slope is a nonzero polynomial.
+            // The slope is a nonzero polynomial, so almost every random point succeeds.
             if let Some(inverse) = modulus.inverse(slope) {
                 point[self.constraint.linear] = modulus.opposite(modulus.times(base, inverse));
                 return point;
@@ -105,7 +108,8 @@ impl ModularStep for ConstrainedMap<'_> {
 }
 
 impl Accepted<'_> {
-    /// Searches on a level set of an integral, the quotient of the first two basis elements.
+    /// Searches on a level set of an integral, which is the quotient of the first two basis
+    /// elements.
     pub(crate) fn search_constrained(
         &mut self,
         basis: &[Polynomial],

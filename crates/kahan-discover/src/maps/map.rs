@@ -1,14 +1,15 @@
-//! Kahan's map modulo a prime, at parameters and ε that are residues.
+//! Kahan's map modulo a prime. Parameters and ε are residues.
 //!
-//! Made by a [`ParametricField`](crate::maps::parametric_field::ParametricField) at values of the parameters; steps
-//! by elimination on A(x,ε). Removable poles count as poles; random points almost never hit one.
+//! A [`ParametricField`](crate::maps::parametric_field::ParametricField) makes the map at values of
+//! the parameters. A step is an elimination on the matrix A(x,ε) = I − ε f′(x). Removable poles
+//! count as poles; random points almost never hit one.
 
 use crate::integrals::parity::sign_changes;
 use crate::maps::modular_step::ModularStep;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
-/// A term c·xⱼxₖ, c·xⱼ or c in one component of f.
+/// A term c·xⱼxₖ, c·xⱼ or c in one component of the field f.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
     pub(crate) component: usize,
@@ -22,7 +23,8 @@ pub(crate) struct Term {
 pub struct Step {
     /// The next point x̃.
     pub next: Vec<u64>,
-    /// det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε).
+    /// The determinant of the Jacobian, det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε), with A(x,ε) = I − ε
+    /// f′(x).
     pub jacobian: u64,
 }
 
@@ -66,13 +68,14 @@ impl ModularMap {
         self.eps
     }
 
-    /// Returns the map with another ε and unchanged coefficients; −ε gives the inverse.
+    /// Returns the map with another ε and unchanged coefficients. The map at −ε is the inverse.
     #[must_use]
     pub fn with_eps(&self, eps: u64) -> Self {
         ModularMap { eps, ..self.clone() }
     }
 
-    /// Returns x̃ and the determinant of the Jacobian; `None` where det A(x,ε) = 0.
+    /// Returns x̃ and the determinant of the Jacobian. `None` at a pole, where I − ε f′(x) is
+    /// singular.
     #[must_use]
     pub fn step(&self, point: &[u64]) -> Option<Step> {
         let (next, determinant) = self.solve(point, self.eps)?;
@@ -84,7 +87,8 @@ impl ModularMap {
         Some(Step { next, jacobian })
     }
 
-    /// Returns ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row; `None` where det A(x,ε) = 0.
+    /// Returns ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row, with A(x,ε) = I − ε f′(x). `None` where
+    /// A(x,ε) is singular.
     #[must_use]
     pub fn jacobian(&self, point: &[u64], next: &[u64]) -> Option<Vec<Vec<u64>>> {
         let n = self.dimension;
@@ -99,17 +103,17 @@ impl ModularMap {
         Some(echelon.rows.iter().map(|row| row[n..].to_vec()).collect())
     }
 
-    /// Returns det A(x, ε) for any ε.
+    /// Returns det(I − ε f′(x)) for any ε.
     #[must_use]
     pub fn determinant(&self, point: &[u64], eps: u64) -> u64 {
         self.solve(point, eps).map_or(0, |(_, determinant)| determinant)
     }
 
-    /// Returns f(x) and f′(x), row by row.
+    /// Returns the field f(x), and its Jacobian matrix f′(x) row by row.
     #[must_use]
     pub fn field(&self, point: &[u64]) -> (Vec<u64>, Vec<Vec<u64>>) {
         let n = self.dimension;
-        // I − ε f′ at ε = −1.
+        // At ε = −1 the matrix I − ε f′ is I + f′.
         let matrix = self.extended_matrix(point, self.modulus.opposite(self.modulus.one()));
         let mut values = Vec::with_capacity(n);
         let mut slopes = Vec::with_capacity(n);
@@ -162,13 +166,14 @@ impl ModularMap {
         matrix
     }
 
-    /// Returns x̃ = x + 2ε A⁻¹f and det A, with one inversion by elimination without divisions.
+    /// Returns x̃ = x + 2ε A⁻¹f and det A for A = I − ε f′(x). The elimination has no divisions,
+    /// and one inversion follows it.
     fn solve(&self, point: &[u64], eps: u64) -> Option<(Vec<u64>, u64)> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;
         let mut matrix = self.extended_matrix(point, eps);
         let mut is_negative = false;
-        // The number of rows that each pivot multiplies.
+        // For each pivot, the number of rows that it multiplies.
         let mut multiplied = vec![0u32; n];
         for k in 0..n {
             let found = (k..n).find(|&row| matrix[row * width + k] != 0)?;

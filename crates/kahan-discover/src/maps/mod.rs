@@ -1,5 +1,5 @@
-//! The maps of a search: Kahan's map modulo a prime, with fixed or generic parameters and ε.
-//! Restricted maps act on an affine subspace or on a level set of an integral.
+//! The maps of a search: Kahan's map modulo a prime, with fixed or generic parameters and ε. Some
+//! maps are restricted to an affine subspace or to a level set of an integral.
 
 pub mod affine_subspace;
 pub mod chart;

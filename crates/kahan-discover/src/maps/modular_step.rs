@@ -4,7 +4,7 @@ use kahan_algebra::prime_field::Random;
 
 use crate::modular::modulus::Modulus;
 
-/// A map modulo a prime.
+/// A map that acts on points modulo a prime.
 pub trait ModularStep {
     /// Returns the prime field.
     fn modulus(&self) -> &Modulus;
@@ -12,10 +12,11 @@ pub trait ModularStep {
     /// Returns the number of states n.
     fn dimension(&self) -> usize;
 
-    /// Returns the image of a point; `None` at a pole.
+    /// Returns the image of a point. `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
-    /// Returns generators of sign changes of states that map orbits to orbits, each as a bit set.
+    /// Returns generators of the sign changes of states that map orbits to orbits. Each generator
+    /// is a bit set of states.
     fn sign_changes(&self) -> Vec<u64> {
         Vec::new()
     }
@@ -25,7 +26,8 @@ pub trait ModularStep {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
     }
 
-    /// Returns the orbit of `length` points from `start` on; shorter if it ends at a pole.
+    /// Returns the orbit of `length` points that begins with `start`. It is shorter if it ends at a
+    /// pole.
     fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
         let mut orbit = vec![start];
         while orbit.len() < length {

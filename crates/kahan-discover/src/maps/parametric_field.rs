@@ -1,4 +1,5 @@
-//! Fields whose coefficients are polynomials in the parameters and ε, evaluated modulo a prime.
+//! Fields whose coefficients are polynomials in the parameters and ε, and their values modulo a
+//! prime.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -8,7 +9,7 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::maps::map::{ModularMap, Term};
 use crate::modular::modulus::Modulus;
 
-/// A field whose coefficients are sorted by the monomials of the states.
+/// A field whose terms are grouped by the monomials of the states.
 #[derive(Clone, Debug)]
 pub struct ParametricField {
     dimension: usize,
@@ -61,14 +62,15 @@ impl ParametricField {
         coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
     }
 
-    /// Returns whether the field has a value at ε = 0 for generic parameters. At special parameters
-    /// it may be undefined: 1/(a + ε²) at a = 0.
+    /// Returns whether the field is defined at ε = 0 for generic parameters. At special parameters
+    /// the field may be undefined, as 1/(a + ε²) is at a = 0.
     pub(crate) fn has_limit(&self) -> bool {
         let epsilon = self.symbols.epsilon();
         self.divisors.iter().all(|divisor| !divisor.substitute(epsilon, &Rational::zero()).is_zero())
     }
 
-    /// Returns the map at these parameters and ε (half the time step), if no divisor vanishes.
+    /// Returns the map at these parameters and ε (half the time step). `None` if a divisor
+    /// vanishes.
     ///
     /// # Panics
     /// If there are fewer values than parameters.
@@ -98,7 +100,7 @@ impl ParametricField {
     }
 }
 
-/// Evaluates a polynomial; `None` if the prime divides a denominator of its coefficients.
+/// Evaluates a polynomial. `None` if the prime divides a denominator of the coefficients.
 pub(crate) fn evaluate(
     modulus: &Modulus,
     polynomial: &Polynomial,

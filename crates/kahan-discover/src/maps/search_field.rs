@@ -1,4 +1,5 @@
-//! Fields with fixed or generic ε, and their maps at random values of the unknowns.
+//! Fields with fixed or generic ε, and their maps at random values of the unknowns: the parameters,
+//! and ε unless it is fixed.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -12,7 +13,7 @@ use crate::maps::parametric_field::{ParametricField, evaluate};
 use crate::modular::modulus::Modulus;
 use crate::modular::weights::Weights;
 
-/// A field, and the value of ε if it is fixed.
+/// A field with fixed or generic ε. The value of ε is stored if it is fixed.
 #[derive(Clone, Debug)]
 pub struct SearchField {
     family: ParametricField,
@@ -25,16 +26,16 @@ pub struct SearchField {
 pub struct Sample {
     /// The map.
     pub map: ModularMap,
-    /// The values of the unknowns.
+    /// The values of the unknowns: the parameters in order, then ε unless it is fixed.
     pub unknowns: Vec<u64>,
 }
 
 const MOST_SAMPLES: usize = 16;
 
-/// A point of a sampled map, and its image.
+/// A point of a map at random unknowns, and the point's image.
 #[derive(Clone, Debug)]
 pub struct SampledStep {
-    /// The sampled map.
+    /// The map with the values of its unknowns.
     pub sample: Sample,
     /// The point x.
     pub here: Vec<u64>,
@@ -43,7 +44,7 @@ pub struct SampledStep {
 }
 
 impl Sample {
-    /// Returns a random point with its image; `None` at a pole.
+    /// Returns a random point with its image. `None` at a pole.
     pub fn step(self, random: &mut SplitMix64) -> Option<SampledStep> {
         let here = self.map.point(random);
         let there = self.map.next(&here)?;
@@ -57,13 +58,14 @@ impl SampledStep {
         Some([value(&self.here)?, value(&self.there)?])
     }
 
-    /// Returns whether a polynomial has equal values at both points.
+    /// Returns whether a polynomial has equal values at the point and at its image.
     #[must_use]
     pub fn keeps(&self, searched: &SearchField, polynomial: &Polynomial) -> bool {
         self.values(searched, polynomial).is_some_and(|[here, there]| here == there)
     }
 
-    /// Returns P(x̃)/P(x); `None` if P(x) = 0 or the prime divides a denominator.
+    /// Returns P(x̃)/P(x) for a polynomial P. `None` if P(x) = 0, or if the prime divides a
+    /// denominator of the coefficients.
     #[must_use]
     pub fn cofactor(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<u64> {
         let modulus = self.sample.map.modulus();
@@ -73,26 +75,26 @@ impl SampledStep {
 }
 
 impl SearchField {
-    /// Prepares the maps of a field at generic ε (half the time step), or at a fixed one.
+    /// Prepares the maps of a field at generic ε (half the time step), or at the given ε.
     #[must_use]
     pub fn new(field: &Field, eps: Option<Rational>) -> Self {
         let weights = Weights::of(field, eps.is_some());
         SearchField { family: ParametricField::of(field), eps, weights }
     }
 
-    /// Returns the field's coefficients.
+    /// Returns the field with its coefficients as polynomials in the parameters and ε.
     #[must_use]
     pub fn family(&self) -> &ParametricField {
         &self.family
     }
 
-    /// Returns the scaling symmetries.
+    /// Returns the scaling symmetries of the map.
     #[must_use]
     pub fn weights(&self) -> &Weights {
         &self.weights
     }
 
-    /// Returns ε if it is fixed.
+    /// Returns the value of ε if it is fixed.
     #[must_use]
     pub fn eps(&self) -> Option<&Rational> {
         self.eps.as_ref()
@@ -110,7 +112,8 @@ impl SearchField {
         self.family.symbols().parameters.len() + usize::from(self.eps.is_none())
     }
 
-    /// Returns the variables of the unknowns in formulas, in order.
+    /// Returns the variables of the unknowns in formulas: the parameters in order, then ε unless it
+    /// is fixed.
     #[must_use]
     pub fn unknown_variables(&self) -> Vec<Variable> {
         let symbols = self.family.symbols();
@@ -118,7 +121,8 @@ impl SearchField {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// Returns the map at these unknowns, unless a divisor or the denominator of ε is 0 modulo p.
+    /// Returns the map at these values of the unknowns. `None` if a divisor or the denominator of ε
+    /// is 0 modulo the prime.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {
@@ -131,7 +135,8 @@ impl SearchField {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// Returns a random map at which a random point has an image; `None` after 16 failures.
+    /// Samples a map at random unknowns and checks that a random point has an image. `None` after
+    /// 16 failures.
     pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
         (0..MOST_SAMPLES).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -141,13 +146,13 @@ impl SearchField {
         })
     }
 
-    /// Returns a random point of a random map with its image.
+    /// Samples a map at random unknowns, and returns a random point of the map with its image.
     pub fn step(&self, random: &mut SplitMix64) -> Option<SampledStep> {
         self.sample(Modulus::mersenne_61(), random)?.step(random)
     }
 
-    /// Tells whether the map is invertible: det ∂x̃/∂x ≠ 0 at one of three random points. A map
-    /// with a fixed ε may collapse the space.
+    /// Tells whether the map is invertible: det ∂x̃/∂x ≠ 0 at one of three random points. With a
+    /// fixed ε, a map may send the whole space to a lower dimension.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
             self.sample(Modulus::mersenne_61(), random).is_some_and(|sample| {
@@ -157,7 +162,7 @@ impl SearchField {
         })
     }
 
-    /// Substitutes the fixed ε, if any.
+    /// Substitutes the value of ε if it is fixed.
     #[must_use]
     pub fn at_eps(&self, polynomial: Polynomial) -> Polynomial {
         match &self.eps {
@@ -167,7 +172,7 @@ impl SearchField {
     }
 
     /// Evaluates a polynomial in states, parameters and ε at a point of a sampled map. `None` if
-    /// the prime divides a denominator of its coefficients.
+    /// the prime divides a denominator of the coefficients.
     #[must_use]
     pub fn evaluate(&self, polynomial: &Polynomial, sample: &Sample, point: &[u64]) -> Option<u64> {
         let symbols = self.family.symbols();

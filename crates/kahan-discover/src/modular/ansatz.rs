@@ -1,4 +1,5 @@
-//! The ansatz N/D for a reconstructed function; N and D have the same monomials in the unknowns.
+//! The ansatz N/D for a function that is reconstructed. N and D have equal sets of monomials in the
+//! unknowns.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -10,15 +11,15 @@ use crate::modular::modulus::{Modulus, rational_from_residue};
 
 const MOST_COEFFICIENTS: usize = 500;
 
-/// The monomials of numerator and denominator, as exponents of the unknowns.
+/// The monomials of N and D in an ansatz N/D, as exponents of the unknowns.
 #[derive(Clone, Debug)]
 pub(crate) struct MonomialSupport {
     pub(crate) monomials: Vec<Vec<u32>>,
 }
 
 impl MonomialSupport {
-    /// Returns all monomials within the degrees in each unknown and in total; `None` if there are
-    /// too many.
+    /// Returns all monomials whose degrees in each unknown and in total are at most the given ones.
+    /// `None` if there are too many.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {
@@ -39,8 +40,8 @@ impl MonomialSupport {
         self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
-    /// Returns the function with these coefficients modulo several primes, if they are small
-    /// rationals.
+    /// Returns the function whose coefficients have these residues modulo several primes. `None` if
+    /// a coefficient is no small rational number.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],
@@ -65,12 +66,12 @@ impl MonomialSupport {
     }
 }
 
-/// Returns the small rational with these residues, by the Chinese remainder theorem.
+/// Returns the small rational number with these residues, by the Chinese remainder theorem.
 fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<Rational> {
     let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
     for (prime, residue) in residues {
         let prime = BigInt::from(prime);
-        // Solves value + product·k ≡ residue modulo the new prime.
+        // Solve value + product·k ≡ residue modulo the new prime for k.
         let inverse = product.extended_gcd(&prime).x;
         let step = ((BigInt::from(residue) - &value) * inverse).mod_floor(&prime);
         value += &product * step;

@@ -1,6 +1,7 @@
-//! Rational reconstruction with scaling symmetries.
+//! Rational reconstruction that uses scaling symmetries of the map.
 //!
-//! Unknowns with independent weights are set to 1; the weight of each term restores their powers.
+//! Unknowns with independent weights are set to 1. Afterwards the weight of each term tells the
+//! powers of these unknowns.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -12,17 +13,18 @@ use crate::modular::modulus::Modulus;
 use crate::modular::reconstruction::{Oracle, confirms, reconstruct};
 use crate::modular::weights::{reduce, weight_of};
 
-/// The weights of the unknowns and entries of a reconstruction.
+/// The weights of the unknowns and of the functions in a reconstruction.
 #[derive(Clone, Debug)]
 pub struct Grading {
-    /// The weight of each unknown.
+    /// The weight of each unknown: one number for each scaling symmetry.
     pub unknowns: Vec<Vec<Rational>>,
-    /// The weight of each entry.
+    /// The weight of each function that is reconstructed.
     pub entries: Vec<Vec<Rational>>,
 }
 
 impl Grading {
-    /// Returns unknowns with independent weights, last ones first; they can be scaled to 1.
+    /// Returns unknowns with independent weights, the last unknowns first. These unknowns can be
+    /// scaled to 1.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {
@@ -37,7 +39,8 @@ impl Grading {
         chosen
     }
 
-    /// Returns integers k with Σ kⱼ wⱼ = target over the chosen unknowns, if they exist.
+    /// Returns integers kⱼ with Σ kⱼ wⱼ = `target`, where wⱼ are the weights of the chosen
+    /// unknowns. `None` if no such integers exist.
     fn exponents(&self, chosen: &[usize], target: &[Rational]) -> Option<Vec<i64>> {
         let mut rows: Vec<Vec<Rational>> = (0..target.len())
             .map(|index| {
@@ -109,7 +112,7 @@ impl Grading {
     }
 }
 
-/// Runs [`reconstruct`] with some unknowns scaled to 1; without scaling if that fails.
+/// Runs [`reconstruct`] with some unknowns scaled to 1. If that fails, runs it without scaling.
 pub fn reconstruct_graded(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],

@@ -1,8 +1,8 @@
-//! Matrices modulo a prime: reduced row echelon form, rank and null space.
+//! Matrices modulo a prime, with reduced row echelon form, rank and null space.
 //!
-//! Rows are equations, columns unknowns. A column becomes a pivot if it is no combination of
-//! earlier columns. With monomials in ascending order, every null vector expresses a monomial by
-//! lower ones.
+//! Rows are equations, and columns are unknowns. A column becomes a pivot if it is no linear
+//! combination of earlier columns. With monomials in ascending order, every null vector expresses
+//! one monomial by lower monomials.
 
 use crate::deadline::Deadline;
 use crate::modular::modulus::Modulus;
@@ -12,20 +12,21 @@ use crate::modular::modulus::Modulus;
 pub struct Echelon {
     /// The pivot columns, ascending.
     pub pivots: Vec<usize>,
-    /// One row for each pivot: 1 in its own pivot column, 0 in the other pivot columns.
+    /// The rows, one for each pivot. A row has 1 in its own pivot column, and 0 in the other pivot
+    /// columns.
     pub rows: Vec<Vec<u64>>,
     columns: usize,
 }
 
 impl Echelon {
-    /// Computes the echelon form of `rows`, each with `columns` entries. Cost: rows · rank ·
-    /// columns / 2 products, one in eight with a reduction.
+    /// Computes the echelon form of `rows`, each with `columns` entries. The cost is rows · rank ·
+    /// columns / 2 products; after every eighth product an entry is reduced modulo p.
     #[must_use]
     pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
         Self::within(modulus, rows, columns, &Deadline::never()).expect("there is no deadline")
     }
 
-    /// Like [`of`](Self::of); `None` if the deadline passes.
+    /// Computes the echelon form like [`of`](Self::of). `None` if the deadline passes.
     #[must_use]
     pub fn within(
         modulus: &Modulus,
@@ -61,7 +62,7 @@ impl Echelon {
         self.pivots.len()
     }
 
-    /// Returns the rank of the first `columns` columns.
+    /// Returns the rank of the matrix of the first `columns` columns.
     #[must_use]
     pub fn rank_of_first(&self, columns: usize) -> usize {
         self.pivots.partition_point(|&pivot| pivot < columns)
@@ -77,13 +78,14 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
-    /// Reduces `row` by the rows of the echelon form, so that all its pivot columns become 0.
+    /// Subtracts multiples of the rows of the echelon form from `row`, so that all pivot columns of
+    /// `row` become 0.
     pub(crate) fn remainder(&self, modulus: &Modulus, row: Vec<u64>) -> Vec<u64> {
         reduced_by(modulus, row, &self.pivots, &self.rows)
     }
 
     /// Returns a basis of the null space. Each vector has 1 in one column without a pivot, and 0 in
-    /// the other columns without a pivot.
+    /// all other columns without a pivot.
     #[must_use]
     pub fn null_space(&self, modulus: &Modulus) -> Vec<NullVector> {
         let mut is_pivot = vec![false; self.columns];
@@ -112,8 +114,8 @@ fn reduced_by(modulus: &Modulus, row: Vec<u64>, pivots: &[usize], echelon: &[Vec
     row.reduced(modulus)
 }
 
-/// Clears the pivot columns of later rows above each pivot (back substitution). Only columns
-/// without a pivot are computed: in pivot columns a cleared row has only its own 1.
+/// Clears, in each row, the pivot columns of later rows (back substitution). Only columns without a
+/// pivot are computed, since the pivot columns of a cleared row contain a single 1.
 fn cleared(
     modulus: &Modulus,
     pivots: &[usize],
@@ -122,7 +124,7 @@ fn cleared(
     deadline: &Deadline<'_>,
 ) -> Option<()> {
     let free: Vec<usize> = (0..columns).filter(|column| pivots.binary_search(column).is_err()).collect();
-    // The entries of cleared rows in columns without a pivot, the last row first.
+    // The entries of cleared rows in columns without a pivot. The last row comes first.
     let mut tails: Vec<Vec<u64>> = Vec::with_capacity(rows.len());
     for (row, pivot) in rows.iter_mut().zip(pivots).rev() {
         if deadline.passed() {
@@ -143,10 +145,10 @@ fn cleared(
     Some(())
 }
 
-/// A row of sums of products, reduced modulo p only before they overflow.
+/// A row whose entries are sums of products. An entry is reduced modulo p only before it overflows.
 struct Sums {
     sums: Vec<u128>,
-    /// The most products that an entry contains so far.
+    /// The greatest number of products that an entry contains so far.
     products: usize,
 }
 
@@ -155,7 +157,8 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row`, from column `from` on; `from` must not decrease between calls.
+    /// Adds a multiple of `row`, from column `from` on. The number `from` must not decrease between
+    /// calls.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -177,11 +180,11 @@ impl Sums {
     }
 }
 
-/// The number of equations beyond the number of unknowns.
+/// The number of equations in a linear system beyond the number of unknowns.
 pub(crate) const SPARE: usize = 6;
 
-/// Returns a basis of the null space of random rows; `None` if a row is missing or the deadline
-/// passes.
+/// Returns a basis of the null space of a matrix of random rows. `None` if a row is missing or the
+/// deadline passes.
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,
@@ -201,9 +204,9 @@ pub(crate) fn sampled_null_vectors(
 /// A vector of the null space.
 #[derive(Clone, Debug)]
 pub struct NullVector {
-    /// The column with entry 1, which is the last nonzero one.
+    /// The column with entry 1, which is the last nonzero entry.
     pub free: usize,
-    /// All entries.
+    /// All entries of the vector.
     pub entries: Vec<u64>,
 }
 
@@ -213,7 +216,7 @@ mod tests {
 
     use super::*;
 
-    /// Includes low ranks, zero columns, repeated rows, and more products than a sum holds.
+    /// Tests low ranks, zero columns, repeated rows, and more products than a sum holds.
     #[test]
     fn the_form_is_reduced_and_spans_the_same_rows() {
         let mut random = SplitMix64::new(3);
@@ -255,7 +258,7 @@ mod tests {
     #[test]
     fn null_vectors_are_sent_to_zero_and_express_the_highest_column() {
         let modulus = Modulus::mersenne_61();
-        // Columns: a, b, 2a + 3b, 0, c, a − c.
+        // The columns are a, b, 2a + 3b, 0, c, and a − c.
         let columns = |a: u64, b: u64, c: u64| {
             let entries = [a, b, 2 * a + 3 * b, 0, c];
             let mut row: Vec<u64> = entries.iter().map(|&value| modulus.integer(value)).collect();

@@ -1,8 +1,8 @@
 //! Arithmetic modulo a prime of 61 bits in Montgomery form: a residue a is stored as a·2⁶⁴ mod p.
 //!
 //! Residues are below p, so equal residues are equal numbers. Conversions back to ℚ
-//! ([`rational_from_residue`]) are guesses that a proof must confirm. Orbits, matrices and
-//! interpolations take millions of products, where 128-bit remainders would be too slow.
+//! ([`rational_from_residue`]) are guesses that need a proof. Orbits, matrices and interpolations
+//! take millions of products, where 128-bit remainders would be too slow.
 
 use kahan_algebra::prime_field::{PrimeField, Random};
 use kahan_algebra::rational::Rational;
@@ -10,15 +10,17 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
-/// The field of p elements, p an odd prime below 2⁶²; its elements are `u64` in Montgomery form.
+/// The field of p elements, where p is an odd prime below 2⁶². Its elements are `u64` in Montgomery
+/// form: a is stored as a·2⁶⁴ mod p.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modulus {
     plain: PrimeField,
     prime: u64,
     /// The number −1/p modulo 2⁶⁴.
     negated_inverse: u64,
-    /// The numbers 2⁶⁴ and 2¹²⁸ modulo p.
+    /// The number 2⁶⁴ modulo p, which is 1 in Montgomery form.
     one: u64,
+    /// The number 2¹²⁸ modulo p, which is 2⁶⁴ in Montgomery form.
     square: u64,
 }
 
@@ -29,15 +31,15 @@ impl Modulus {
         Self::of(PrimeField::MERSENNE_61)
     }
 
-    /// Returns a field with a uniformly sampled prime of 61 bits.
+    /// Returns the field of a random prime of 61 bits.
     pub fn random(random: &mut dyn Random) -> Self {
         Self::of(PrimeField::random(random))
     }
 
     pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
-        // Newton's iteration for 1/p modulo 2⁶⁴ doubles the number of correct bits; it starts with
-        // three.
+        // Newton's iteration for 1/p modulo 2⁶⁴ doubles the number of correct bits, which is three
+        // at the start.
         let mut inverse = prime;
         for _ in 0..5 {
             inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
@@ -47,24 +49,24 @@ impl Modulus {
         Modulus { plain, prime, negated_inverse: inverse.wrapping_neg(), one, square }
     }
 
-    /// Returns the field with ordinary residues as elements.
+    /// Returns the field whose elements are ordinary residues, not in Montgomery form.
     pub(crate) fn field(&self) -> PrimeField {
         self.plain
     }
 
-    /// Returns p.
+    /// Returns the number of elements, the prime p.
     #[must_use]
     pub fn prime(&self) -> u64 {
         self.prime
     }
 
-    /// Returns the number 1.
+    /// Returns the number 1 in Montgomery form.
     #[must_use]
     pub fn one(&self) -> u64 {
         self.one
     }
 
-    /// Converts an integer.
+    /// Converts an integer to Montgomery form.
     #[must_use]
     pub fn integer(&self, value: u64) -> u64 {
         self.times(value % self.prime, self.square)
@@ -93,18 +95,18 @@ impl Modulus {
         if quotient >= self.prime { quotient - self.prime } else { quotient }
     }
 
-    /// Returns s/2⁶⁴ modulo p, below s/2⁶⁴ + p, for s ≤ 2¹²⁸ − 2⁶⁴p.
+    /// Returns s/2⁶⁴ modulo p for s = `sum` ≤ 2¹²⁸ − 2⁶⁴p. The result is below s/2⁶⁴ + p.
     #[inline]
     fn quotient(&self, sum: u128) -> u64 {
         let multiple = (sum as u64).wrapping_mul(self.negated_inverse);
         ((sum + u128::from(multiple) * u128::from(self.prime)) >> 64) as u64
     }
 
-    /// The most products added to [`unreduced`](Self::unreduced) before a reduction. As p < 2⁶²,
-    /// a·2⁶⁴ and eight products are together below 3·2¹²⁶.
+    /// The most products that may be added to [`unreduced`](Self::unreduced) before a reduction. As
+    /// p < 2⁶², a·2⁶⁴ and eight products together are below 3·2¹²⁶.
     pub(crate) const PRODUCTS: usize = 8;
 
-    /// Starts an unreduced sum of products with `a`.
+    /// Starts a sum of products that is not reduced modulo p. Its first term is `a`.
     #[inline]
     pub(crate) fn unreduced(a: u64) -> u128 {
         u128::from(a) << 64
@@ -113,7 +115,7 @@ impl Modulus {
     /// Reduces a sum of products modulo p.
     #[inline]
     pub(crate) fn reduced(&self, sum: u128) -> u64 {
-        // s/2⁶⁴ is below p + 8p²/2⁶⁴ < 3p, hence the quotient below 4p.
+        // The sum divided by 2⁶⁴ is below p + 8p²/2⁶⁴ < 3p, so the quotient is below 4p.
         let quotient = self.quotient(sum);
         let quotient = if quotient >= 2 * self.prime { quotient - 2 * self.prime } else { quotient };
         if quotient >= self.prime { quotient - self.prime } else { quotient }
@@ -126,7 +128,7 @@ impl Modulus {
         if a == 0 { 0 } else { self.prime - a }
     }
 
-    /// Returns 1/a; `None` for 0.
+    /// Returns 1/a. `None` for a = 0.
     #[must_use]
     pub fn inverse(&self, a: u64) -> Option<u64> {
         // The stored ã is a·2⁶⁴, so 1/ã must be multiplied by 2¹²⁸.
@@ -134,7 +136,8 @@ impl Modulus {
         Some(self.times(self.times(inverse, self.square), self.square))
     }
 
-    /// Replaces all values by their inverses with one inversion; returns `false` if one is 0.
+    /// Replaces all values by their inverses, with a single inversion. Returns `false` if a value
+    /// is 0.
     pub fn invert_all(&self, values: &mut [u64]) -> bool {
         let mut products = Vec::with_capacity(values.len());
         let mut product = self.one;
@@ -151,7 +154,7 @@ impl Modulus {
         true
     }
 
-    /// Returns a^exponent; 0⁰ is 1.
+    /// Returns a^exponent, where 0⁰ is 1.
     #[must_use]
     pub fn power(&self, a: u64, exponent: u32) -> u64 {
         let (mut power, mut base, mut exponent) = (self.one, a, exponent);
@@ -174,20 +177,20 @@ impl Modulus {
         })
     }
 
-    /// Returns ∏ xᵢ^eᵢ.
+    /// Returns ∏ xᵢ^eᵢ for the point x and the exponents e.
     #[must_use]
     pub fn monomial(&self, exponents: &[u32], point: &[u64]) -> u64 {
         let powers = exponents.iter().zip(point);
         powers.fold(self.one, |product, (&exponent, &x)| self.times(product, self.power(x, exponent)))
     }
 
-    /// Converts a rational; `None` if p divides its denominator.
+    /// Converts a rational number to Montgomery form. `None` if p divides its denominator.
     #[must_use]
     pub fn rational(&self, value: &Rational) -> Option<u64> {
         self.plain.reduce(value).map(|residue| self.times(residue, self.square))
     }
 
-    /// Returns the ordinary residue 0 ≤ r < p of an element.
+    /// Returns the ordinary residue r of an element, 0 ≤ r < p.
     #[must_use]
     pub fn residue(&self, a: u64) -> u64 {
         self.times(a, 1)
@@ -199,8 +202,9 @@ impl Modulus {
     }
 }
 
-/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2), if it exists (Wang, Guy
-/// and Davenport, "P-adic reconstruction of rational numbers", SIGSAM 1982).
+/// Returns the only fraction num/den ≡ r modulo m with |num|, den ≤ √(m/2). `None` if there is no
+/// such fraction (Wang, Guy and Davenport, "P-adic reconstruction of rational numbers", SIGSAM
+/// 1982).
 #[must_use]
 pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
     let bound = (m / 2i32).sqrt();
@@ -242,7 +246,7 @@ mod tests {
         }
     }
 
-    /// Uses the largest prime below 2⁶² and the largest numbers.
+    /// Tests the largest prime below 2⁶² with the largest numbers.
     #[test]
     fn the_largest_sums_of_products_fit() {
         let plain = PrimeField::new((1 << 62) - 57).unwrap();

@@ -1,13 +1,15 @@
-//! Monomials of the states up to a degree, ascending, and their values at a point.
+//! Monomials of the states up to a degree, in ascending order, and their values at a point.
 
 use crate::modular::modulus::Modulus;
 
-/// The monomials of n variables by degree, then lexicographic with the last variable lowest.
+/// The monomials of n variables. They are ordered by degree, then lexicographically with the last
+/// variable lowest.
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,
     exponents: Vec<Vec<u32>>,
-    /// Each monomial except 1 as the product of an earlier one and a variable.
+    /// For each monomial except 1, the index of an earlier monomial and that of a variable whose
+    /// product it is.
     recipes: Vec<(usize, usize)>,
     counts: Vec<usize>,
 }
@@ -41,7 +43,7 @@ impl Monomials {
         monomials
     }
 
-    /// Returns the number of monomials of degree at most `degree` in n variables, C(n + degree, n).
+    /// Returns C(n + degree, n), the number of monomials of degree at most `degree` in n variables.
     #[must_use]
     pub fn count(variables: usize, degree: u32) -> usize {
         (1..=variables as u128)
@@ -68,7 +70,7 @@ impl Monomials {
         self.variables
     }
 
-    /// Returns the highest degree.
+    /// Returns the highest degree of a monomial.
     #[must_use]
     pub fn degree(&self) -> u32 {
         self.counts.len() as u32 - 1
@@ -77,19 +79,19 @@ impl Monomials {
     /// Returns the number of monomials of degree at most `degree`.
     ///
     /// # Panics
-    /// Beyond the highest degree.
+    /// If `degree` exceeds the highest degree of the list.
     #[must_use]
     pub fn up_to(&self, degree: u32) -> usize {
         self.counts[degree as usize]
     }
 
-    /// Returns the exponents of monomial `index`.
+    /// Returns the exponents of the monomial with this index.
     #[must_use]
     pub fn exponents(&self, index: usize) -> &[u32] {
         &self.exponents[index]
     }
 
-    /// Evaluates all monomials, with one product each.
+    /// Evaluates all monomials, each by one product from an earlier monomial.
     #[must_use]
     pub fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
         let mut values = Vec::with_capacity(self.len());

@@ -1,7 +1,8 @@
-//! Spaces of polynomials in the states, with bases in reduced echelon form on fixed monomials.
+//! Spaces of polynomials in the states. Each has a basis in reduced echelon form on fixed
+//! monomials.
 //!
 //! If a space depends on parameters and ε, the entries of its reduced basis are rational functions
-//! of them, which can be reconstructed.
+//! of the parameters and ε. These functions can be reconstructed.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -19,30 +20,30 @@ use crate::modular::monomials::Monomials;
 use crate::modular::reconstruction::reconstruct;
 use crate::modular::weights::Weights;
 
-/// The shape of a basis: its monomials, and which of them lead an element.
+/// The form of a basis: the monomials that occur, and the leading monomial of each element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
-    /// The indices of the monomials that occur, ascending or descending.
+    /// The indices of the monomials that occur, in ascending or descending order.
     pub support: Vec<usize>,
-    /// For each element the position in `support` of its leading monomial.
+    /// For each element, the position of its leading monomial in `support`.
     pub pivots: Vec<usize>,
 }
 
 /// A space of polynomials with a basis in reduced form.
 ///
-/// Each element begins, in the order of the support, with its leading monomial, whose coefficient
-/// is 1. The other elements do not contain that monomial.
+/// In the order of the support, each element begins with its leading monomial, whose coefficient is
+/// 1. The other elements do not contain that monomial.
 #[derive(Clone, Debug)]
 pub struct PolynomialSpace {
-    /// The form of the basis.
+    /// The monomials of the basis and the leading monomials.
     pub form: Form,
-    /// The coefficients of each element on the support.
+    /// The coefficients of each element, one for each monomial of the support.
     pub rows: Vec<Vec<u64>>,
 }
 
 impl PolynomialSpace {
-    /// Returns the span of vectors of coefficients of all monomials. The reduced basis begins with
-    /// low or with high monomials, whichever yields fewer terms.
+    /// Returns the span of vectors, which hold the coefficients of all monomials. The reduced basis
+    /// begins with low or with high monomials, whichever yields fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -61,7 +62,8 @@ impl PolynomialSpace {
         if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
     }
 
-    /// Returns the span of vectors on the support of `form`; `None` if its basis has another form.
+    /// Returns the span of vectors, which hold the coefficients on the support of `form`. `None` if
+    /// the basis of the span has another form.
     #[must_use]
     pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
         let echelon = Echelon::of(modulus, vectors, form.support.len());
@@ -74,20 +76,20 @@ impl PolynomialSpace {
         self.rows.len()
     }
 
-    /// Returns the coefficients of element `index` on all `count` monomials.
+    /// Returns the coefficients of a basis element on all `count` monomials.
     #[must_use]
     pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
         scattered(&self.form.support, &self.rows[index], count)
     }
 
-    /// Returns the number of terms of element `index`.
+    /// Returns the number of terms of a basis element.
     #[must_use]
     pub fn terms(&self, index: usize) -> usize {
         self.rows[index].iter().filter(|&&value| value != 0).count()
     }
 }
 
-/// Returns a vector of this length with `entries` at the given indices, and zeros elsewhere.
+/// Returns a vector of length `count` with `entries` at the given indices, and zeros elsewhere.
 pub(crate) fn scattered<'a>(
     places: impl IntoIterator<Item = &'a usize>,
     entries: &[u64],
@@ -100,19 +102,19 @@ pub(crate) fn scattered<'a>(
     all
 }
 
-/// The variables of formulas on a space.
+/// The variables in formulas of a space of polynomials.
 #[derive(Clone, Debug)]
 pub struct Names {
-    /// The parameters, ε, and further unknowns that the space depends on.
+    /// The parameters, ε, and further unknowns on which the space depends.
     pub unknowns: Vec<Variable>,
-    /// The states in the monomials.
+    /// The states that the monomials contain.
     pub states: Vec<Variable>,
     /// The scaling symmetries with the weights of all unknowns, if known.
     pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
 }
 
 impl Names {
-    /// Returns the variables of a map in all its states.
+    /// Returns the variables of formulas in all states of a map.
     #[must_use]
     pub fn of(searched: &SearchField) -> Self {
         let symbols = searched.family().symbols();
@@ -125,8 +127,8 @@ impl Names {
         }
     }
 
-    /// Returns the weights: the coefficient of m after the leading monomial p has the weight of
-    /// p/m.
+    /// Returns the weights of the basis's coefficients. If p is the leading monomial of an element,
+    /// the coefficient of a monomial m has the weight of p/m.
     fn grading(
         &self,
         weights: &(Weights, Vec<Vec<Rational>>),
@@ -148,8 +150,9 @@ impl Names {
     }
 }
 
-/// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients. `at`
-/// returns the space at any unknowns. `None` if its form changes, or where [`reconstruct`] fails.
+/// Reconstructs the basis of a space over ℚ as polynomials with coprime integer coefficients. The
+/// function `at` returns the space at any values of the unknowns. `None` if the form of the space
+/// changes, or where [`reconstruct`] fails.
 pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,
@@ -173,7 +176,8 @@ pub fn reconstruct_space(
     Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())
 }
 
-/// Returns Σ cₘ m times the least common denominator, with coprime integer coefficients.
+/// Returns Σ cₘ m over the monomials m, multiplied by the least common denominator. The
+/// coefficients of the result are coprime integers.
 #[must_use]
 pub fn cleared(
     states: &[Variable],
@@ -196,7 +200,8 @@ pub(crate) fn combination(
     })
 }
 
-/// Divides a polynomial by all state-independent factors; makes its first printed term positive.
+/// Divides a polynomial by all factors that are free of states, and makes its first printed term
+/// positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let primitive = symbols.primitive_part(polynomial);

@@ -1,9 +1,9 @@
-//! Degrees of the iterates of the map as a projective map, without common factors.
+//! Degrees of the iterates of the map, as a projective map without common factors.
 //!
 //! The n-th iterate is evaluated along a random line, with a random Möbius parameter so that no
-//! point is special. A random combination of its components is a rational function of the parameter
-//! and has the degree of the iterate. Values never contain common factors of numerators and
-//! denominator. No polynomial is formed.
+//! point is special. A random combination of the iterate's components is a rational function of the
+//! parameter, whose degree is that of the iterate. Values never contain common factors of
+//! numerators and denominator. No polynomial is formed.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -16,24 +16,25 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 /// The limits of a computation of degrees.
 #[derive(Clone, Copy)]
 pub struct DegreeLimits<'a> {
-    /// The number of iterates.
+    /// The number of iterates to compute.
     pub iterates: usize,
-    /// The degree after which no further iterate is computed; four times as large for the first
-    /// five iterates while growth is undecided.
+    /// The degree after which no further iterate is computed. The limit is four times as large for
+    /// the first five iterates while the kind of growth is undecided.
     pub degree: usize,
-    /// The deadline.
+    /// The deadline of the computation.
     pub deadline: &'a Deadline<'a>,
 }
 
-/// The number of degrees for which the larger limit holds while growth is undecided.
+/// The number of degrees below which the limit on degrees is four times as large, while the kind of
+/// growth is undecided.
 const FEWEST: usize = 6;
 
-/// Returns the degrees d₀ = 1, d₁, … of iterates on a random line; empty without values there.
-/// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
+/// Returns the degrees d₀ = 1, d₁, … of iterates on a random line. The list is empty if the map is
+/// undefined there. For degree d, the cost is 2d evaluations of each iterate and 8d² products.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
-    // Enough points for one iterate beyond the limit on degrees.
+    // The number of points suffices for one iterate beyond the limit on degrees.
     let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
         let known = degrees.len();
@@ -49,7 +50,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
                 if limits.deadline.has_stopped() {
                     break None;
                 }
-                // No further iterate has enough values on the line.
+                // Stop: no further iterate is defined at enough points of the line.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
@@ -70,7 +71,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'
     degrees
 }
 
-/// Points on a random line that are mapped together.
+/// Points on a random line, which the map moves together.
 struct Line<'a> {
     map: &'a ModularMap,
     base: Vec<u64>,
@@ -99,8 +100,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Maps at least `count` samples `steps` times. Returns `false` if points keep ending at poles
-    /// or the deadline passes.
+    /// Maps samples on the line `steps` times until at least `count` samples have no pole. Returns
+    /// `false` if points keep ending at poles or the deadline passes.
     fn prepare(
         &mut self,
         count: usize,
@@ -136,7 +137,7 @@ impl<'a> Line<'a> {
 }
 
 impl Sample {
-    /// Maps the sample until `steps` steps are done; returns `false` at a pole.
+    /// Maps the sample until it has done `steps` steps. Returns `false` at a pole.
     fn advance(&mut self, map: &ModularMap, steps: usize) -> bool {
         while self.steps < steps {
             match map.next(&self.state) {

@@ -1,40 +1,40 @@
-//! The growth class of the degrees of iterates, from their differences.
+//! Classifies the growth of the degrees of iterates by differences of degrees.
 
 use std::fmt;
 
 use crate::orbits::plane::GrowthProof;
 
-/// The growth of degrees with the number of steps.
+/// The growth of the degrees dₙ of the iterates with the number n of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// Constant from some iterate on: the iterates form one family.
+    /// The degrees are constant from some iterate on, so the iterates form one family.
     Bounded,
-    /// dₙ ~ n: level curves of genus 0, or a linearisable map.
+    /// The degrees grow like n: the level curves have genus 0, or the map is linearisable.
     Linear,
-    /// dₙ ~ n²: an integrable map on curves of genus 1 or abelian surfaces.
+    /// The degrees grow like n²: the map is integrable on curves of genus 1 or on abelian surfaces.
     Quadratic,
-    /// dₙ ~ eⁿ·ˢ: not integrable.
+    /// The degrees grow like eⁿ·ˢ: the map is not integrable.
     Exponential {
-        /// The algebraic entropy s, the logarithm of the ratio of successive degrees.
+        /// The algebraic entropy s, which is the logarithm of the ratio of successive degrees.
         entropy: f64,
     },
-    /// Too few iterates, or a different growth.
+    /// The iterates are too few, or their degrees grow in another way.
     Undecided,
 }
 
-/// A growth class with its evidence.
+/// A kind of growth with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthVerdict {
     /// The class.
     pub growth: Growth,
     /// The observation in words.
     pub evidence: String,
-    /// The proof of exponential growth; `None` if growth was only observed.
+    /// The proof of exponential growth. `None` if growth was only observed.
     pub proof: Option<GrowthProof>,
 }
 
 impl Growth {
-    /// Returns the class in one word.
+    /// Returns the kind of growth in one word.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -46,7 +46,7 @@ impl Growth {
         }
     }
 
-    /// Returns the algebraic entropy; 0 unless growth is exponential.
+    /// Returns the algebraic entropy, which is 0 unless growth is exponential.
     #[must_use]
     pub fn entropy(&self) -> f64 {
         match self {
@@ -62,21 +62,21 @@ impl fmt::Display for Growth {
     }
 }
 
-/// The largest relative difference of ratios that count as steady; ratios of n^k decrease like 1 +
-/// k/n.
+/// The largest relative difference between ratios that count as steady. Ratios of the sequence n^k
+/// decrease like 1 + k/n.
 const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
-    /// Classifies d₀, d₁, … by the first rule that applies:
+    /// Classifies the degrees d₀, d₁, … by the first rule that applies:
     ///
-    /// 1. *Bounded* or *linear*: for the least possible k the differences dₙ₊ₖ − dₙ are constant
-    ///    over the last max(4, 2k) of them. Bounded means constant 0 and k = 1; k > 1 is a
-    ///    repeating pattern.
-    /// 2. *Quadratic*: the second differences over k steps are constant in this sense.
-    /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last differs by at most
-    ///    8 % from the one two steps before and keeps two thirds of the excess over 1 at half the
-    ///    sequence.
-    /// 4. *Undecided*.
+    /// 1. *Bounded* or *linear*: for the least possible k the last max(4, 2k) differences dₙ₊ₖ − dₙ
+    ///    are constant. Growth is bounded if the constant is 0 and k = 1. If k > 1, a pattern of
+    ///    degrees repeats.
+    /// 2. *Quadratic*: the second differences over k steps are constant as in rule 1.
+    /// 3. *Exponential*: the last four ratios dₙ₊₁/dₙ exceed 1.15. The last ratio differs by at
+    ///    most 8 % from the ratio two steps before. Its excess over 1 is at least two thirds of the
+    ///    excess in the middle of the sequence.
+    /// 4. *Undecided*: no other rule applies.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {
         let values: Vec<i128> = degrees.iter().map(|&degree| degree as i128).collect();
@@ -117,8 +117,8 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// Returns the least k for which the last differences over k steps are constant, with their value
-/// and number.
+/// Returns the least k for which the last differences over k steps are constant. The other results
+/// are the constant, and the number of differences that are equal to it.
 fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();
@@ -157,13 +157,13 @@ mod tests {
         assert_eq!(growth([1, 2, 3, 3, 3, 3, 3]), Growth::Bounded);
         assert_eq!(growth([1, 2, 4, 6, 8, 10, 12]), Growth::Linear);
         assert_eq!(growth((0..12).map(|n| 2 * n * n + 1)), Growth::Quadratic);
-        // Weierstrass: 3n²/8 plus a pattern of period at most 8.
+        // Weierstrass's degrees are 3n²/8 plus a pattern of period at most 8.
         let weierstrass = (0..40).map(|n| (3 * n * n + 8) / 8 + usize::from(n % 8 == 1));
         assert_eq!(growth(weierstrass), Growth::Quadratic);
         let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };
         assert!((entropy - 3f64.ln()).abs() < 1e-12);
         assert_eq!(growth([1, 2, 4]), Growth::Undecided);
-        // Cubic growth is not one of the classes, for any number of degrees.
+        // Cubic growth is none of the classes, for any number of degrees.
         assert_eq!(growth((0..30).map(|n| n * n * n + 1)), Growth::Undecided);
         assert_eq!(growth((0..12).map(|n| n * n * n + 1)), Growth::Undecided);
     }

@@ -1,4 +1,4 @@
-//! The Hilbert function of a generic orbit, and the number of integrals that it shows.
+//! The Hilbert function of a generic orbit, and the number of integrals that follows from it.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -10,46 +10,47 @@ use crate::modular::monomials::Monomials;
 use crate::orbits::relations::Relations;
 
 /// The Hilbert function h(d) of a generic orbit: the number of monomials of degree ≤ d that are
-/// linearly independent on it. If no relation has degree ≤ d, relations of higher degrees may
-/// exist.
+/// linearly independent on the orbit. If no relation has degree ≤ d, there may still be relations
+/// of higher degrees.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hilbert {
     /// The values h(1), h(2), ….
     pub values: Vec<usize>,
-    /// The number of all monomials of degree ≤ 1, ≤ 2, …, which bounds h.
+    /// The number of all monomials of degree ≤ 1, ≤ 2, …, which is an upper bound of h.
     pub full: Vec<usize>,
-    /// The codimension of the orbit's closure as defined by the observed relations: the number of
-    /// independent algebraic integrals visible up to this degree.
+    /// The codimension of the closure of the orbit, as the observed relations define it. It is the
+    /// number of independent algebraic integrals visible up to this degree.
     pub integrals: usize,
-    /// The least degree of a relation.
+    /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,
     /// The number of points of the longest orbit.
     pub points: usize,
-    /// The common period, if every orbit is periodic.
+    /// The common period of the orbits, if every orbit is periodic.
     pub period: Option<usize>,
-    /// The number of orbits: two primes with two points each, unless time ran out.
+    /// The number of orbits: modulo two primes, with two starts each, unless time ran out.
     pub orbits: usize,
-    /// Whether all orbits had equal results.
+    /// Whether the results of all orbits are equal.
     pub agree: bool,
 }
 
-/// The most monomials for the default degree.
+/// The most monomials up to the default degree.
 const MOST_MONOMIALS: usize = 220;
 
-/// The most monomials for the default degree 2, which allows more variables.
+/// The most monomials up to degree 2, if that is the default degree. The larger number admits more
+/// variables.
 const MOST_QUADRATIC_MONOMIALS: usize = 900;
 
 const HIGHEST_DEGREE: u32 = 10;
 
-/// The most monomials for any time limit. Relations on one orbit take several times the square of
-/// this number in 8-byte integers, and its cube in products.
+/// The most monomials for any time limit. Let N be this number. Relations on one orbit take several
+/// times N² integers of 8 bytes, and N³ products.
 pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
-/// The most starts tried whose orbits end at poles.
+/// The most starts to try when orbits end at poles.
 const MOST_SAMPLES: usize = 8;
 
-/// Returns the default degree of relations in n variables: as high as 220 monomials allow, 2 to 10.
-/// In more than 40 variables the degree is 1.
+/// Returns the default degree of relations in n variables. The degree is as high as 220 monomials
+/// allow, from 2 to 10. In more than 40 variables the degree is 1.
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
     let most = |degree: u32| if degree == 2 { MOST_QUADRATIC_MONOMIALS } else { MOST_MONOMIALS };
@@ -59,7 +60,7 @@ pub fn default_degree(variables: usize) -> u32 {
         .unwrap_or(1)
 }
 
-/// Returns relations on a random orbit; `None` if 8 orbits end at poles or the deadline passes.
+/// Returns relations on a random orbit. `None` if 8 orbits end at poles or the deadline passes.
 pub fn random_relations(
     map: &impl ModularStep,
     monomials: &Monomials,
@@ -79,9 +80,10 @@ pub fn random_relations(
 }
 
 impl Hilbert {
-    /// Follows orbits modulo two primes from two points each, with random unknowns. `None` if the
-    /// map or every orbit has no value, or if the deadline allows no orbit. Cost: with N = C(n +
-    /// degree, n) monomials and h = h(degree), 4 N² h products.
+    /// Follows orbits modulo two primes from two points each, with random parameters and ε. `None`
+    /// if the map is undefined or every orbit ends at a pole, or if the deadline allows no orbit.
+    /// The cost is 4 N² h products, where N = C(n + degree, n) counts the monomials and h =
+    /// h(degree).
     pub fn of(
         searched: &SearchField,
         degree: u32,
@@ -106,9 +108,10 @@ impl Hilbert {
         found
     }
 
-    /// Follows one orbit up to a higher degree, and all four if it shows more integrals. The rank
-    /// of an orbit is at most the generic one, so an orbit without new integrals excludes them.
-    /// `None` as for [`of`](Self::of). Cost: N² h products without new integrals.
+    /// Follows one orbit up to a higher degree. If the orbit shows more integrals, all four orbits
+    /// are followed. The rank on an orbit is at most the generic rank, so an orbit without new
+    /// integrals excludes them. `None` as for [`of`](Self::of). Without new integrals the cost is
+    /// N² h products.
     pub fn further(
         &self,
         searched: &SearchField,
@@ -145,7 +148,7 @@ impl Hilbert {
         }
     }
 
-    /// Joins two results; if ranks differ, the larger one is generic.
+    /// Joins two results. If ranks differ, the larger rank is the generic one.
     fn with(mut self, other: Hilbert) -> Self {
         self.agree &= self.values == other.values && self.integrals == other.integrals;
         if other.values > self.values {
@@ -159,8 +162,8 @@ impl Hilbert {
         self
     }
 
-    /// Returns the least degree up to which the relations of a generic orbit define its closure.
-    /// `None` without relations, or if the deadline passes.
+    /// Returns the least degree d such that the relations of degree ≤ d of a generic orbit define
+    /// its closure. `None` without relations, or if the deadline passes.
     pub fn defining_degree(
         &self,
         map: &impl ModularStep,
@@ -180,7 +183,8 @@ impl Hilbert {
         self.values.len() as u32
     }
 
-    /// Returns the dimension of the orbit's closure, n minus the number of integrals.
+    /// Returns the dimension of the closure of the orbit: n variables minus the number of
+    /// integrals.
     #[must_use]
     pub fn dimension(&self, variables: usize) -> usize {
         variables - self.integrals

@@ -1,8 +1,8 @@
-//! Upper bounds on the number of integrals, from the fixed points of the map.
+//! Computes upper bounds on the number of integrals, from the fixed points of the map.
 //!
-//! A field comes in. The least bound found goes out, with a zero of the field modulo a prime that
-//! proves it ([`integral_bound`]). Zeros are found by trial: some states are random, and equations with
-//! one remaining unknown are solved.
+//! The input is a field. The output is the least bound found, with a zero of the field modulo a
+//! prime that proves the bound ([`integral_bound`]). Zeros are found by trial: some states are
+//! random, and equations with one remaining unknown are solved.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -14,48 +14,50 @@ use crate::modular::modulus::Modulus;
 /// An upper bound on the number of integrals, with its proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IntegralBound {
-    /// The most independent rational integrals that the map can have at generic ε.
+    /// The greatest number of independent rational integrals that the map can have at generic ε.
     pub integrals: usize,
-    /// The prime of the proof.
+    /// The prime modulo which the bound is proved.
     pub prime: u64,
-    /// The zero of the field modulo the prime.
+    /// The zero of the field modulo the prime, which gives the bound.
     pub zero: Vec<u64>,
     /// The values of the parameters modulo the prime.
     pub parameters: Vec<u64>,
 }
 
-/// The primes of the search, all 3 modulo 4, so that square roots are powers. In small fields
-/// random points are often zeros; in large fields eigenvalues are rarely equal by chance.
+/// The primes of the search. All are 3 modulo 4, so that square roots are powers. In small fields
+/// random points are often zeros. In large fields eigenvalues are rarely equal by chance.
 const PRIMES: [u64; 6] = [1_000_003, 7, 31, 11, 103, 19];
 
-/// The most variables; the eigenvalues cost n⁴ products.
+/// The most variables of a field. For n variables, the eigenvalues cost n⁴ products.
 const MOST_VARIABLES: usize = 24;
 
-/// The most trials if the bound cannot end a search early; independent of the machine.
+/// The most trials if the bound cannot end a search early. The number does not depend on the
+/// machine.
 pub const FEW_TRIALS: usize = 24_000;
 
 /// The most trials if the bound may save a long search.
 pub const MANY_TRIALS: usize = 400_000;
 
-/// The most products of all trials; one trial takes about n³.
+/// The most products of all trials together. One trial takes about n³ products in n variables.
 const WORK: usize = 100_000_000;
 
 const TRIALS_A_SAMPLE: usize = 40;
 
-/// Returns the least bound found in `trials` trials, or the first that is at most `enough`.
+/// Returns the least bound found in `trials` trials, or the first bound that is at most `enough`.
 ///
-/// `None` if no zero was found, ε is fixed, the field depends on ε, or in more than 24 variables.
+/// `None` if no zero was found, ε is fixed, the field depends on ε, or there are more than 24
+/// variables.
 ///
 /// At a zero x₀ of f with L = f′(x₀) the map has the Jacobian (I − εL)⁻¹(I + εL). Its eigenvalues
-/// are μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. The lowest terms at x₀ of k independent
-/// rational integrals give k independent rational functions that the Jacobian preserves (Ziglin's
-/// lemma); its diagonal part diag(μ₁, …, μₙ) preserves them, too. So k ≤ n − s with s
-/// multiplicatively independent μ. As a function of ε, μ has the zero −1/λ and the pole 1/λ, so s
-/// is the number of different λ² ≠ 0.
+/// are μ = (1 + ελ)/(1 − ελ) for the eigenvalues λ of L. Suppose that k independent rational
+/// integrals exist. Their lowest terms at x₀ give k independent rational functions that the
+/// Jacobian preserves (Ziglin's lemma). The diagonal part diag(μ₁, …, μₙ) of the Jacobian preserves
+/// these functions, too. So k ≤ n − s if s of the μ are multiplicatively independent. As a function
+/// of ε, μ has the zero −1/λ and the pole 1/λ, so s is the number of different λ² ≠ 0.
 ///
-/// The argument holds over every field of characteristic ≠ 2. Integrals over ℚ(ε) remain equally
-/// many and independent when the map is reduced modulo p and parameters get values (Ziglin's lemma
-/// for the valuation at p). One zero modulo one prime is therefore a proof.
+/// The argument holds over every field of characteristic ≠ 2. Let the map be reduced modulo p, and
+/// let parameters get values. Integrals over ℚ(ε) remain equally many and independent (Ziglin's
+/// lemma for the valuation at p). One zero modulo one prime is therefore a proof.
 pub fn integral_bound(
     searched: &SearchField,
     enough: usize,
@@ -71,7 +73,7 @@ pub fn integral_bound(
     let trials = trials.min(WORK / (n * n * n).max(1));
     for sample in 0..trials / TRIALS_A_SAMPLE {
         let prime = PRIMES[sample % PRIMES.len()];
-        // Multiplicities up to n must be nonzero modulo p.
+        // Multiplicities of eigenvalues, at most n, must be nonzero modulo the prime.
         if prime <= n as u64 {
             continue;
         }
@@ -120,7 +122,7 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
                 if open.is_empty() {
                     return values.into_iter().collect();
                 }
-                // Zeros often have states that vanish or are equal.
+                // Zeros of a field often have states that vanish or are equal.
                 let value = match random.below(4) {
                     0 => 0,
                     1 => modulus.one(),
@@ -137,7 +139,7 @@ fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -
 enum RestrictedComponent {
     /// The component depends on no other state.
     Constant(u64),
-    /// The component is c₀ + c₁x + c₂x² in one other state x.
+    /// The component is c₀ + c₁x + c₂x² for one unknown state x.
     Single { state: usize, coefficients: [u64; 3] },
     /// The component depends on several other states.
     Several,
@@ -168,7 +170,8 @@ fn restricted(terms: &[Term], values: &[Option<u64>], modulus: &Modulus) -> Rest
     }
 }
 
-/// Returns a root of c₀ + c₁x + c₂x², with c₁ and c₂ not both 0; of two roots a random one.
+/// Returns a root of c₀ + c₁x + c₂x², where c₁ and c₂ are not both 0. If there are two roots, one
+/// is chosen at random.
 fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> Option<u64> {
     let quotient = |above: u64, below: u64| Some(modulus.times(above, modulus.inverse(below)?));
     if c2 == 0 {
@@ -184,11 +187,11 @@ fn root([c0, c1, c2]: [u64; 3], modulus: &Modulus, random: &mut SplitMix64) -> O
     quotient(modulus.minus(sqrt, c1), modulus.plus(c2, c2))
 }
 
-/// Returns the number of different λ² ≠ 0 over the eigenvalues λ, in the algebraic closure. The
-/// prime must exceed the number n of rows. Cost: n⁴ products.
+/// Returns the number of different λ² ≠ 0, where λ runs over the eigenvalues in the algebraic
+/// closure. The prime must exceed the number n of rows. The cost is n⁴ products.
 fn different_squares(modulus: &Modulus, matrix: &[Vec<u64>]) -> usize {
     let mut polynomial = characteristic(modulus, &product(modulus, matrix, matrix));
-    // Remove eigenvalues 0.
+    // Remove the eigenvalues that are 0.
     polynomial.drain(..polynomial.iter().take_while(|&&coefficient| coefficient == 0).count());
     let slope = (1..polynomial.len())
         .map(|power| modulus.times(modulus.integer(power as u64), polynomial[power]))
@@ -205,14 +208,16 @@ fn product(modulus: &Modulus, left: &[Vec<u64>], right: &[Vec<u64>]) -> Vec<Vec<
     left.iter().map(entries).collect()
 }
 
-/// Returns det(t − M) by Faddeev and LeVerrier's recursion, constant coefficient first.
+/// Returns the coefficients of det(t − M) by Faddeev and LeVerrier's recursion. The constant
+/// coefficient comes first.
 fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     let n = matrix.len();
     let mut coefficients = vec![0; n + 1];
     coefficients[n] = modulus.one();
     let mut auxiliary = vec![vec![0; n]; n];
     for k in 1..=n {
-        // Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k.
+        // The recursion is Mₖ = M Mₖ₋₁ + cₙ₋ₖ₊₁, cₙ₋ₖ = −tr(M Mₖ)/k, where cₖ is the coefficient of
+        // tᵏ.
         auxiliary = product(modulus, matrix, &auxiliary);
         for (i, row) in auxiliary.iter_mut().enumerate() {
             row[i] = modulus.plus(row[i], coefficients[n - k + 1]);
@@ -225,7 +230,8 @@ fn characteristic(modulus: &Modulus, matrix: &[Vec<u64>]) -> Vec<u64> {
     coefficients
 }
 
-/// Returns the degree of the gcd of two polynomials, constant terms first; `above` is nonzero.
+/// Returns the degree of the greatest common divisor of two polynomials with constant terms first.
+/// The polynomial `above` is nonzero.
 fn common_degree(modulus: &Modulus, mut above: Vec<u64>, mut below: Vec<u64>) -> usize {
     loop {
         while below.last() == Some(&0) {
@@ -290,21 +296,22 @@ mod tests {
         let five = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
             ddot = d*(e + a - b - c); edot = e*(a + b - c - d);";
         assert_eq!(of(five, None), Some(3));
-        // Solutions are powers of exponentials without rational invariants.
+        // Solutions are powers of exponentials, which have no rational invariants.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", None), Some(0));
         assert_eq!(of("xdot = x; ydot = -y;", None), Some(1));
         assert_eq!(of("xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;", None), Some(0));
         assert_eq!(of("xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;", None), Some(0));
-        // Fields without a zero, or with only eigenvalues 0 at their zeros.
+        // The fields have no zero, or only eigenvalues 0 at their zeros.
         assert_eq!(of("xdot = 1; ydot = x;", None), None);
         assert_eq!(of("xdot = y^2; ydot = 0;", None), Some(2));
-        // Zeros of four dense components are found by chance.
+        // The search finds zeros of four dense components by chance.
         let dense = "xdot = x^2 - 3*x*y + 2*y*z + w^2 - x + 2*y + 1; ydot = 2*x^2 + x*y - 5*y*z + z*w + 3;
             zdot = x*z - 4*y^2 + 7*x - y + 2*w; wdot = w*x - 3*y*z + z^2 - 5;";
         assert_eq!(of(dense, None), Some(0));
-        // For λ₁ = 2/(1 + ε²), λ₂ = 1, μ₁ = μ₂² although the squares λᵢ² differ.
+        // Here λ₁ = 2/(1 + ε²) and λ₂ = 1. The map's eigenvalues satisfy μ₁ = μ₂², although the
+        // squares λᵢ² differ.
         assert_eq!(of("xdot = 2*x/(1 + eps^2); ydot = y;", None), None);
-        // A fixed ε may allow more integrals, as for Lotka and Volterra's map at ε = 1.
+        // A fixed ε may allow more integrals, as Lotka and Volterra's map shows at ε = 1.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", Some(kahan_algebra::rational::Rational::one())), None);
     }
 }

@@ -1,10 +1,10 @@
-//! Polynomial relations on one orbit.
+//! Finds the polynomial relations on one orbit.
 //!
 //! The values of all monomials up to a degree along an orbit form a matrix. Its null vectors are
-//! the polynomials that vanish on the orbit, hence on its Zariski closure. In reduced form each
-//! relation expresses one monomial by lower ones. Its coefficients, as functions of the orbit's
-//! start, are integrals (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type
-//! discretizations", 2011).
+//! the polynomials that vanish on the orbit, hence on the orbit's Zariski closure. In reduced form
+//! each relation expresses one monomial by lower ones. The coefficients of the relation, as
+//! functions of the orbit's start, are integrals (Petrera, Pfadler, Suris, "On integrability of
+//! Hirota–Kimura type discretizations", 2011).
 
 use crate::deadline::Deadline;
 use crate::maps::modular_step::ModularStep;
@@ -12,27 +12,28 @@ use crate::modular::matrix::{Echelon, NullVector};
 use crate::modular::modulus::Modulus;
 use crate::modular::monomials::Monomials;
 
-/// The number of points beyond the number of monomials; accidental relations would fail there.
+/// The number of points beyond the number of monomials. Accidental relations fail at the additional
+/// points.
 const SPARE: usize = 6;
 
 /// The relations on one orbit.
 #[derive(Clone, Debug)]
 pub struct Relations {
-    /// The first point.
+    /// The first point of the orbit.
     pub start: Vec<u64>,
     /// The rank of the monomials of degree ≤ 0, ≤ 1, … on the orbit.
     pub ranks: Vec<usize>,
-    /// The relations in reduced form, by their leading monomials.
+    /// The relations in reduced form, ordered by their leading monomials.
     pub vectors: Vec<NullVector>,
-    /// The number of points used.
+    /// The number of points of the orbit that were used.
     pub points: usize,
     /// The period, if the orbit returned to its start.
     pub period: Option<usize>,
 }
 
 impl Relations {
-    /// Returns the relations up to the degree of `monomials` on an orbit; `None` at a pole or
-    /// deadline. Cost: with N monomials and rank r, N + 6 steps and N² r products.
+    /// Returns the relations on an orbit up to the degree of `monomials`. `None` at a pole, or if
+    /// the deadline passes. With N monomials and rank r, the cost is N + 6 steps and N² r products.
     #[must_use]
     pub fn on_orbit(
         map: &impl ModularStep,
@@ -55,8 +56,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension of the orbit's closure as defined by these relations. Computed as
-    /// the rank of their gradients at the start.
+    /// Returns the codimension of the orbit's closure as these relations define it. It is computed
+    /// as the rank of the relations' gradients at the start.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()
@@ -84,13 +85,13 @@ pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u
     (0..exponents.len()).map(slope).collect()
 }
 
-/// Returns the gradients of all monomials at a point: one row of n entries each.
+/// Returns the gradients of all monomials at a point. Each row has one entry for each variable.
 #[must_use]
 pub fn monomial_gradients(modulus: &Modulus, monomials: &Monomials, point: &[u64]) -> Vec<Vec<u64>> {
     (0..monomials.len()).map(|index| monomial_gradient(modulus, monomials.exponents(index), point)).collect()
 }
 
-/// Returns the gradient of Σ cₘ m from the gradients of the monomials m.
+/// Returns the gradient of Σ cₘ m, given the gradients of the monomials m and the coefficients cₘ.
 #[must_use]
 pub fn gradient(modulus: &Modulus, gradients: &[Vec<u64>], coefficients: &[u64]) -> Vec<u64> {
     let mut sum = vec![0; gradients.first().map_or(0, Vec::len)];

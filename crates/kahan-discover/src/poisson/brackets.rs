@@ -1,5 +1,5 @@
-//! Invariant Poisson brackets: with polynomial entries, of any rank; and of rank 2 from a density
-//! and n − 2 integrals, which are their Casimir functions.
+//! Invariant Poisson brackets of two kinds. Brackets with polynomial entries have any rank.
+//! Brackets of rank 2 come from a density and n − 2 integrals, which are their Casimir functions.
 
 mod constant;
 mod construct;
@@ -25,19 +25,20 @@ pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// The most choices of n − 2 integrals, and the most brackets written.
+/// The most choices of n − 2 integrals from which brackets are made.
 const MOST_CHOICES: usize = 12;
+/// The most brackets of this kind that are written.
 const MOST_BRACKETS: usize = 3;
 
 const MOST_CHARACTERS: usize = 2_500;
 
-/// The most characters of a bracket of rank 2 in four dimensions if one of full rank exists.
+/// The most characters of a bracket of rank 2 in four dimensions, if a bracket of full rank exists.
 const MOST_BESIDE: usize = 400;
 
 /// A proved invariant Poisson bracket.
 #[derive(Clone, Debug)]
 pub struct Bracket {
-    /// The claim in the language of `kahan!`: `bracket P1 { … };`.
+    /// The claim in the language of `kahan!`, for example `bracket P1 { … };`.
     pub text: String,
     /// The claim as read from the text.
     pub claim: Claim,
@@ -48,17 +49,18 @@ pub struct Bracket {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
     pub(crate) proved: Vec<Bracket>,
-    /// The number of brackets with polynomial entries, which precede the others.
+    /// The number of proved brackets with polynomial entries. They precede the other brackets.
     pub(crate) polynomial: usize,
     /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket. Claims
-    /// omit long brackets, and those implied by others.
+    /// omit long brackets, and brackets that others imply.
     pub(crate) structures: Vec<usize>,
 }
 
-/// Proves brackets: first those with the given tensors, by descending rank and ascending length,
-/// then brackets of rank 2 from the density and n − 2 integrals, the shortest first. Lengths are
-/// limited to 2500 characters. If a bracket of full rank exists, brackets of rank 2 are limited to
-/// 400 characters in four dimensions, and omitted in more dimensions.
+/// Proves brackets in two groups. The first group has the given tensors, by descending rank and
+/// ascending length. The second has brackets of rank 2 from the density and n − 2 integrals, the
+/// shortest first. A bracket has at most 2500 characters. If a bracket of full rank exists,
+/// brackets of rank 2 have at most 400 characters in four dimensions, and are omitted in more
+/// dimensions.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -107,7 +109,7 @@ pub(crate) fn brackets(
     let is_full = proved.first().is_some_and(|bracket| bracket.rank + 1 >= n);
     let is_beside = is_full && n > 3;
     let most = if is_beside { MOST_BESIDE } else { MOST_CHARACTERS };
-    // A bracket is about as long as the integrals in it.
+    // Skip these integrals: a bracket is about as long as the integrals in it.
     let is_long = |&index: &usize| is_beside && integrals[index].text.len() > most;
     let mut found: Vec<String> = Vec::new();
     if let Some(density) = density.filter(|_| !is_full || n <= 4) {
@@ -131,7 +133,7 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
-    // Ends the recursion before it enumerates all smaller sets.
+    // Without this test the recursion would enumerate all smaller sets.
     if of < count {
         return Vec::new();
     }
@@ -161,8 +163,9 @@ fn tensor(
     invariant_tensor(symbols, &density, &casimirs?, &mut budget)
 }
 
-/// Divides a tensor by common factors of its numerators that are free of states. Coefficients
-/// become coprime integers, the first one positive. The result is still a bracket.
+/// Divides the tensor of a bracket by common factors of its numerators that are free of states. The
+/// coefficients become coprime integers, and the first one becomes positive. The result is still a
+/// bracket.
 fn coprime(
     symbols: &Symbols,
     tensor: &[RationalFunction],

@@ -1,4 +1,4 @@
-//! Constant Poisson structures of the field, f = K∇H, and modified Hamiltonians of the map.
+//! Constant Poisson structures K of the field f with f = K∇H, and modified Hamiltonians of the map.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial, Variable, gcd_within};
@@ -21,19 +21,20 @@ use crate::modular::reconstruction::reconstruct;
 use crate::modular::subspace::combination;
 use crate::orbits::relations::monomial_gradients;
 
-/// The most terms of the modified Hamiltonian, and its budget in products of terms.
+/// The most terms of the modified Hamiltonian.
 const MOST_TERMS: usize = 1500;
+/// The most products of terms in the computation of the modified Hamiltonian.
 const MODIFIED_WORK: u64 = 10_000_000;
 
 const MOST_STRUCTURES: usize = 4;
 
-/// The number of equations beyond the number of unknowns, for each component.
+/// For each component, the number of equations beyond the number of unknowns.
 const SPARE: usize = 6;
 
 /// A decomposition f = K∇H with K constant and antisymmetric.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hamiltonian {
-    /// The matrix K, row by row; its entries are free of states.
+    /// The matrix K, row by row. Its entries are free of states.
     pub tensor: Vec<Vec<RationalFunction>>,
     /// The function H, a polynomial in the states over parameters, of degree at most three.
     pub hamiltonian: RationalFunction,
@@ -41,15 +42,15 @@ pub struct Hamiltonian {
 
 const MOST_COEFFICIENTS: usize = 400;
 
-/// Returns whether H in n variables has at most 400 coefficients, the limit of the search.
+/// Returns whether H in n variables has at most 400 coefficients, which is the limit of the search.
 #[must_use]
 pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// Finds the K of a reduced basis with f = K∇H, each with its H.
+/// Finds matrices K of a reduced basis with f = K∇H, each with its function H.
 ///
-/// f′(x)K must be symmetric for all x, which is linear in K; then f = K∇H is linear in the
+/// f′(x)K must be symmetric for all x, which is linear in K. Then f = K∇H is linear in the
 /// coefficients of a cubic H. If no K of the basis has an H, the sum of the basis is tried. The
 /// result is empty if that fails, if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
@@ -119,17 +120,18 @@ fn pairs(n: usize) -> Vec<(usize, usize)> {
     (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect()
 }
 
-/// Returns a basis, above the diagonal, of antisymmetric K with f′(x)K symmetric for all x.
+/// Returns a basis of the antisymmetric matrices K for which f′(x)K is symmetric for all x. Each K
+/// is given by its entries above the diagonal.
 fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();
     let places = pairs(n);
     let mut rows = Vec::new();
-    // f′ is affine in x, so n + 1 points in general position suffice.
+    // The matrix f′ is affine in x, so n + 1 points in general position suffice.
     for _ in 0..n + 2 {
         let (_, slopes) = map.field(&map.point(random));
         for &(i, j) in &places {
-            // (f′K)ᵢⱼ − (f′K)ⱼᵢ = Σₗ f′ᵢₗ Kₗⱼ − f′ⱼₗ Kₗᵢ.
+            // Equation (i, j) is (f′K)ᵢⱼ − (f′K)ⱼᵢ = Σₗ f′ᵢₗ Kₗⱼ − f′ⱼₗ Kₗᵢ = 0.
             let mut row = vec![0; places.len()];
             let mut add = |a: usize, b: usize, value: u64| {
                 if a == b {
@@ -149,7 +151,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).expect("there is no deadline")
 }
 
-/// Returns the sum of the basis for choice 0, and element k − 1 for choice k.
+/// Returns element k − 1 of the basis for choice k > 0, and the sum of the basis for choice 0.
 fn tensor_of_choice(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
     if choice > 0 {
         return tensors.get(choice - 1).cloned();
@@ -161,7 +163,7 @@ fn tensor_of_choice(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Op
     Some(others.iter().fold(first.clone(), add))
 }
 
-/// Returns the coefficients of a cubic H with K∇H = f, without the constant term; `None` if no H
+/// Returns the coefficients of a cubic H with K∇H = f, without the constant term. `None` if no H
 /// exists or the deadline passes.
 fn potential(
     map: &ModularMap,
@@ -204,8 +206,8 @@ fn potential(
 }
 
 impl Hamiltonian {
-    /// Tests f = K∇H by expansion over ℚ. The theorem of Celledoni, McLachlan, Owren and Quispel
-    /// then proves that H̃ is an integral of the map.
+    /// Tests f = K∇H by expansion over ℚ. If the test succeeds, the modified Hamiltonian is an
+    /// integral of the map by the theorem of Celledoni, McLachlan, Owren and Quispel.
     #[must_use]
     pub fn holds(&self, field: &Field) -> bool {
         let slopes: Vec<RationalFunction> =
@@ -217,8 +219,8 @@ impl Hamiltonian {
         })
     }
 
-    /// Writes H̃ in its compact form H + (x̃ − x)·∇H/3; x̃ is `x~` in text. As x̃ − x = 2ε (I − ε
-    /// f′)⁻¹ f, the value is that of [`modified`](Self::modified).
+    /// Writes the modified Hamiltonian in its compact form H + (x̃ − x)·∇H/3, where `x~` stands for
+    /// x̃. As x̃ − x = 2ε (I − ε f′)⁻¹ f, the value is that of [`modified`](Self::modified).
     #[must_use]
     pub fn compact(&self, symbols: &Symbols, notation: &dyn Notation) -> String {
         let written = |function: &RationalFunction| notation.function(symbols, function);
@@ -234,7 +236,8 @@ impl Hamiltonian {
         format!("{} + {moved}", written(&self.hamiltonian))
     }
 
-    /// Returns ∇H̃ at a point of a sampled map, up to a factor, from H̃ = H + (x̃ − x)·∇H/3.
+    /// Returns the gradient of the modified Hamiltonian H + (x̃ − x)·∇H/3 at a point of a sampled
+    /// map, up to a factor.
     #[must_use]
     pub fn modified_gradient(
         &self,
@@ -247,7 +250,7 @@ impl Hamiltonian {
         let there = sample.map.next(here)?;
         let jacobian = sample.map.jacobian(here, &there)?;
         let symbols = searched.family().symbols();
-        // The denominator of H is free of states: a constant factor.
+        // The denominator of H is free of states, so it is a constant factor.
         let potential = self.hamiltonian.numerator();
         let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
         let slopes: Vec<u64> =
@@ -267,17 +270,18 @@ impl Hamiltonian {
             .collect()
     }
 
-    /// Returns numerator and denominator of H̃, up to a factor free of states.
+    /// Returns numerator and denominator of the modified Hamiltonian H̃, up to a factor free of
+    /// states.
     ///
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε is an integral of the map (Celledoni,
-    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013). `None` if det A
-    /// vanishes at ε, or beyond 1500 terms. A common factor may remain where it is expensive to
-    /// find.
+    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013). `None` if I − ε
+    /// f′ is singular at ε, or if H̃ has more than 1500 terms. A common factor may remain where it
+    /// is expensive to find.
     #[must_use]
     pub fn modified(&self, searched: &SearchField, field: &Field) -> Option<(Polynomial, Polynomial)> {
         let symbols = &field.symbols;
         let mut budget = Budget::new(MOST_TERMS, MODIFIED_WORK);
-        // With H = P/q: H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD).
+        // With H = P/q, D = det A and A = I − ε f′, H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD).
         let potential = self.hamiltonian.numerator();
         let slopes: Vec<Polynomial> =
             (0..field.dimension()).map(|i| potential.derivative(symbols.state(i))).collect();

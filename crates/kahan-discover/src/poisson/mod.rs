@@ -1,4 +1,5 @@
-//! Poisson structures: constant ones with modified Hamiltonians, and invariant brackets.
+//! Poisson structures: constant ones, which give modified Hamiltonians, and invariant brackets of
+//! the map.
 
 pub(crate) mod brackets;
 pub mod hamiltonian;

@@ -1,4 +1,4 @@
-//! The modified Hamiltonians of the map, one for each constant K with f = K∇H.
+//! Finds the modified Hamiltonians of the map, one for each constant K with f = K∇H.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -15,20 +15,20 @@ use crate::modular::subspace::tidy;
 use crate::poisson::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::report::ModifiedPlace;
 
-/// A formula with more characters may be replaced by a much shorter compact form.
+/// The number of characters above which a much shorter compact form may replace a formula.
 const LONG: usize = 1000;
 
-/// The least quotient of the lengths for a replacement.
+/// A compact form may replace a formula that is at least this many times as long.
 const FAR_SHORTER: usize = 4;
 
 pub(crate) struct Modified {
     pub(crate) found: Hamiltonian,
-    /// Numerator and denominator of H̃, if within the budget.
+    /// Numerator and denominator of the modified Hamiltonian, if within the budget.
     pub(crate) written: Option<(Polynomial, Polynomial)>,
 }
 
 impl Modified {
-    /// Finds the modified Hamiltonians by ascending number of terms; those beyond the budget come
+    /// Finds the modified Hamiltonians, by ascending number of terms. Those beyond the budget come
     /// last.
     pub(crate) fn all(
         searched: &SearchField,
@@ -50,8 +50,8 @@ impl Modified {
     }
 }
 
-/// Adds modified Hamiltonians that are proved and independent; returns for each whether it is
-/// proved.
+/// Adds modified Hamiltonians that are proved and independent. Returns for each modified
+/// Hamiltonian whether it is proved.
 pub(crate) fn add_modified(
     all: &[Modified],
     searched: &SearchField,
@@ -95,8 +95,8 @@ pub(crate) struct Gradients<'a> {
 }
 
 impl Gradients<'_> {
-    /// Chooses the form of each modified Hamiltonian. An independent one is reported on its own.
-    /// Another one may replace the longest formula that it implies, or is omitted.
+    /// Chooses the form of each modified Hamiltonian. If it is independent, it is reported on its
+    /// own. Otherwise it may replace the longest formula that it implies, or it is omitted.
     pub(crate) fn places(
         &self,
         all: &[Modified],
@@ -107,8 +107,8 @@ impl Gradients<'_> {
         let mut compact: Vec<Vec<u64>> = Vec::new();
         let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
             let Some(own) = own else { return ModifiedPlace::Implied };
-            // Returns the rank of the formulas without `but`, the bases, and the compact forms;
-            // with `with_own` also of H̃.
+            // Returns the rank of the formulas, the bases and the compact forms. The formula with
+            // index `but` is left out. If `with_own`, the modified Hamiltonian is included.
             let rank = |but: Option<usize>, with_own: bool| {
                 let formulas = kept.iter().filter(|&&index| Some(index) != but);
                 let formulas = formulas.filter_map(|&index| self.formulas[index].clone());

@@ -1,5 +1,5 @@
-//! Structure of the field: divergence, linear and quadratic integrals, and whether det(I − t f′) is
-//! even.
+//! Structure of the field f: divergence, linear and quadratic integrals, and whether det(I − t f′)
+//! is even in t.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
@@ -28,7 +28,8 @@ pub fn divergence(field: &Field) -> RationalFunction {
 }
 
 /// Returns whether det(I − t f′(x)) is even in t, at three random points modulo a prime. If so,
-/// dx/det A(x,ε) is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
+/// dx/det A(x,ε) with A = I − ε f′ is an invariant measure, because det ∂x̃/∂x = det A(x̃,−ε)/det
+/// A(x,ε).
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -39,16 +40,16 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     })
 }
 
-/// Up to this number of variables the search finds all integrals of degree 2 within seconds.
+/// The number of variables up to which the search finds all integrals of degree 2 within seconds.
 const FEW_VARIABLES: usize = 10;
 
 /// Integrals P/Q of the map that follow from the field by linear algebra.
 #[derive(Default)]
 pub(crate) struct ByRules {
-    /// Integrals that are accepted before the search.
+    /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Integrals that the search may replace by others of equal degree with a common denominator:
-    /// those by rotation in few variables, and those of linear fields.
+    /// Integrals that the search may replace by others of equal degree with a common denominator.
+    /// They are those by rotation in few variables, and those of linear fields.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 
@@ -92,10 +93,10 @@ impl ByRules {
     }
 }
 
-/// Polynomial integrals of the flow ẋ = f(x).
+/// Polynomial integrals of the flow of the field, ẋ = f(x).
 #[derive(Clone, Debug, Default)]
 pub struct FlowIntegrals {
-    /// Functionally independent integrals, lowest degree first.
+    /// Functionally independent integrals. The lowest degrees come first.
     pub found: Vec<Polynomial>,
     /// The degree up to which the list is complete, which may be lower than requested.
     pub degree: u32,
@@ -103,7 +104,8 @@ pub struct FlowIntegrals {
 
 impl FlowIntegrals {
     /// Returns the integrals of the flow that the map preserves unchanged, tested at one point
-    /// modulo a prime. Linear integrals are preserved; for a linear field, all are.
+    /// modulo a prime. The map preserves all linear integrals. For a linear field, it preserves all
+    /// integrals.
     #[must_use]
     pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
         let Some(step) = searched.step(random) else { return Vec::new() };
@@ -111,11 +113,11 @@ impl FlowIntegrals {
     }
 }
 
-/// The most monomials; the cost grows with their cube.
+/// The most monomials of an integral; the cost grows with the cube of their number.
 const MOST_MONOMIALS: usize = 900;
 
 /// Finds independent polynomial integrals P of the flow up to a degree, from ∇P·f = 0. The equation
-/// is solved modulo primes at random parameters; coefficients are reconstructed.
+/// is solved modulo primes at random parameters, and the coefficients of P are reconstructed.
 pub fn flow_integrals(
     searched: &SearchField,
     degree: u32,

@@ -1,10 +1,10 @@
-//! Jets of a curve (or surface): a point moved by δ off the curve, followed through poles modulo a
-//! prime.
+//! Jets of a curve (or surface) modulo a prime: a point is moved by δ off the curve and followed
+//! through poles.
 //!
 //! A generic point of the curve is moved by δ in a random direction. The map acts on homogeneous
-//! coordinates [X : W], power series in δ; shared powers of δ are divided out after every step. At
-//! δ = 0 this is the image of the point. The image and its derivatives along the curve span a space
-//! whose dimension is one more than that of the curve's image.
+//! coordinates [X : W], which are power series in δ. After every step, shared powers of δ are
+//! divided out. At δ = 0 the result is the image of the point. The image and its derivatives along
+//! the curve span a space whose dimension is one more than that of the curve's image.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -16,14 +16,16 @@ use crate::maps::parametric_field::evaluate;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
-/// Homogeneous polynomials at sampled parameters and ε: terms c · ∏ Xᵢ^eᵢ, the exponent of W last.
+/// Homogeneous polynomials at sampled parameters and ε. They consist of terms c · ∏ Xᵢ^eᵢ with the
+/// exponent of W last.
 pub(crate) struct Homogeneous {
     modulus: Modulus,
     components: Vec<Vec<(u64, Vec<u32>)>>,
     degree: u32,
 }
 
-/// A point of a curve in homogeneous coordinates, W last, with a basis of its tangent vectors.
+/// A point of a curve in homogeneous coordinates, W last, with a basis of the tangent vectors at
+/// the point.
 pub(crate) struct Place {
     point: Vec<u64>,
     tangents: Vec<Vec<u64>>,
@@ -32,25 +34,28 @@ pub(crate) struct Place {
 /// The image of a curve after some steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// The dimension of the image; one less than the number of variables if it is a curve again.
+    /// The dimension of the image. The image is a curve again if its dimension is one less than the
+    /// number of variables.
     pub dimension: usize,
     /// Whether the image lies at infinity.
     pub is_infinite: bool,
-    /// The power of δ that all homogeneous coordinates shared after the last step.
+    /// The power of δ that all homogeneous coordinates of the moved point shared after the last
+    /// step.
     pub shared: usize,
-    /// For each followed curve the order in δ to which the moved image meets it.
+    /// For each followed curve, the order in δ to which the image of the moved point meets the
+    /// curve.
     pub contacts: Vec<usize>,
 }
 
-/// The reason why the image is unknown.
+/// The reason why the image of a curve is unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NoImage {
-    /// All known coefficients of the series vanish; longer series may decide.
+    /// All known coefficients of the power series vanish; longer series may decide.
     TooShort,
     SpecialPoint,
 }
 
-/// The values of the unknowns: parameters in order, then ε.
+/// The names of states and parameters, and the values of the parameters in order and of ε.
 pub(crate) struct Values<'a> {
     pub(crate) symbols: &'a Symbols,
     pub(crate) parameters: &'a [u64],
@@ -58,7 +63,7 @@ pub(crate) struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// Sorts a polynomial by monomials in the states; `None` if the prime divides a denominator.
+    /// Sorts a polynomial by monomials in the states. `None` if the prime divides a denominator.
     fn terms(&self, modulus: &Modulus, polynomial: &Polynomial) -> Option<Vec<(u64, Vec<u32>)>> {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => self.parameters[k],
@@ -75,13 +80,14 @@ impl Values<'_> {
 }
 
 impl Homogeneous {
-    /// Makes a map of homogeneous components of equal degree.
+    /// Makes a map whose homogeneous components have equal degree.
     pub(crate) fn map(modulus: Modulus, components: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let degree = components.iter().map(|component| values.symbols.degree(component)).max()?;
         Self::of(modulus, components, values, |_| degree)
     }
 
-    /// Makes curves, each of its own degree, followed by W, whose zeros are the points at infinity.
+    /// Makes curves, each of its own degree. The coordinate W follows the curves; its zeros are the
+    /// points at infinity.
     pub(crate) fn curves(modulus: Modulus, curves: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let mut all = Self::of(modulus, curves, values, |curve| values.symbols.degree(curve))?;
         let exponents = (0..=values.symbols.dimension()).map(|i| u32::from(i == values.symbols.dimension()));
@@ -107,7 +113,8 @@ impl Homogeneous {
         Some(Homogeneous { modulus, components, degree: polynomials.iter().map(degree).max().unwrap_or(0) })
     }
 
-    /// Returns the images of the curve after 1, 2, … `steps` steps by series of this length.
+    /// Returns the images of the curve after 1, 2, … `steps` steps. The power series have the given
+    /// length.
     pub(crate) fn follow(
         &self,
         place: &Place,
@@ -178,7 +185,8 @@ impl Homogeneous {
 }
 
 impl Place {
-    /// Returns a random zero of a polynomial; `None` if none is found or the gradient is 0.
+    /// Returns a random zero of a polynomial. `None` if no zero is found, or if the gradient is 0
+    /// there.
     pub(crate) fn on(
         modulus: &Modulus,
         curve: &Polynomial,

@@ -1,4 +1,5 @@
-//! Relations suggested by a grid, and the claims that are proved at them.
+//! Relations between parameters that a grid suggests, and the claims that are proved if a relation
+//! holds.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
@@ -22,17 +23,18 @@ use crate::stages::discover_within;
 /// A relation between scanned parameters at which all points of the grid are special.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proposal {
-    /// The relation as in a `when` clause: `c = -a - b`.
+    /// The relation as written in a `when` clause, for example `c = -a - b`.
     pub relation: String,
-    /// The number of grid points on the relation.
+    /// The number of grid points that satisfy the relation.
     pub points: usize,
-    /// The most frequent observation among those with the fewest integrals.
+    /// The most frequent degrees and ranks among the points of the relation with the fewest
+    /// integrals.
     pub sight: DegreesAndRanks,
-    /// Proved claims, ready to paste, that hold only at the relation.
+    /// Proved claims, ready to paste, that hold only if the relation holds.
     pub claims: Vec<String>,
 }
 
-/// Returns the relations that the grid shows, with claims proved before the deadline.
+/// Returns the relations that the grid suggests, with claims proved before the deadline.
 pub(super) fn proposals(
     system: &System,
     scan: &Scan,
@@ -41,7 +43,8 @@ pub(super) fn proposals(
     deadline: &Deadline<'_>,
 ) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
-    // Points without observation, and with ε = 0 (the identity), carry no information.
+    // Points without observed ranks carry no information, nor do points with ε = 0, where the map
+    // is the identity.
     let zero_step = |values: &[Rational]| {
         scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
     };
@@ -70,7 +73,7 @@ pub(super) fn proposals(
     proposals
 }
 
-/// Returns the most frequent observation with the fewest integrals.
+/// Returns the most frequent degrees and ranks among those with the fewest integrals.
 fn usual<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a DegreesAndRanks> {
     let mut counts: HashMap<String, (usize, &DegreesAndRanks)> = HashMap::new();
     for sight in sights {
@@ -82,8 +85,8 @@ fn usual<'a>(sights: impl Iterator<Item = &'a DegreesAndRanks>) -> Option<&'a De
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// Writes the polynomial as an equation. Prefers a name with coefficient ±1 on the left, then a
-/// number on the right, then negative terms on the right.
+/// Writes the equation that sets a polynomial to zero. Prefers a name with coefficient ±1 on the
+/// left, then a number on the right, then negative terms on the right.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();
@@ -109,7 +112,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// A search for formulas at relations, which proves them as claims about the given field.
+/// A search for formulas under relations. It proves the formulas as claims about the given field.
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
@@ -133,7 +136,8 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// Proves claims that hold where the polynomial vanishes and not elsewhere, within `seconds`.
+    /// Proves claims that hold where the polynomial vanishes, and not elsewhere. The search takes
+    /// at most `seconds`.
     fn prove(&mut self, polynomial: &Polynomial, relation: &str, seconds: f64) -> Vec<String> {
         let Some((system, options)) = self.restricted(polynomial, seconds) else { return Vec::new() };
         let found = discover_within(&system, &options, self.work, &|_, _| ());
@@ -142,10 +146,10 @@ impl<'a> Prover<'a> {
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// Restricts the system to zeros of the polynomial: eliminates a parameter, or fixes ε.
+    /// Restricts the system to zeros of the polynomial, by eliminating a parameter or fixing ε.
     fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        // A fixed degree ends each search early, since a scan has many relations to prove.
+        // Fix the degree so that each search ends early, since a scan has many relations.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
         let mut options = Options { seconds, degree, ..self.options.clone() };
         let mut relations = Relations::default();
@@ -155,14 +159,16 @@ impl<'a> Prover<'a> {
             options.eps = Some(value.as_polynomial()?.as_constant()?);
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
-        // A field may contain only even powers of ε, and a relation may contain odd ones.
+        // Terms may be missing: a field may contain only even powers of ε, while a relation
+        // contains odd ones.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;
         Some((system, options))
     }
 
-    /// Claims the formula under the relation; `None` if it is unproved, or holds in general.
+    /// Claims the formula under the relation. `None` if the claim is unproved, or if it holds
+    /// without the relation.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
         let ClaimBody::Function(value) = &formula.claim.body else { return None };
         let value = Text.expression(value);

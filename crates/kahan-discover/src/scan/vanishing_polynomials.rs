@@ -1,8 +1,9 @@
-//! Polynomials of low degree in the scanned parameters that vanish at special grid points only.
+//! Finds polynomials of low degree in the scanned parameters that vanish at special grid points
+//! only.
 //!
 //! Simple polynomials come first: a single value, linear polynomials, two monomials. Special points
-//! on an earlier polynomial are no evidence for later ones. Numbers are residues modulo a prime of
-//! 61 bits, where small rationals remain distinct.
+//! where an earlier polynomial vanishes are no evidence for later polynomials. Numbers are residues
+//! modulo a prime of 61 bits, where small rational numbers remain distinct.
 
 use std::collections::BTreeSet;
 
@@ -15,33 +16,37 @@ use crate::modular::modulus::{Modulus, rational_from_residue};
 use crate::modular::monomials::Monomials;
 
 pub(super) struct Grid {
-    /// The values of the parameters, one row for each point.
+    /// The values of the parameters, with one row for each point.
     pub(super) points: Vec<Vec<Rational>>,
     pub(super) special: Vec<bool>,
 }
 
 /// A polynomial that vanishes at special points only.
 pub(super) struct VanishingPolynomial {
-    /// The polynomial; variable k is scanned parameter k.
+    /// The polynomial. Its variable with index k stands for the scanned parameter k.
     pub(super) polynomial: Polynomial,
-    /// The special points at which it vanishes.
+    /// The special points at which the polynomial vanishes.
     pub(super) points: Vec<usize>,
 }
 
-/// The number of zeros required beyond the number of coefficients.
+/// The number of zeros required beyond the number of coefficients of a polynomial.
 const SPARE_POINTS: usize = 2;
-/// The highest probability of a coincidence: (share of special points)^(zeros − coefficients).
+/// The highest probability of a coincidence, which is (share of special points)^(zeros −
+/// coefficients).
 const CHANCE: f64 = 0.01;
-/// The number of random choices of points for linear polynomials.
+/// The number of random choices of points through which linear polynomials are tried.
 const SAMPLES: usize = 3000;
 const MOST_NAMES: usize = 4;
-/// The highest degree of a monomial, and the largest numerator and denominator of a coefficient.
+/// The highest degree of a monomial.
 const HIGHEST_DEGREE: u32 = 3;
+/// The largest numerator and denominator of a coefficient.
 const LARGEST: u64 = 1000;
-/// The most special points from which candidates are made; candidates are checked at all points.
+/// The most special points from which candidates are made. The candidates are checked at all
+/// points.
 const MOST_POINTS: usize = 600;
 
-/// Finds polynomials that explain special points beyond those of `known`, the simplest first.
+/// Finds polynomials that explain special points at which no polynomial of `known` vanishes. The
+/// simplest polynomials come first.
 pub(super) fn vanishing_polynomials(grid: &Grid, known: &[VanishingPolynomial]) -> Vec<VanishingPolynomial> {
     let mut search = Search::new(grid);
     search.open.retain(|at| known.iter().all(|shape| !shape.points.contains(at)));
@@ -55,9 +60,9 @@ struct Search<'a> {
     grid: &'a Grid,
     modulus: Modulus,
     residues: Vec<Vec<u64>>,
-    /// The parameters with more than one value.
+    /// The indices of the parameters with more than one value.
     names: Vec<usize>,
-    /// The special points that no polynomial explains.
+    /// The special points at which no polynomial found so far vanishes.
     open: Vec<usize>,
     found: Vec<VanishingPolynomial>,
 }
@@ -85,7 +90,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Tries linear polynomials through random unexplained points, in few parameters first.
+    /// Tries linear polynomials through random unexplained points. Polynomials in few parameters
+    /// come first.
     fn linear(&mut self) {
         let mut random = SplitMix64::new(0);
         for size in 2..=self.names.len().min(MOST_NAMES) {
@@ -114,7 +120,7 @@ impl<'a> Search<'a> {
         vector.entries[1..].iter().all(|entry| *entry != 0).then(|| vector.entries.clone())
     }
 
-    /// Returns the linear equations in 1 and these parameters that hold at all points.
+    /// Returns the linear equations in 1 and these parameters that hold at all given points.
     fn affine(&self, names: &[usize], points: &[usize]) -> Echelon {
         let row = |&at: &usize| {
             let values = names.iter().map(|&name| self.residues[at][name]);
@@ -130,8 +136,8 @@ impl<'a> Search<'a> {
         Some(Polynomial::from_terms(monomials.zip(coefficients)).primitive_part())
     }
 
-    /// Tries m = c m′ for coprime monomials, with the most frequent quotient c at unexplained
-    /// points.
+    /// Tries equations m = c m′ for coprime monomials m and m′. The number c is the most frequent
+    /// quotient at unexplained points.
     fn two_monomials(&mut self) {
         let monomials = Monomials::new(self.names.len(), HIGHEST_DEGREE);
         let mut pairs: Vec<(usize, usize)> = (0..monomials.len())
@@ -172,7 +178,7 @@ impl<'a> Search<'a> {
         self.small(longest[0])
     }
 
-    /// Returns the small rational of a residue.
+    /// Returns the small rational number with this residue.
     fn small(&self, residue: u64) -> Option<Rational> {
         let value =
             rational_from_residue(&self.modulus.residue(residue).into(), &self.modulus.prime().into())?;

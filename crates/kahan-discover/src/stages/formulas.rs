@@ -1,4 +1,4 @@
-//! Formulas of integrals; bases and compact forms for integrals without formulas.
+//! Searches formulas of integrals. Integrals without formulas are given by bases and compact forms.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -20,15 +20,16 @@ use crate::report::{MOST_READABLE, ModifiedPlace};
 
 use super::Deadlines;
 
-/// The integrals found with relations of some degree.
+/// The integrals that a search with relations of some degree finds.
 pub(super) struct Integrals {
     pub(super) integrals: Vec<Formula>,
-    /// All proved formulas, including long ones that bases replace.
+    /// All proved formulas, including long formulas that bases replace.
     pub(super) all: Vec<Formula>,
     pub(super) bases: Vec<Basis>,
-    /// The number of independent integrals, including those without a formula.
+    /// The number of independent integrals, including integrals without a formula.
     pub(super) independent: usize,
-    /// For each modified Hamiltonian, whether it is proved as a claim, and its form.
+    /// For each modified Hamiltonian: whether it is proved as a claim, and the form in which it is
+    /// given.
     pub(super) modified: Vec<(bool, ModifiedPlace)>,
 }
 
@@ -83,7 +84,7 @@ impl Search<'_> {
         let mut all_integrals = integrals(searched, self.claims, &aims, random, until_formulas);
         let are_proved =
             add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
-        // Reports the modified Hamiltonians, too; `Work::found` ignores repetitions.
+        // Report the modified Hamiltonians, too; `Work::found` ignores repetitions.
         all_integrals.iter().for_each(tell_if_short);
 
         let mut gradients: Vec<Vec<u64>> =
@@ -103,8 +104,8 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
-        // Returns whether a formula depends on the modified Hamiltonians and formulas, but not on
-        // the formulas only.
+        // Returns whether a formula depends on the modified Hamiltonians and the other formulas
+        // together, but not on the other formulas alone.
         let says_the_same = |formula: &Formula| {
             let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
             let rank = self.rank(&rows);
@@ -148,7 +149,7 @@ impl Search<'_> {
         Echelon::of(modulus, gradients.to_vec(), self.searched.dimension()).rank()
     }
 
-    /// Adds a gradient if it is independent of those before; returns whether it was added.
+    /// Adds a gradient if it is independent of the earlier gradients. Returns whether it was added.
     fn extends(&self, gradients: &mut Vec<Vec<u64>>, gradient: Vec<u64>) -> bool {
         gradients.push(gradient);
         let is_independent = self.rank(gradients) == gradients.len();
@@ -158,8 +159,8 @@ impl Search<'_> {
         is_independent
     }
 
-    /// Returns gradients of the integrals at `place`, from the relations on the orbit through it;
-    /// empty after the deadline.
+    /// Returns gradients of the integrals at `place`, from the relations on the orbit through
+    /// `place`. The list is empty after the deadline.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);

@@ -27,14 +27,15 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::system::{Claim, System};
 
-/// Finds what the Kahan map of a system's field preserves, from its equations; claims are ignored.
+/// Finds the structures that the Kahan map of a system's field preserves. Only the equations are
+/// used; the claims of the system are ignored.
 ///
-/// `watch` is told of every stage as it begins, and of each claim as soon as it is proved. If
-/// relations of higher degrees show more, a claim may be rewritten and reported again.
+/// `watch` is told of every stage as it begins, and of each claim as soon as it is proved.
+/// Relations of higher degrees may show more; then a claim may be rewritten and reported again.
 ///
 /// Equal fields and options give equal results, unless time runs out. Without a given degree, the
-/// search continues to higher degrees while integrals may be missing and time is left;
-/// [`Report::bound`] tells why it ended. Results of the default degree do not depend on the
+/// search continues to higher degrees while integrals may be missing and time is left.
+/// [`Report::bound`] tells why the search ended. Results of the default degree do not depend on the
 /// machine.
 ///
 /// # Errors
@@ -45,7 +46,7 @@ pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result
     discover_within(system, options, &work, &|claim, text| work.found(claim, text))
 }
 
-/// Runs [`discover`] as part of another computation; calls `tell` with each claim and its line.
+/// Runs [`discover`] as part of another computation. Calls `tell` with each claim and its text.
 pub(crate) fn discover_within(
     system: &System,
     options: &Options,
@@ -87,7 +88,8 @@ pub(crate) fn discover_within(
     let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
-    // A lower degree, the default or half of it, takes a fraction of the time.
+    // A search at a lower degree, which is the default or half of the given one, takes a fraction
+    // of the time.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&searched, lower, random, &for_structure);

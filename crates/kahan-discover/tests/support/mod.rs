@@ -1,4 +1,4 @@
-//! Fields with known answers as texts, and a watch, for all tests.
+//! Texts of fields with known answers, and a watch, for all tests.
 
 #![allow(dead_code, unused_imports, reason = "not every test uses all of it")]
 

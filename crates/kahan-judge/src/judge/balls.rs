@@ -1,6 +1,6 @@
-//! Verdicts by balls around x̃, for maps with too many terms to be expanded.
+//! Tests results by balls around x̃, for maps with too many terms to be expanded.
 //!
-//! A question that balls do not decide is asked again with twice the bits, and finally of exact
+//! If balls do not decide a question, it is asked again with twice the bits, and finally of exact
 //! quotients.
 
 use std::cmp::Ordering;
@@ -17,13 +17,13 @@ use crate::float::Format;
 
 struct Balls {
     equation: AtPoint,
-    /// The first precision in which det A excludes 0.
+    /// The first precision in which the ball of det A excludes 0.
     bits: u64,
     next: Vec<Ball>,
 }
 
 impl Balls {
-    /// Solves for x̃; `None` at a pole (det A = 0).
+    /// Solves the equation for x̃. `None` at a pole, where det A = 0.
     fn of(equation: AtPoint) -> Option<Box<dyn ExactStep>> {
         for bits in precisions() {
             match elimination::next(&equation, bits) {
@@ -35,7 +35,7 @@ impl Balls {
         Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
-    /// Answers by balls of growing precision, then by exact quotients.
+    /// Answers a question by balls of growing precision, then by exact quotients.
     fn answer<R>(
         &self,
         of_balls: impl Fn(&[Ball], u64) -> Option<R>,
@@ -108,12 +108,13 @@ impl ExactMap for Equation {
     }
 }
 
-/// Returns lower and upper bounds of the largest magnitude.
+/// Returns lower and upper bounds of the largest magnitude among the balls.
 fn range(balls: &[Ball]) -> (Dyadic, Dyadic) {
     (largest(balls.iter().map(Ball::least)), largest(balls.iter().map(Ball::most)))
 }
 
-/// Returns whether the format holds every component with full precision; `None` if undecided.
+/// Returns whether the format holds every component of x̃ with full precision. `None` if the balls
+/// do not decide this.
 pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     let (least, greatest) = (Dyadic::new(1, format.least_binade), greatest(format));
     let verdict = |ball: &Ball| {
@@ -132,17 +133,18 @@ pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     verdicts.iter().all(Option::is_some).then_some(true)
 }
 
-/// Returns the condition number of the step in (x, ε); infinite if no precision determines it.
+/// Returns the condition number of the step in (x, ε). It is infinite if no precision determines
+/// it.
 pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     let (at, curvature) = (equation.at(point), equation.curvature(point));
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
 }
 
-/// Expands det A as a polynomial in a random state or in ε, row by row, with a minor for each set
-/// of columns. An entry of A is linear in each variable.
+/// Expands det A as a polynomial in a random state or in ε. The expansion goes row by row, with a
+/// minor for each set of columns. An entry of A is linear in each variable.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
-    /// Enough bits for a root with the precision of the longest scalar, unless cancellation is
-    /// severe.
+    /// The number of bits. It suffices for a root with the precision of the longest scalar, unless
+    /// cancellation is severe.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;
@@ -153,14 +155,14 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Pole
         equation.at(&moved)
     };
     let (zero, one) = (at(0), at(1));
-    // Minors, indexed by their set of columns as bits.
+    // The index of a minor is its set of columns as bits.
     let mut minors = vec![None; 1 << n];
     minors[0] = Some(vec![Dyadic::new(1, 0)]);
     for i in 0..n {
         let mut entries: Vec<(usize, [Dyadic; 2])> = Vec::new();
         let mut slopes = one.row(i);
         for (j, constant) in zero.row(i) {
-            // Both points have entries in the same columns.
+            // The rows at both points have entries in the same columns.
             let at_one = slopes.iter().position(|(k, _)| *k == j).map(|k| slopes.swap_remove(k).1);
             let slope = &at_one.unwrap_or_else(Dyadic::zero) - &constant;
             entries.push((j, [constant, slope]));

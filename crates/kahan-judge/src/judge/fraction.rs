@@ -1,6 +1,7 @@
-//! x̃ as quotients over one denominator, x̃ᵢ = Nᵢ/d.
+//! Represents the exact step x̃ as quotients x̃ᵢ = Nᵢ/d with one denominator d.
 //!
-//! The error of a result y is |yᵢd − Nᵢ|/|d|. It is compared with max |Nᵢ|/|d| without division.
+//! A result y has the error |yᵢd − Nᵢ|/|d| in component i. The error is compared with max |Nᵢ|/|d|
+//! without division.
 
 use std::cmp::Ordering;
 
@@ -14,10 +15,10 @@ use crate::elimination::largest;
 use crate::equation::AtPoint;
 use crate::float::Format;
 
-/// The error bound of the stable tier: ‖error‖∞ ≤ 64 u ‖exact‖∞.
+/// The factor in the error bound of `try_step`: ‖error‖∞ ≤ 64 u ‖exact‖∞, where u = 2^−precision.
 pub(crate) const PROMISE: i64 = 64;
 
-/// The numerators Nᵢ and the denominator d ≠ 0.
+/// The numerators Nᵢ and the denominator d ≠ 0 of the step x̃ᵢ = Nᵢ/d.
 pub(crate) struct Fraction {
     pub(crate) numerators: Vec<Dyadic>,
     pub(crate) denominator: Dyadic,
@@ -30,7 +31,7 @@ impl Fraction {
         Self { numerators, denominator, size }
     }
 
-    /// Solves for x̃ over the rationals; `None` if det A = 0.
+    /// Solves the equation for x̃ over the rational numbers. `None` if det A = 0.
     pub(crate) fn of_equation(equation: &AtPoint) -> Option<Self> {
         let n = equation.x.len();
         let row = |i: usize| {
@@ -41,7 +42,8 @@ impl Fraction {
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
         let solved = solve(&arithmetic::Exact, &matrix, &right)?;
-        // Minors are sums of products of dyadic entries, so these numerators are dyadic.
+        // Minors are sums of products of dyadic entries, so these numerators are dyadic numbers
+        // n·2^k.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))
         };
@@ -62,7 +64,7 @@ impl ExactStep for Fraction {
                 error.clone().scaled(format.precision).ratio(&self.size)
             },
             keeps_promise: within(&(&self.size * &Dyadic::new(PROMISE, -format.precision))),
-            // Tests error·1000 ≤ size.
+            // The result is roughly right if error·1000 ≤ size; the comparison is exact.
             is_rough: (&error * &Dyadic::new(1000, 0)).compare(&self.size) != Ordering::Greater,
         }
     }
@@ -77,7 +79,8 @@ impl ExactStep for Fraction {
     }
 }
 
-/// Returns the largest number of a format, (2 − 2^(1−p))·2^greatest.
+/// Returns (2 − 2^(1−p))·2^e, the largest number of a format with precision p and greatest exponent
+/// e.
 pub(crate) fn greatest(format: &Format) -> Dyadic {
     let Format { precision, greatest_binade, .. } = format;
     Dyadic::new((BigInt::from(1) << precision) - 1, greatest_binade + 1 - precision)

@@ -1,8 +1,8 @@
-//! Verdicts on float results, by comparison with the exact step from the given floats.
+//! Tests float results against the exact step from the given floats.
 //!
-//! Fields of up to eight variables are tested against the expanded reduced map, or, if that has too
-//! many terms, by elimination in balls of growing precision. Every verdict is exact; only printed
-//! values are rounded.
+//! For fields of up to eight variables, the exact step is the expanded map in lowest terms. If that
+//! map has too many terms, the step is computed by elimination in balls of growing precision. Every
+//! verdict is exact; only printed values are rounded.
 
 pub(crate) mod balls;
 pub(crate) mod fraction;
@@ -19,20 +19,20 @@ use super::float::Format;
 
 use reduced::Reduced;
 
-/// The exact map of a system.
+/// The exact map of a system, with which results are compared.
 pub(crate) trait ExactMap: Debug + Send + Sync {
     fn equation(&self) -> &Equation;
 
-    /// Makes the exact step; `None` at a pole. The map is reduced before parameters get values. It
-    /// may therefore have a value where the field divides by zero: the limit in the parameters,
-    /// which solves the equations multiplied by their divisors.
+    /// Makes the exact step; `None` at a pole. The map is in lowest terms before parameters get
+    /// values. So it may be defined where the field divides by zero: it is the limit in the
+    /// parameters, which solves the equations multiplied by their divisors.
     fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>>;
 
     fn condition(&self, point: &[Dyadic]) -> f64 {
         balls::condition(self.equation(), point)
     }
 
-    /// Returns whether det A vanishes at some points where the reduced map has a value.
+    /// Returns whether det A vanishes at some points where the map in lowest terms is defined.
     fn has_removable_poles(&self) -> bool {
         false
     }
@@ -41,8 +41,8 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
         true
     }
 
-    /// Returns the denominator, or the factor divided out of it, as a polynomial in a random
-    /// variable.
+    /// Returns the map's denominator as a polynomial in a random variable. If `is_removable`,
+    /// returns the factor that was divided out of it.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 
@@ -50,16 +50,18 @@ pub(crate) trait ExactStep {
     /// Compares a finite result with the exact step.
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict;
 
-    /// Returns whether the format holds every component with full precision: each is 0 or normal.
+    /// Returns whether the format holds every component of the step with full precision. Each
+    /// component must be 0 or a normal number.
     fn fits(&self, format: &Format) -> bool;
 }
 
 /// The comparison of a finite result with the exact step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
-    /// ‖error‖∞/‖exact‖∞, or the backward error, in units u; infinite if the exact step is 0.
+    /// ‖error‖∞/‖exact‖∞, or the backward error, in multiples of the unit u = 2^−precision. The
+    /// value is infinite if the exact step is 0.
     pub(crate) error_u: f64,
-    /// Whether the error bound of the stable tier holds, by exact comparison.
+    /// Whether the error bound of `try_step` holds. The comparison is exact.
     pub(crate) keeps_promise: bool,
     /// Whether the relative error is at most 1e-3.
     pub(crate) is_rough: bool,
@@ -67,11 +69,12 @@ pub(crate) struct Verdict {
 
 pub(crate) struct PolePolynomial {
     pub(crate) variable: usize,
-    /// Coefficients from the constant term upwards; rounded if they come from elimination.
+    /// The coefficients from the constant term upwards. They are rounded if they come from
+    /// elimination.
     pub(crate) coefficients: Vec<Dyadic>,
 }
 
-/// Returns the judge of a field of up to eight variables.
+/// Returns the exact map of a field of up to eight variables.
 pub(crate) fn of(system: &System) -> Box<dyn ExactMap> {
     match Reduced::of(system) {
         Some(reduced) => Box::new(reduced),

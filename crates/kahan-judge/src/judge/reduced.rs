@@ -1,6 +1,6 @@
-//! Verdicts by the expanded polynomials of the reduced map.
+//! Tests results by the expanded polynomials of the map in lowest terms.
 //!
-//! In lowest terms x̃ᵢ = xᵢ + 2ε nᵢ/d = Nᵢ/d with Nᵢ = xᵢd + 2ε nᵢ. The map may have a value where
+//! In lowest terms x̃ᵢ = xᵢ + 2ε nᵢ/d = Nᵢ/d with Nᵢ = xᵢd + 2ε nᵢ. The map may be defined where
 //! det A = 0.
 
 use kahan_algebra::kahan::RationalMap;
@@ -18,18 +18,20 @@ use crate::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_
 #[derive(Debug)]
 pub(super) struct Reduced {
     equation: Equation,
-    /// N₁ … N_n and d, scaled by one integer.
+    /// The numerators N₁ … N_n of the map, scaled by one integer, which also scales the denominator
+    /// d.
     numerators: Vec<Terms>,
     denominator: Terms,
-    /// Derivatives by each state and by ε.
+    /// The derivatives of numerators and denominator by each state and by ε.
     slopes: Vec<Slopes>,
-    /// The denominator d and the factor that was divided out, in each of their variables.
+    /// The denominator d, and the factor that was divided out of it, as polynomials in each of
+    /// their variables.
     poles: Vec<Univariate>,
     removable_poles: Vec<Univariate>,
     degree: usize,
 }
 
-/// The derivatives ∂Nᵢ/∂v for every i, and ∂d/∂v.
+/// The derivatives of numerators and denominator by one variable v: ∂Nᵢ/∂v for every i, and ∂d/∂v.
 #[derive(Debug)]
 struct Slopes {
     variable: usize,
@@ -53,7 +55,7 @@ impl Reduced {
         });
         let univariates = |polynomial: &Polynomial| {
             let all = Univariate::all(polynomial, &common_denominator([polynomial]));
-            // Parameters are given, so states or ε are varied to find poles.
+            // Parameters are given, so only states or ε are varied to find poles.
             let is_parameter = |v: usize| v >= symbols.dimension() && v != usize::from(symbols.epsilon().0);
             all.into_iter().filter(|one| !is_parameter(one.variable)).collect()
         };
@@ -85,7 +87,8 @@ impl ExactMap for Reduced {
         Some(Box::new(self.fraction(point)?))
     }
 
-    /// Returns max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞; infinite for x̃ = 0 and at a pole.
+    /// Returns the condition number: max over i of Σ |∂x̃ᵢ/∂v|·|v| over the variables v, divided by
+    /// ‖x̃‖∞. The result is infinite for x̃ = 0 and at a pole.
     fn condition(&self, point: &[Dyadic]) -> f64 {
         let Some(Fraction { numerators, denominator, size }) = self.fraction(point) else {
             return f64::INFINITY;
@@ -93,7 +96,7 @@ impl ExactMap for Reduced {
         let point = Powers::of(point, self.degree);
         let mut sums = vec![Dyadic::zero(); numerators.len()];
         for slopes in &self.slopes {
-            // ∂(N/d) = (∂N·d − N·∂d)/d²
+            // Use ∂(N/d) = (∂N·d − N·∂d)/d².
             let slope = slopes.denominator.at(&point);
             for ((sum, terms), n) in sums.iter_mut().zip(&slopes.numerators).zip(&numerators) {
                 let change = &(&terms.at(&point) * &denominator) - &(n * &slope);

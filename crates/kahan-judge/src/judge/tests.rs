@@ -1,4 +1,4 @@
-//! Tests of the exact steps against generated code over big rationals, and against each other.
+//! Tests the exact steps against generated code over big rationals, and against each other.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::{lexer::lex, read};
@@ -34,7 +34,8 @@ fn rational(x: f64) -> BigRational {
     BigRational::from_float(x).unwrap()
 }
 
-/// Compares Nᵢ/d and the condition number of a homogeneous map, where ε ∂x̃/∂ε = J x − x̃.
+/// Compares the step Nᵢ/d and the condition number with those of generated code. The map is
+/// homogeneous, so ε ∂x̃/∂ε = J x − x̃ with J = ∂x̃/∂x.
 fn agrees<M: KahanMap<BigRational, 3>>(judge: &Reduced, map: impl Fn(Option<&f64>) -> M) {
     for (seed, regime) in
         (0..120).zip([Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole].iter().cycle())
@@ -64,7 +65,8 @@ fn agrees<M: KahanMap<BigRational, 3>>(judge: &Reduced, map: impl Fn(Option<&f64
         if norm == BigRational::from_integer(0.into()) {
             assert!(condition.is_infinite());
         } else {
-            // The tolerance covers 2⁻⁵⁰ of the quotient and the rounding of the comparison.
+            // The tolerance covers the error 2⁻⁵⁰ of the quotient, and the rounding of the
+            // comparison.
             let expected = largest / norm;
             let difference = size(&(&expected - rational(condition)));
             assert!(difference * rational(1e12) < expected, "condition {condition:e} at {inputs:?}");
@@ -85,7 +87,8 @@ fn errors_are_told_from_both_sides_of_the_promise() {
     let judge = reduced(&kahan_systems::e3::ENTRY);
     let point: Vec<Dyadic> = [0.0, 0.0, 4.0, 0.125].iter().map(|&x| Dyadic::of(x).unwrap()).collect();
     let exact = judge.step(&point).unwrap();
-    // On the axis x = y = 0 every point is fixed; ‖exact‖ = 4, u‖exact‖ = 2⁻⁵¹.
+    // On the axis x = y = 0 every point is fixed. Here ‖exact‖ = 4, and u‖exact‖ = 2⁻⁵¹ with u =
+    // 2⁻⁵³.
     let verdict =
         |z: f64| exact.judge(&f64::FORMAT, &[Dyadic::zero(), Dyadic::zero(), Dyadic::of(z).unwrap()]);
     let right = verdict(4.0);
@@ -140,7 +143,7 @@ fn beyond_the_budget() -> Equation {
 const REGIMES: [Regime; 4] =
     [Regime::Ordinary, Regime::MixedMagnitudes, Regime::NearPole, Regime::LargeSteps];
 
-/// Checks that two judges agree on results within and beyond the error bound.
+/// Checks that two exact steps yield equal verdicts on results within and beyond the error bound.
 fn agree(one: &dyn ExactStep, other: &dyn ExactStep, next: &[f64]) {
     for off in [0.0, 3e-15, 2e-14, 1e-2] {
         let moved: Vec<f64> = next.iter().map(|y| y + y * off).collect();
@@ -225,7 +228,7 @@ fn every_judge_sees_a_wrong_step() {
     }
 }
 
-/// The polynomials whose zeros are poles must equal det A along a coordinate.
+/// Tests that the polynomials whose zeros are poles equal det A along a coordinate.
 #[test]
 fn det_a_along_a_coordinate_is_told() {
     for judge in [&beyond_the_budget() as &dyn ExactMap, &*of_many()] {

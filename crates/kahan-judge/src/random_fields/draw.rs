@@ -1,4 +1,4 @@
-//! The random choices behind random fields.
+//! The random choices from which random fields are made.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -16,7 +16,7 @@ pub(super) const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"
 pub struct Draw(SplitMix64);
 
 impl Draw {
-    /// Creates a source that is seeded by a text.
+    /// Creates a source whose seed is a text.
     #[must_use]
     pub fn seeded(text: &str) -> Self {
         Draw(SplitMix64::from_bytes(text.as_bytes()))
@@ -30,7 +30,7 @@ impl Draw {
         &choices[self.below(choices.len())]
     }
 
-    /// Draws ±1 … ±9, one time in three divided by 2 … 7.
+    /// Draws ±1 … ±9. One time in three the number is divided by 2 … 7.
     pub(super) fn coefficient(&mut self) -> Tree {
         let size = literal(&(self.below(9) + 1).to_string());
         let size =

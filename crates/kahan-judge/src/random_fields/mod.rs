@@ -1,7 +1,8 @@
-//! Seeded random fields as trees, for `kahan extremes` and for tests of the back ends.
+//! Seeded random fields as trees, for `kahan extremes` and for tests of generated code.
 //!
-//! In: seeds. Out: fields as trees and as text: sparse and dense ones, with linear and constant
-//! terms, with parameters as factors and divisors, and in awkward spellings.
+//! The input consists of seeds. The output consists of fields as trees and as text. Fields may be
+//! sparse or dense, and have linear and constant terms, parameters as factors and divisors, and
+//! awkward spellings.
 
 mod draw;
 pub(crate) mod odd;
@@ -15,7 +16,7 @@ use tree::{literal, negated, power, quotient};
 
 const PARAMETERS: [&str; 3] = ["a", "b", "k"];
 
-/// A random field with its names.
+/// A random field with the names of its states and parameters.
 #[derive(Clone, Debug)]
 pub struct RandomField {
     /// The name of the generated type.
@@ -30,15 +31,18 @@ pub struct RandomField {
     pub equations: Vec<Tree>,
 }
 
-/// A generator of fields with a number of variables, at most [`DIMENSIONS`].
+/// A generator of fields with a given number of variables, at most [`DIMENSIONS`].
 pub type FieldGenerator = fn(usize, &mut Draw) -> RandomField;
 
-/// The kinds of [`numbered`]. `coupled` occurs twice, with other random choices.
+/// The kinds of fields that [`numbered`] draws. `coupled` occurs twice, each time with other random
+/// choices.
 const ALL_KINDS: [FieldGenerator; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
 
-/// Draws the field with this number, of 2 to 6 variables, cycling through dimensions and kinds.
+/// Draws the field with this number. Successive numbers cycle through 2 to 6 variables and through
+/// the kinds.
 ///
-/// The name ends in the number. The larger dense fields have too many terms for a closed form.
+/// The field's name ends in the number. Dense fields of many variables have too many terms for a
+/// closed form.
 #[must_use]
 pub fn numbered(seed: u64, number: usize) -> RandomField {
     let n = 2 + number % (DIMENSIONS - 1);
@@ -103,7 +107,7 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
             Product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
             quotient(Product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
         ];
-        // Uses every parameter at least once.
+        // The first equation uses every parameter at least once.
         if i == 0 {
             terms.push(Sum(vec![a(), negated(b())]));
         }
@@ -113,8 +117,8 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
 }
 
-/// Draws fields of unit terms, linear and quadratic, with parameters before some linear terms. At
-/// parameters of ±1 leading terms of det A cancel.
+/// Draws fields whose linear and quadratic terms have coefficients ±1. Parameters precede some
+/// linear terms. For parameters ±1, leading terms of det A cancel.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
@@ -122,11 +126,11 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
         let own = Product(vec![Name(PARAMETERS[draw.below(2)]), draw.state(states)]);
         let square = Product(vec![draw.state(states), draw.state(states)]);
         let mut terms = vec![sign(draw, own), sign(draw, Name(states[i])), sign(draw, square)];
-        // A single term in each equation keeps closed forms in many variables short.
+        // With a single term in each equation, closed forms in many variables stay short.
         if n > 4 {
             terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
         }
-        // Uses both parameters at least once.
+        // The first equation uses both parameters at least once.
         if i == 0 {
             let difference = Sum(vec![Name("a"), negated(Name("b"))]);
             terms.push(Product(vec![difference, draw.state(states)]));
@@ -144,7 +148,8 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let equation = |i: usize| {
         let state = |k: usize| Name(states[(start + i + k) % n]);
         let (x, y, z) = (state(0), state(1), state(2));
-        // Cycles through the spellings, so each occurs in every dimension with enough equations.
+        // Cycle through the spellings, so that each occurs in every dimension with enough
+        // equations.
         let first = match (i + 2 * n) % 5 {
             0 => negated(power(x.clone(), 2)),
             1 => Product(vec![x.clone(), power(Sum(vec![y.clone(), negated(z.clone())]), 1)]),
@@ -160,7 +165,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
             2 => negated(quotient(Product(vec![z.clone(), literal("1e2")]), literal("0.7"))),
             _ => quotient(literal("1_000"), literal("3")),
         };
-        // The cubic terms cancel: x²y − x·y·x.
+        // The cubic terms of x²y − x·y·x cancel.
         let cubic = Product(vec![power(x.clone(), 2), y.clone()]);
         let again = negated(Product(vec![x.clone(), y, x]));
         Sum(vec![first, cubic, second, again])
@@ -169,7 +174,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     field("Spelled", "awkward spellings, and cubic terms that cancel", states, equations, &[])
 }
 
-/// Draws fields with every monomial in every equation.
+/// Draws fields in which every equation has every monomial.
 pub fn dense(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let mut equation = || {

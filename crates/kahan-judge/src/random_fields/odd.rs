@@ -1,8 +1,9 @@
 //! Random fields with extreme coefficients, which test error bounds far from ordinary numbers.
 //!
-//! In: seeds. Out: the text of fields of 1 to 8 variables, and of more for tests. Literals lie
-//! between 2^-1070 and 2^1020, with few bits or with all; coefficients nearly cancel; parameters
-//! and their differences occur as divisors. Tests of steps are deliberately absent.
+//! The input consists of seeds. The output is the text of fields of 1 to 8 variables, and of more
+//! variables for tests. Literals lie between 2^-1070 and 2^1020, with few bits or with all.
+//! Coefficients nearly cancel, and parameters and their differences occur as divisors. Steps of
+//! these fields are tested elsewhere.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -22,7 +23,7 @@ impl OddField {
     }
 }
 
-/// Draws the field with this number, cycling through 1 to 8 variables.
+/// Draws the field with this number. Successive numbers cycle through 1 to 8 variables.
 pub(crate) fn odd(seed: u64, number: usize) -> OddField {
     plain(seed, number, "Odd", 1 + number % 8)
 }
@@ -53,16 +54,17 @@ pub(crate) struct Draw {
     pub(crate) states: Vec<String>,
     pub(crate) parameters: Vec<String>,
     divisors: Vec<String>,
-    /// The largest offset of a neighbour in a chain; 0 for fields.
+    /// The largest offset of a neighbour in the equations of a chain; 0 for fields.
     pub(crate) offsets: i64,
-    /// The last coefficient as an integer and the exponent of its unit.
+    /// The last coefficient as an integer n and an exponent k; its value is n·2^k.
     last: (u64, i64),
 }
 
 impl Draw {
     pub(crate) fn new(seed: u64, title: &str, number: usize) -> Self {
         let random = SplitMix64::from_bytes(format!("{title} {seed} {number}").as_bytes());
-        // Numbers of variables have the period 8, so every kind occurs with each of them.
+        // Numbers of variables have the period 8, so each of the four kinds occurs with every
+        // number of variables.
         let kind = [Kind::Literals, Kind::Cancelling, Kind::Divisors, Kind::All][number / 8 % 4];
         let (states, parameters, divisors) = (Vec::new(), Vec::new(), Vec::new());
         Self { random, kind, states, parameters, divisors, offsets: 0, last: (3, 0) }
@@ -94,7 +96,7 @@ impl Draw {
         }
     }
 
-    /// Writes a literal between 2^-1070 and 2^1020; often of ordinary size.
+    /// Writes a literal between 2^-1070 and 2^1020. The literal is often of ordinary size.
     fn literal(&mut self) -> String {
         let is_ordinary = self.kind == Kind::Cancelling && self.below(3) > 0 || self.below(3) == 0;
         let binade = if is_ordinary { self.between(-4, 4) } else { self.between(-1070, 1019) };
@@ -120,10 +122,10 @@ impl Draw {
         Self::written(self.last)
     }
 
-    /// Writes the last coefficient, or one that differs by some units.
+    /// Writes the last coefficient, or one that differs from it by some units in the last place.
     fn near_last(&mut self) -> String {
         let (integer, exponent) = self.last;
-        // Ten more bits, for offsets of fractions of a unit.
+        // Ten more bits are used for offsets of fractions of a unit in the last place.
         let room = 10;
         let units = self.between(-40, 40);
         let moved = (i128::from(integer) << room) + i128::from(units << self.below(10));
@@ -137,7 +139,7 @@ impl Draw {
         }
     }
 
-    /// Returns one of at most three divisors free of states; more divisors would make expansions
+    /// Returns one of at most three divisors free of states. More divisors would make expansions
     /// long.
     fn divisor(&mut self) -> String {
         const MOST: usize = 3;
@@ -235,7 +237,7 @@ impl Draw {
         text
     }
 
-    /// Completes the field and keeps the parameters that its equations use.
+    /// Completes the field, and keeps only the parameters that its equations use.
     fn finish(mut self, name: String, equations: String) -> OddField {
         let words: Vec<&str> = equations.split(|c: char| !c.is_ascii_alphanumeric()).collect();
         self.parameters.retain(|name| words.contains(&&**name));

@@ -1,17 +1,18 @@
-//! Expressions as trees, and their text with only the parentheses that precedence requires.
+//! Expressions as trees, and their text. The text has only the parentheses that precedence
+//! requires.
 
 use std::fmt;
 
 /// An expression as a tree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
-    /// Digits in their final spelling.
+    /// A number, as the digits that are written.
     Literal(String),
     /// The name of a state or a parameter.
     Name(&'static str),
     /// The negative −a.
     Negated(Box<Tree>),
-    /// The sum a + b + …; negated terms are written with a minus.
+    /// The sum a + b + …. Negated terms are written with a minus.
     Sum(Vec<Tree>),
     /// The product a · b · ….
     Product(Vec<Tree>),
@@ -37,7 +38,7 @@ pub(super) fn power(base: Tree, exponent: u32) -> Tree {
     Tree::Power(Box::new(base), exponent)
 }
 
-/// The precedence of a form: sums bind least, then products, powers, atoms.
+/// The precedence of an expression. Sums bind least, then products, powers and atoms.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Precedence {
     Sum,
@@ -87,7 +88,8 @@ impl fmt::Display for Tree {
                     if index > 0 {
                         f.write_str("*")?;
                     }
-                    // Only at the front a quotient needs no parentheses: a/b*c is (a/b)·c.
+                    // Only the first factor may be a quotient without parentheses: a/b*c is
+                    // (a/b)·c.
                     let least = if index == 0 { Precedence::Product } else { Precedence::Power };
                     grouped(f, factor, least)?;
                 }

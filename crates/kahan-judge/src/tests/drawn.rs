@@ -1,12 +1,13 @@
-//! Extreme random fields of many variables, and chains, which `kahan extremes` does not draw.
+//! Draws random fields with many variables and extreme coefficients, and chains. `kahan extremes`
+//! does not draw these.
 
 use crate::random_fields::odd::{Draw, OddField, plain};
 
 pub(super) struct Drawn {
-    /// The field; parameters of the whole chain come first, then those of sites.
+    /// The field. The parameters of the whole chain come first, then those of the sites.
     pub(super) field: OddField,
     pub(super) of_sites: usize,
-    /// The number of variables, or of arrays of a chain.
+    /// The number of variables of a field, or of arrays of a chain.
     pub(super) variables: usize,
     pub(super) sites: Option<usize>,
 }
@@ -21,7 +22,7 @@ pub(super) fn odd_of_many(seed: u64, number: usize) -> Drawn {
     Drawn { field: plain(seed, number, "Many", variables), of_sites: 0, variables, sites: None }
 }
 
-/// Draws the chain with this number, periodic or open, of one to three arrays.
+/// Draws the chain with this number. The chain is periodic or open, and has one to three arrays.
 pub(super) fn odd_chain(seed: u64, number: usize) -> Drawn {
     let mut draw = Draw::new(seed, "Chain", number);
     let (arrays, reach) = (1 + number % 3, 1 + draw.below(2) as i64);
@@ -31,7 +32,7 @@ pub(super) fn odd_chain(seed: u64, number: usize) -> Drawn {
     draw.offsets = reach;
     draw.take_parameters();
     let parameters = draw.parameters.clone();
-    // The first parameter belongs to the chain, the others to sites.
+    // The first parameter belongs to the whole chain, and the others to the sites.
     draw.parameters.iter_mut().skip(1).for_each(|name| name.push_str("[i]"));
     let names = draw.states.clone();
     let equations: Vec<String> = names.iter().map(|name| format!("{name}[i]dot = {};", draw.sum())).collect();

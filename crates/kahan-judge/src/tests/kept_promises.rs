@@ -1,8 +1,9 @@
-//! The guarantee of the stable tier at the extremes, on a seeded sample.
+//! Tests the guarantee of `try_step` near the limits of float formats, on a seeded sample.
 //!
-//! Tested exactly: an `Ok` of `try_step` lies within 64 u of the exact step's largest component. A
-//! flag requires a condition number of at least 1e12 (f32: 1e4) or a result that the format cannot
-//! hold. `kahan extremes --trials 1000000` takes a large sample.
+//! An `Ok` of `try_step` must lie within 64 u of the exact step, relative to its largest component,
+//! where u is the scalar's unit. An error is allowed only if the condition number is at least 1e12
+//! (f32: 1e4) or the format cannot hold the result. The comparison is exact.
+//! `kahan extremes --trials 1000000` takes a large sample.
 
 use std::ops::ControlFlow;
 
@@ -57,7 +58,7 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
 }
 
-/// z̃ = z + 2ε(…) overflows in its last multiply-add, after all error bounds are computed.
+/// The sum z̃ = z + 2ε(…) overflows in its last multiply-add, after all error bounds are computed.
 #[test]
 fn a_result_beyond_the_largest_float_is_flagged() {
     for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
@@ -67,7 +68,7 @@ fn a_result_beyond_the_largest_float_is_flagged() {
     assert!(E2.try_step(&vector![12.0, 1e153, 1.0], 0.125).is_ok());
 }
 
-/// The points are hard enough to expose a step without an error bound, except at ordinary points.
+/// Except for ordinary points, the points are hard enough to expose a step without an error bound.
 #[test]
 fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
     let tally = judged(TRIALS, 21);
@@ -89,7 +90,7 @@ fn each_regime_has_its_quarter() {
         for regime in [Regime::NearPole, Regime::NearRemovablePole, Regime::MixedMagnitudes, Regime::Ordinary]
         {
             let trials = tally.cells[&(regime, "stable", scalar)].trials;
-            // If twelve attempts find no pole, the point has mixed magnitudes.
+            // If twelve attempts find no pole, the point has mixed magnitudes instead.
             assert!(4 * trials >= TRIALS - TRIALS / 50, "{scalar}, {regime:?}: {trials}");
         }
         for regime in [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps] {
@@ -110,7 +111,7 @@ fn the_number_of_threads_changes_nothing() {
     assert_ne!(one, judged(6, 1));
 }
 
-/// Includes dense fields with divisors.
+/// The sample includes dense fields with divisors.
 #[test]
 fn fields_of_odd_tempers_are_in_the_language() {
     for seed in 1..=3 {
@@ -121,7 +122,7 @@ fn fields_of_odd_tempers_are_in_the_language() {
     }
 }
 
-/// Fields of one to eight variables, some with closed forms beyond the budget.
+/// The fields have one to eight variables, and some have closed forms beyond the budget.
 #[test]
 fn what_is_drawn_is_judged() {
     let asked = Extremes { trials: 1, seed: 3, odd_fields: 24, odd_trials: 16, ..Extremes::default() };

@@ -1,4 +1,5 @@
-//! Tests of the stable tier at the extremes, on samples, and of steps made by another program.
+//! Tests `try_step` near the limits of float formats on samples, and steps that another program
+//! makes.
 
 mod as_compiled;
 pub(crate) mod compiled;

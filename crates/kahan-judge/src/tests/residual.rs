@@ -1,6 +1,6 @@
-//! Verdicts by the residual of the defining equation, for steps of many variables.
+//! Tests results by the residual of the defining equation, for steps of many variables.
 //!
-//! With b = A·x + 2εf, a result y is within its error bound if in every row i
+//! Let b = A·x + 2εf. A result y is within its error bound if in every row i
 //!
 //! |A·y − b|ᵢ ≤ (k + 8)·u·(|A|·|y| + |b|)ᵢ.
 
@@ -16,12 +16,13 @@ use crate::float::Format;
 use crate::judge::balls::fit;
 use crate::judge::{ExactMap, ExactStep, PolePolynomial, Verdict};
 
-/// The definition of k: a number of entries.
+/// The definition of k in the error bound (k + 8)·u·(|A|·|y| + |b|).
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rows {
-    /// The entries of the widest row: the error bound of a field of many variables.
+    /// The number k counts the entries of the widest row, as in the error bound of a field of many
+    /// variables.
     Widest,
-    /// The entries of row i: the error bound of a chain.
+    /// The number k counts the entries of row i, as in the error bound of a chain.
     Own,
 }
 
@@ -33,7 +34,7 @@ impl ExactMap for ByResidual {
         &self.0
     }
 
-    /// Makes no step where the field divides by zero.
+    /// Makes the exact step. `None` where the field divides by zero.
     fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>> {
         let equation = self.0.at(point);
         if equation.is_defined() { Some(Box::new(Residual { equation, counted: self.1 })) } else { None }
@@ -83,7 +84,7 @@ impl ExactStep for Residual {
         verdict
     }
 
-    /// Returns whether x̃ exists and the format holds it; `false` if no precision decides.
+    /// Returns whether x̃ exists and the format holds it. `false` if no precision decides.
     fn fits(&self, format: &Format) -> bool {
         for bits in precisions() {
             match elimination::next(&self.equation, bits) {
@@ -100,7 +101,7 @@ impl ExactStep for Residual {
     }
 }
 
-/// Expands det A in a state that few rows depend on, and each linearly.
+/// Expands det A in a state that few rows depend on. Each of these rows is linear in the state.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial> {
     const MOST_ROWS: usize = 3;
     const MOST_VARIABLES: usize = 64;
@@ -138,7 +139,7 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Opti
     Some(PolePolynomial { variable, coefficients })
 }
 
-/// Approximates det A after some rows are replaced.
+/// Approximates the determinant of A after some rows are replaced.
 pub(crate) fn determinant(equation: &AtPoint, replaced: &[(usize, &[(usize, Dyadic)])], bits: u64) -> Dyadic {
     let mut matrix = Matrix::of(equation, bits, |_| Vec::new());
     for (i, entries) in replaced {

@@ -1,8 +1,9 @@
-//! Splits LaTeX formulas at the top level of grouping.
+//! Splits LaTeX formulas outside of all braces, parentheses and environments.
 
 use std::ops::Range;
 
-/// Returns the arguments of the first top-level fraction, or the inside of the first parentheses.
+/// Returns the ranges of the arguments of the first fraction, or of the inside of the first
+/// parentheses. Only the top level of the factor is searched.
 pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
@@ -26,7 +27,7 @@ pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     None
 }
 
-/// Returns the end of the group whose inside begins at `start`: its `}` or `\right`.
+/// Returns the end of the group whose inside begins at `start`. The end is a `}` or `\right`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
     let mut depth = Depth::default();
     for (at, _) in text[start..].char_indices() {
@@ -38,7 +39,7 @@ pub(super) fn closing(text: &str, start: usize) -> usize {
     text.len()
 }
 
-/// The nesting depth: braces, `\left … \right` and environments.
+/// The depth to which braces, `\left … \right` and environments are nested.
 #[derive(Default)]
 struct Depth(i32, bool);
 
@@ -47,7 +48,7 @@ impl Depth {
         self.0 == 0
     }
 
-    /// Advances over the first character of `rest`.
+    /// Updates the depth by the first character of `rest`.
     fn pass(&mut self, rest: &str) {
         if std::mem::take(&mut self.1) {
             return;
@@ -62,20 +63,20 @@ impl Depth {
     }
 }
 
-/// Returns whether a command with exactly this name begins here.
+/// Returns whether `rest` begins with a command of exactly this name.
 fn is_command(rest: &str, name: &str) -> bool {
     rest.strip_prefix(name).is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
 
-/// Returns the terms of a sum; all but the first keep their sign.
+/// Returns the terms of a sum. All terms but the first keep their sign.
 pub(super) fn terms(formula: &str) -> Vec<&str> {
     split(formula, |rest| rest.starts_with(" + ") || rest.starts_with(" - "))
 }
 
-/// Returns the factors of a product; the first keeps its sign.
+/// Returns the factors of a product. The first factor keeps its sign.
 pub(super) fn factors(term: &str) -> Vec<&str> {
     let glued = |before: &str, rest: &str| {
-        // Keeps together accents or functions with their arguments, dots with the next factor, and
+        // Do not split an accent or a function from its argument, a dot from the next factor, or
         // explicit spaces.
         let last = before.rsplit(' ').next().unwrap_or_default();
         matches!(last, "+" | "-" | "\\cdot" | "\\,")

@@ -1,4 +1,4 @@
-//! Tests of lines, boxes and matrices for wide formulas.
+//! Tests lines, boxes and matrices for wide formulas.
 
 use super::{boxed, display, equation, lines, matrix, width_of};
 

@@ -1,4 +1,4 @@
-//! Estimated widths of typeset formulas.
+//! Estimates the widths of typeset formulas.
 
 use super::pieces::closing;
 
@@ -11,7 +11,7 @@ pub fn width_of(formula: &str) -> usize {
         let rest = &formula[at..];
         let (size, taken) = match c {
             '\\' => command(rest),
-            // Signs between terms have space on both sides.
+            // Signs between terms have a space on both sides.
             '+' | '-' | '=' if rest[1..].starts_with(' ') && at > 0 => (3, 1),
             ' ' | '{' | '}' | '&' | '^' | '_' | '\n' => (0, c.len_utf8()),
             _ => (1, c.len_utf8()),
@@ -22,13 +22,15 @@ pub fn width_of(formula: &str) -> usize {
     width
 }
 
-/// Returns the width of a command with its arguments, and its length in bytes.
+/// Returns the width of the command with its arguments at the beginning of `rest`, and its length
+/// in bytes.
 fn command(rest: &str) -> (usize, usize) {
     let letters = rest[1..].find(|c: char| !c.is_ascii_alphabetic()).map_or(rest.len(), |end| end + 1);
     let name = &rest[..letters];
     match name {
         "\\" => {
-            // `\{` is one character, `\,` a narrow space, `\\` the end of a line.
+            // The command `\{` is one character, `\,` is a narrow space, and `\\` is the end of a
+            // line.
             let sign = rest[1..].chars().next().map_or(0, char::len_utf8);
             (usize::from(!rest.starts_with("\\,") && !rest.starts_with("\\\\")), 1 + sign)
         }

@@ -1,8 +1,8 @@
-//! Replaces transcendental functions by independent variables.
+//! Replaces transcendental functions in formulas by independent variables.
 //!
 //! For independent names v, w, … the functions v, w, exp v, exp w, log v, v^w, tan(v/2), … are
 //! algebraically independent over ℚ. An identity between rational functions of them therefore holds
-//! exactly if it holds with a new variable for each function.
+//! exactly if it holds after each function is replaced by a new variable.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use kahan_algebra::rational::Rational;
 
 use super::Formula;
 
-/// Replaces functions by rational expressions in new variables; `None` if a function remains.
+/// Replaces functions by rational expressions in new variables. `None` if a function remains.
 pub(crate) fn rationalise(formula: &Formula) -> Option<Formula> {
     match formula {
         Formula::Name(name) if name == "pi" => None,
@@ -64,7 +64,8 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
     rationalise(formula).is_none_or(|rational| rational != *formula)
 }
 
-/// Rewrites base^exponent: an exponent with names yields a monomial in new variables.
+/// Rewrites base^exponent. If the exponent contains names, the result is a monomial in new
+/// variables.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     let rational_base = rationalise(base)?;
     if exponent.as_number().is_some() {
@@ -87,8 +88,8 @@ fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
 }
 
 /// Rewrites exp(u) as a monomial in new variables if u is an integer combination of monomials, or
-/// else as one new variable. Variables for arguments such as y/x and 2y/x are dependent, so a proof
-/// with independent variables is valid, but a failure proves nothing.
+/// else as one new variable. Variables for arguments such as y/x and 2y/x are dependent. A proof
+/// that treats them as independent is still valid, but a failure of it shows nothing.
 fn exponential(u: &Formula) -> Option<Formula> {
     let Some(form) = expand(u) else { return Some(whole_exponential(u)) };
     let mut factors = Vec::new();
@@ -116,7 +117,8 @@ fn whole_exponential(u: &Formula) -> Formula {
     }
 }
 
-/// A polynomial in names: coefficients by monomial, a sorted list of names.
+/// A polynomial in names. The keys are monomials, each a sorted list of names; the values are
+/// coefficients.
 type Expanded = BTreeMap<Vec<String>, Rational>;
 
 fn expand(formula: &Formula) -> Option<Expanded> {

@@ -1,9 +1,9 @@
-//! Partial derivatives of formulas.
+//! Computes partial derivatives of formulas.
 
 use super::Formula;
 
-/// Returns ∂formula/∂variable, simplified. Fails if a call with unknown derivative (`next`, `sum`,
-/// …) depends on the variable.
+/// Returns ∂formula/∂variable in simplified form. Fails if a call with unknown derivative (`next`,
+/// `sum`, …) depends on the variable.
 pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, String> {
     if !depends_on(formula, variable) {
         return Ok(Formula::integer(0));
@@ -28,7 +28,7 @@ pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, S
                 let mut term = factors.clone();
                 let slope = derivative(factor, variable)?;
                 if *divides {
-                    // The factor 1/b contributes −b′/b².
+                    // The divisor b contributes the factor −b′/b² to the derivative of 1/b.
                     term.push((true, factor.clone()));
                     term.push((false, slope));
                 } else {
@@ -79,7 +79,7 @@ pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, S
     }
 }
 
-/// Returns outer · ∂inner/∂variable.
+/// Returns outer · ∂inner/∂variable, by the chain rule.
 fn chain(outer: Formula, inner: &Formula, variable: &str) -> Result<Formula, String> {
     let slope = derivative(inner, variable)?;
     Ok(if slope.is_number(1) { outer } else { outer.times(slope) })

@@ -1,15 +1,15 @@
-//! Substitution of definitions, and evaluation of derivatives.
+//! Substitutes definitions in formulas, and evaluates derivatives.
 
 use std::collections::BTreeMap;
 
 use super::derivative::derivative;
 use super::{Definition, Formula};
 
-/// The greatest nesting of definitions; deeper nesting means a cycle.
+/// The greatest nesting of definitions. Deeper nesting means that definitions form a cycle.
 const DEEPEST: usize = 64;
 
-/// Substitutes all definitions and evaluates all `d(E, v)`. Fails for a definition that uses
-/// itself, a wrong number of arguments, or an unknown derivative.
+/// Substitutes all definitions, and evaluates all derivatives `d(E, v)`. Fails for a definition
+/// that uses itself, a wrong number of arguments, or an unknown derivative.
 pub(crate) fn inline(
     formula: &Formula,
     definitions: &BTreeMap<String, Definition>,
@@ -19,7 +19,7 @@ pub(crate) fn inline(
 
 struct Scope<'a> {
     definitions: &'a BTreeMap<String, Definition>,
-    /// The inlined arguments of the current definition's parameters.
+    /// For each parameter of the current definition, the formula that replaces it.
     locals: BTreeMap<String, Formula>,
     depth: usize,
 }

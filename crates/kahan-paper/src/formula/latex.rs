@@ -1,4 +1,4 @@
-//! Statements in LaTeX.
+//! Writes statements in LaTeX.
 
 mod call;
 
@@ -9,18 +9,18 @@ use kahan_latex::Latex;
 use super::{Formula, Item, Relation, Statement, parse};
 use call::{FUNCTIONS, OPEN_ENDED, call};
 
-/// An item of a statement in LaTeX: a definition or a relation.
+/// An item of a statement in LaTeX, which is a definition or a relation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LatexItem {
     /// The left-hand side.
     pub left: String,
-    /// `\coloneqq`, `=`, `\neq` or `\approx`.
+    /// The sign between the sides: `\coloneqq`, `=`, `\neq` or `\approx`.
     pub sign: &'static str,
     /// The right-hand side.
     pub right: String,
 }
 
-/// Returns a statement in LaTeX, item by item; tables show the right-hand sides of definitions.
+/// Returns a statement in LaTeX, item by item. Tables show the right-hand sides of definitions.
 /// Fails with a message if the text is not a statement.
 pub fn latex_of(text: &str) -> Result<Vec<LatexItem>, String> {
     Ok(parse(text)?.items.iter().map(item).collect())
@@ -56,7 +56,8 @@ fn item(item: &Item) -> LatexItem {
     }
 }
 
-/// Writes a number with the decimals of the source; `digit` is the unit of the last place.
+/// Writes a number with as many decimals as in the source. The value of the last decimal place is
+/// `digit`.
 fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     let places = digit.denominator().to_string().len() - 1;
     let units = value.checked_div(digit).filter(|_| places > 0)?;
@@ -65,7 +66,7 @@ fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     Some(format!("{}{whole}.{fraction}", if units.is_negative() { "-" } else { "" }))
 }
 
-/// Writes a name: `H_eps` as H(ε), `H_hat` as Ĥ, `P12` with indices, `detA` as det A.
+/// Writes a name: `H_eps` as H(ε), `H_hat` as Ĥ, `P12` with indices, and `detA` as det A.
 fn name(text: &str) -> String {
     let written = |stem| Latex.name(stem);
     match (text.strip_suffix("_eps"), text.strip_suffix("_hat"), text.strip_prefix("det")) {
@@ -73,7 +74,7 @@ fn name(text: &str) -> String {
         (_, Some(stem), _) => format!("\\widehat{{{}}}", written(stem)),
         (.., Some(matrix @ ("A" | "J"))) => format!("\\det {matrix}"),
         _ => match text.split_once('_') {
-            // `C1_e7` is C₁ of the system E7.
+            // For example, `C1_e7` is C₁ of the system E7.
             Some((stem, system)) if stem.ends_with(|c: char| c.is_ascii_digit()) => {
                 format!("{{{}}}^{{\\text{{{system}}}}}", name(stem))
             }
@@ -149,11 +150,12 @@ fn write(formula: &Formula) -> (String, Precedence) {
             (joined(written.collect()), level)
         }
         Formula::Power(base, exponent) => match &**base {
-            // Writes sin²θ instead of (sin θ)².
+            // Powers of functions have the exponent after the function's name: sin²θ instead of
+            // (sin θ)².
             Formula::Call(function, arguments) if FUNCTIONS.contains(&function.as_str()) => {
                 (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Precedence::Power)
             }
-            // N(n)² and x̃² need no parentheses.
+            // Powers of other calls, such as N(n)² and x̃², need no parentheses.
             Formula::Call(function, arguments) if !OPEN_ENDED.contains(&function.as_str()) => (
                 format!("{{{}}}^{{{}}}", call(function, arguments, ""), write(exponent).0),
                 Precedence::Power,

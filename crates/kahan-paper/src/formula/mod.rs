@@ -1,7 +1,8 @@
 //! The language of the paper's formulas. A [`Statement`] is a list of items between semicolons:
-//! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations `left
-//! != right` (different functions), and approximate equations `left ~ right` (equal in the written
-//! digits). Expressions have the operators of `kahan!`, any exponent, and these calls:
+//! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations
+//! `left != right` (the sides are different functions), and approximate equations `left ~ right`
+//! (the sides agree in the written digits). Expressions have the operators of `kahan!`, any
+//! exponent, and these calls:
 //!
 //! | call | meaning |
 //! |---|---|
@@ -14,7 +15,7 @@
 //! | `exp`, `sinh`, `sn`, `gamma`, … | Jacobi's functions with the modulus second, Γ, ψ (`digamma`), theta functions, … |
 //!
 //! `f`, `A`, `b`, `J` and `next` accept another system's name as first argument. The text of a
-//! statement is the only source for display, checks and mutations.
+//! statement is the only source from which it is shown, checked and mutated.
 
 mod atoms;
 mod derivative;
@@ -36,62 +37,63 @@ pub(crate) use {
 
 use kahan_algebra::rational::Rational;
 
-/// An expression.
+/// An expression in the language of the paper's formulas.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
     /// An exact number.
     Number(Rational),
     /// A state, a parameter, `eps`, or a defined or free name.
     Name(String),
-    /// A sum; `true` marks subtracted terms.
+    /// A sum of terms. The flag `true` marks subtracted terms.
     Sum(Vec<(bool, Formula)>),
-    /// A product; `true` marks divisors.
+    /// A product of factors. The flag `true` marks divisors.
     Product(Vec<(bool, Formula)>),
-    /// −a
+    /// The negation −a.
     Negation(Box<Formula>),
-    /// a^b
+    /// The power a^b.
     Power(Box<Formula>, Box<Formula>),
-    /// name(arguments)
+    /// A call with its name and arguments.
     Call(String, Vec<Formula>),
 }
 
-/// The relation between two sides.
+/// The relation between the two sides of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
-    /// Equal wherever both sides have a value.
+    /// The sides are equal wherever both are defined.
     Equal,
-    /// Different as functions.
+    /// The sides are different functions.
     Different,
-    /// Equal in the digits written on the right.
+    /// The sides are equal in the digits written on the right.
     Approximate,
 }
 
 /// An item of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// `name(parameters) := body`
+    /// A definition `name(parameters) := body`.
     Definition(Definition),
-    /// `left relation right`
+    /// A relation between two sides, such as `left = right`.
     Relation {
         /// The left-hand side.
         left: Formula,
-        /// The relation.
+        /// The relation between the sides.
         relation: Relation,
         /// The right-hand side.
         right: Formula,
-        /// The unit of the last written digit, if the right-hand side is a number.
+        /// The value of one unit in the last written decimal place, if the right-hand side is a
+        /// number.
         digit: Option<Rational>,
     },
 }
 
-/// A named formula.
+/// A formula with a name, which other formulas may use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
     /// The name.
     pub name: String,
-    /// The parameters, for which formulas are substituted.
+    /// The names of the parameters, which are replaced by formulas in each use.
     pub parameters: Vec<String>,
-    /// The formula.
+    /// The formula that defines the name.
     pub body: Formula,
 }
 
@@ -123,7 +125,8 @@ impl Formula {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
     }
 
-    /// Replaces names and calls by the numbers that `number` returns for a name and its arguments.
+    /// Replaces names and calls by numbers. The function `number` returns the number for a name and
+    /// its arguments.
     pub(crate) fn replaced(
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,
@@ -146,7 +149,7 @@ impl Formula {
         }
     }
 
-    /// Rebuilds the formula with `new` applied to each operand.
+    /// Rebuilds the formula; the function `new` is applied to each operand.
     pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
         let boxed = |part: &Formula| new(part).map(Box::new);
         let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {

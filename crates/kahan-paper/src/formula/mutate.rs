@@ -1,13 +1,13 @@
-//! Mutations: texts with one coefficient or sign changed, token by token; for statements and
-//! `kahan!` blocks.
+//! Mutations: texts in which one coefficient or sign is changed, token by token. The texts are
+//! statements or `kahan!` blocks.
 
 use std::ops::Range;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::{Token, TokenKind};
 
-/// Returns all mutations in this order: a number increased by one in its last place, a sign
-/// flipped, a right-hand side doubled, `*` and `/` exchanged.
+/// Returns all mutations in this order: first a number is increased by one in its last place, then
+/// a sign is flipped, then a right-hand side is doubled, then `*` and `/` are exchanged.
 #[must_use]
 pub fn mutations(text: &str) -> Vec<String> {
     let lexed = lex(text);
@@ -50,7 +50,8 @@ fn follows_bang(tokens: &[Token], index: usize) -> bool {
     index > 0 && tokens[index - 1].text == "!"
 }
 
-/// Increases the last digit of a literal: `3` to `4`, `14.05` to `14.06`, `1e-3` to `2e-3`.
+/// Increases the last digit of a literal, for example `3` to `4`, `14.05` to `14.06`, `1e-3` to
+/// `2e-3`.
 fn raised(literal: &str) -> Option<String> {
     let (mantissa, exponent) = match literal.split_once('e') {
         Some((mantissa, exponent)) => (mantissa, format!("e{exponent}")),

@@ -1,4 +1,4 @@
-//! Parses statements; the parser of `kahan!` reads their formulas.
+//! Parses statements. The parser of `kahan!` reads the formulas in them.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse_formula;
@@ -8,7 +8,7 @@ use kahan_algebra::token::{Token, TokenKind};
 
 use super::{Definition, Formula, Item, Relation, Statement};
 
-/// Parses a statement. Fails with the mistake and the text.
+/// Parses a statement. If the text is wrong, the error holds the mistake and the text.
 pub(crate) fn parse(text: &str) -> Result<Statement, String> {
     let tokens = lex(text).tokens;
     let items = tokens.split(|token| token.kind == TokenKind::Punctuation(';'));
@@ -17,7 +17,7 @@ pub(crate) fn parse(text: &str) -> Result<Statement, String> {
 }
 
 fn item(tokens: &[Token]) -> Result<Item, String> {
-    // Separators of items; no formula contains them.
+    // Separators of items or of sides; no formula contains these tokens.
     let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
     let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
     let sign = |index: usize| rest.get(index).map_or("", |token| &*token.text);
@@ -41,7 +41,7 @@ fn formula(tokens: &[Token]) -> Result<Formula, String> {
     parse_formula(tokens).map(Formula::from).map_err(|mistake| mistake.message)
 }
 
-/// Converts an expression, without its source positions.
+/// Converts an expression and drops its source positions.
 impl From<Expr<InFormula>> for Formula {
     fn from(expr: Expr<InFormula>) -> Self {
         match expr.kind {
@@ -83,7 +83,7 @@ fn signature(left: Formula) -> Result<(String, Vec<String>), String> {
     }
 }
 
-/// Returns the unit of the last written digit: 1/100 for `3.14`, 1 for `3`.
+/// Returns the value of one unit in the last written place: 1/100 for `3.14`, 1 for `3`.
 fn last_digit(literal: &str) -> Option<Rational> {
     let (mantissa, exponent) = literal.split_once(['e', 'E']).unwrap_or((literal, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());

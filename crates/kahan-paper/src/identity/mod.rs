@@ -1,4 +1,5 @@
-//! Checks relations: over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
+//! Checks relations between formulas: over ℚ, modulo primes, at exact points, or in 256-bit
+//! arithmetic.
 
 mod names;
 mod numerical;
@@ -17,22 +18,24 @@ use super::model::Model;
 use super::numeric::Arithmetic256;
 use numerical::{agreement, decimal};
 
-/// The number of draws of a point before a formula counts as undefined.
+/// The number of random points that are tried before a formula counts as undefined.
 const MOST_DRAWS: usize = 16;
 
-/// The number of decimals to which both sides must agree, relative to the larger side and 1.
+/// The number of decimals to which both sides must agree, relative to the larger of 1 and the
+/// sides.
 pub(super) const DECIMALS: u32 = 40;
 
-/// The evidence for a relation.
+/// The evidence for a relation between formulas.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Evidence {
     /// Both sides have equal expansions over ℚ, and agree modulo primes.
     NormalForm,
-    /// Both sides agree at this number of points modulo primes; error probability below 2⁻¹⁰⁰.
+    /// Both sides agree at points modulo primes; the field holds the number of points. The
+    /// probability of an error is below 2⁻¹⁰⁰.
     Modular(u32),
-    /// Both sides agree at this number of exact points.
+    /// Both sides agree at exact points; the field holds the number of points.
     Exact(u32),
-    /// Both sides agree to this number of decimals at random points.
+    /// Both sides agree at random points; the field holds the number of equal decimals.
     Numerical(u32),
 }
 
@@ -41,25 +44,27 @@ impl Calculus for Modular {}
 impl Calculus for Exact {}
 impl Calculus for SizeArithmetic {}
 
-/// A relation between two formulas without definitions, about one system.
+/// A relation between two formulas, which contain no definitions, about one system.
 pub(super) struct Identity<'a> {
     pub(super) models: &'a Models,
     pub(super) model: &'a Model,
     pub(super) left: &'a Formula,
     pub(super) relation: Relation,
     pub(super) right: &'a Formula,
-    /// The unit of the last digit of an approximate value.
+    /// The value of one unit in the last decimal place of an approximate number.
     pub(super) digit: Option<&'a Rational>,
-    /// The intervals of names for numerical tests; (1/5, 4/5) for other names.
+    /// The intervals from which numerical tests draw values of names. Other names have the interval
+    /// (1/5, 4/5).
     pub(super) domain: &'a [(String, Rational, Rational)],
     pub(super) seed: u64,
 }
 
 impl Identity<'_> {
-    /// Checks the relation and returns the evidence. Fails with the reason.
+    /// Checks the relation and returns the evidence. The error is the reason of a failure.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // New variables for functions may be dependent, so they cannot prove that functions differ.
+        // The new variables that replace functions may be dependent, so they cannot prove that
+        // functions differ.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,
@@ -76,8 +81,8 @@ impl Identity<'_> {
         self.numerical()
     }
 
-    /// Evaluates both sides at exact values of the names; returns whether the relation holds there.
-    /// Fails if a side has no value.
+    /// Evaluates both sides at exact values of the names, and returns whether the relation holds
+    /// there. Fails if a side is undefined.
     pub(super) fn at_point(
         &self,
         point: &BTreeMap<String, Rational>,

@@ -1,5 +1,5 @@
-//! Rational relations: proved modulo primes and by expansion over ℚ, or checked at exact points if
-//! too large.
+//! Proves rational relations modulo primes and by expansion over ℚ. Relations that are too large
+//! are checked at exact points.
 
 use std::collections::BTreeMap;
 
@@ -14,11 +14,12 @@ use super::super::formula::{Formula, Relation, rationalise};
 use super::names::uses_map;
 use super::{Evidence, Identity, MOST_DRAWS, words};
 
-/// Limits of an expansion over ℚ (about a second): terms of a result, products of terms.
+/// The most terms of a formula that is expanded over ℚ.
 const MOST_TERMS: usize = 20_000;
+/// The most products of terms in an expansion over ℚ, which takes about a second.
 const MOST_WORK: u64 = 2_000_000;
 
-/// The number of exact points for relations too large to be proved.
+/// The number of exact points at which relations too large to be proved are checked.
 const EXACT_POINTS: u32 = 12;
 
 type Point = BTreeMap<String, Rational>;
@@ -26,7 +27,7 @@ type Point = BTreeMap<String, Rational>;
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
-        // Seeding by the formulas prevents fitting a formula to the points.
+        // The formulas seed the points, so no formula can be fitted to the points.
         let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
         let sizes = names.iter().map(|name| (name.clone(), FractionSize::variable())).collect();
         let points = match self.sides(&SizeArithmetic, left, right, sizes).map_err(|trouble| words(&trouble))
@@ -43,7 +44,7 @@ impl Identity<'_> {
                 Relation::Equal if left != right => {
                     return Err(self.refutation(left, right, &names, &mut random));
                 }
-                // One point where both sides differ proves that the functions differ.
+                // A single point at which both sides differ proves that the functions differ.
                 Relation::Different if left != right => return Ok(Evidence::NormalForm),
                 _ => {}
             }
@@ -124,7 +125,7 @@ impl Identity<'_> {
         Err("it divides by zero".to_owned())
     }
 
-    /// Describes an exact point where both sides differ.
+    /// Describes an exact point at which both sides differ.
     fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut dyn Random) -> String {
         if let (Some(a), Some(b)) = (rationalise(self.left), rationalise(self.right)) {
             for _ in 0..MOST_DRAWS {

@@ -1,4 +1,4 @@
-//! Verdicts as text: one line for each claim, or each claim with statement, source and time.
+//! Writes verdicts as text: one line for each claim, or each claim with statement, source and time.
 
 use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
 use kahan_systems::registry::find;
@@ -6,7 +6,8 @@ use kahan_systems::registry::find;
 use crate::claim::Outcome;
 use crate::verdict::{OpenQuestion, Verdict, Verdicts};
 
-/// The shortest statement that is excerpted, in characters.
+/// The least room for an excerpt of a statement, in characters. In less room, no excerpt is
+/// written.
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {
@@ -44,8 +45,8 @@ impl Verdicts {
         text.join("\n") + "\n"
     }
 
-    /// Writes all claims by system with statement, source and time, then the open questions and the
-    /// totals. Headings have at most `width` characters on a line.
+    /// Writes all claims by system, with statement, source and time. The open questions and the
+    /// totals follow. Lines of headings have at most `width` characters.
     #[must_use]
     pub fn in_full(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {

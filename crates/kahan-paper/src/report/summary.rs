@@ -1,4 +1,4 @@
-//! The summary of all claims on one screen.
+//! Writes the summary of all claims on one screen.
 
 use kahan_algebra::render::{aligned, lines, shorten, widths};
 
@@ -8,7 +8,7 @@ use crate::verdict::{Verdict, Verdicts};
 
 const MOST_LINES: usize = 40;
 
-/// The column headings, in the order of [`Outcome::place`].
+/// The headings of the columns, in the order of [`Outcome::place`].
 const OUTCOMES: [&str; Outcome::KINDS] = ["proved", "mod p", "exact", "numerical", "misprint", "failed"];
 
 const MORE: &str = "\
@@ -17,8 +17,8 @@ kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
 
 impl Verdicts {
-    /// Writes one line for each section, then failures or misprints, and a hint: at most 40 lines
-    /// of about `width` characters.
+    /// Writes one line for each section, then failures or misprints, and a hint. The text has at
+    /// most 40 lines of about `width` characters.
     #[must_use]
     pub fn summary(&self, width: usize) -> String {
         let mut text = sections(self);
@@ -62,7 +62,7 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
         let said = [format!("{}: {}", row.source, row.statement), row.detail.clone()];
         let said = said.iter().flat_map(|line| lines(line, width - 2)).map(|line| format!("  {line}"));
         let full: Vec<String> = std::iter::once(row.id.clone()).chain(said).collect();
-        // Reserve the last line for the number of further failures.
+        // Reserve a line for the number of failures that are not described.
         if text.len() + full.len() + 1 > room {
             text.push(format!("and {} more, which --all shows", failed.len() - index));
             break;
@@ -72,7 +72,7 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     text
 }
 
-/// Describes the misprints, sorted by erratum: printed and correct form on one line.
+/// Describes the misprints, sorted by erratum. The printed and the correct form share a line.
 fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
     let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();
@@ -90,13 +90,14 @@ fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     [vec!["Misprints: what is printed → what is right".to_owned()], aligned(&rows)].concat()
 }
 
-/// Writes `printed → right` in at most `room` characters, omitting common words if necessary.
+/// Writes `printed → right` in at most `room` characters. If necessary, words that both have in
+/// common are omitted.
 fn replaced(printed: &str, right: &str, room: usize) -> String {
     let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
     let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();
     let least = printed.len().min(right.len()) - first;
     let last = printed.iter().rev().zip(right.iter().rev()).take(least).take_while(|(a, b)| a == b).count();
-    // A common left-hand side is written once.
+    // If both sides have the same left-hand side, it is written once.
     let left_side = printed[..first]
         .iter()
         .rposition(|word| [":=", "=", "~", "!="].contains(word))

@@ -1,5 +1,5 @@
-//! Section 7 and the appendix: the linearisation of dE3, and for dE4 the curve, the bilinear
-//! equations and theta functions.
+//! Claims of section 7 and of the appendix. They concern the linearisation of dE3, and for dE4 the
+//! curve, the bilinear equations and theta functions.
 
 use kahan_algebra::rational::Rational;
 
@@ -8,7 +8,7 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// w = 1/x at three successive points of dE3 for ε = 1/2.
+/// Definitions of w = 1/x at three successive points of dE3 for ε = 1/2.
 const LINEARISED: &str = "
     w0 := 1/x; w1 := at(next(1/x), eps, 1/2); w2 := at(next(next(1/x)), eps, 1/2);
     s := 1 + y^2/x^2; K := at(1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)), eps, 1/2);
@@ -22,7 +22,8 @@ L.delta | L is cosh 2 delta | K := 2*tanh(delta)^2; (2 + K)/(2 - K) = cosh(2*del
 linear | (linde3), the linear recurrence | w2 - 2*L*w1 + w0 = 0
 ";
 
-/// The level set of H(ε), K(ε) in s = x + y, d = x − y and z: two quadrics.
+/// The level set of H(ε) and K(ε) in the variables s = x + y, d = x − y and z. It is the
+/// intersection of two quadrics.
 const CURVE: &str = "
 curve.H | first equation of the curve in s and d |
     s := x + y; d := x - y; (1 - 2*H*eps^2)*s^2 - (1 + 2*H*eps^2)*d^2 = 4*H
@@ -55,7 +56,7 @@ curve.pencil | the four singular quadrics of the pencil are different: the curve
     r1 != 0; r2 != 0; r3 != 0; r1 != r2; r1 != r3; r2 != r3
 ";
 
-/// Hirota's bilinear form; index 1 marks the next point.
+/// Hirota's bilinear form. Names with index 1 belong to the next point.
 const HOMOGENEOUS: &str = "
     x := (A + B)/(2*eps*D); y := (A - B)/(2*eps*D); z := C/(eps*D);
     X := (A1 + B1)/(2*eps*D1); Y := (A1 - B1)/(2*eps*D1); Z := C1/(eps*D1);
@@ -67,7 +68,7 @@ bilinear.y | bilinear equations: the equation of y | 2*eps*D*D1*(Y - y - eps*(y*
 bilinear.z | bilinear equations: the equation of z | eps*D*D1*(Z - z - 2*eps*(x*X - y*Y)) = third
 ";
 
-/// The addition theorem of sn.
+/// The addition theorem of Jacobi's function sn.
 const ELLIPTIC: &str = "
 snadd | (snadd), the addition theorem of sn |
     sn(u + v, k)
@@ -76,7 +77,7 @@ integral | the integral of the first kind: sn is its inverse |
     d(sn(u, k), u)^2 = (1 - sn(u, k)^2)*(1 - k^2*sn(u, k)^2); F(atan2(sn(u, k), cn(u, k)), k) = u
 ";
 
-/// Integrals expressed by δ and κ.
+/// The integrals as functions of the solution's parameters δ and κ.
 const PARAMETERS: &str = "
     k := sqrt((g - h)*(1 + h)/((g + h)*(1 - h))); s := sqrt((g + h)/(1 + h));
     delta := F(atan2(s, sqrt(1 - s^2)), k);
@@ -88,7 +89,7 @@ kappa | the integral for kappa |
     sn(kappa, k) = eps*z/(k*sn(delta, k)); dn(kappa, k) = eps*(x + y)*cn(delta, k)/sn(delta, k)
 ";
 
-/// Theta functions of nome q, with u = ζϑ₃² and δ = vϑ₃².
+/// Theta functions of nome q. The arguments are u = ζϑ₃² and δ = vϑ₃².
 const CONSTANTS: &str = "t2 := theta2(0, q); t3 := theta3(0, q); t4 := theta4(0, q); k := (t2/t3)^2";
 const SOLUTION: &str = "
     A(w) := theta1(v, q)/theta2(v, q)*theta3(w, q); B(w) := theta1(v, q)/theta3(v, q)*theta2(w, q);

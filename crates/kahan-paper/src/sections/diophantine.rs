@@ -1,4 +1,4 @@
-//! Section 7, the Diophantine test, with measurements on exact orbits.
+//! Claims of section 7, on the Diophantine test, with measurements on exact orbits.
 
 use kahan_systems::registry::find;
 
@@ -7,7 +7,8 @@ use super::super::figures::Figure;
 use super::super::section::Section;
 use super::text::read;
 
-/// Growth of heights, by Theorem 4 and for the other maps. Each name is preceded by its orbit.
+/// The growth of heights, by Theorem 4 and for the other maps. Each claim's name begins with its
+/// orbit.
 const GROWTH: &str = "
 DE1 growth | growth of the heights, Theorem 4 | growth(x) = logarithmic; growth(z) = logarithmic
 DE2 growth | growth of the heights, Theorem 4 | growth(x) = logarithmic; growth(z) = logarithmic
@@ -39,7 +40,8 @@ DE6 digits | dE6, addition | digits(x, 125) = 114682
 DE6 limit | dE6: h(x_n)/n^2, addition | (h(x, 125) - 2*h(x, 75) + h(x, 25))/(2*50^2) ~ 16.89
 ";
 
-/// The limits C1 are computed instead of measured; their names begin with the system.
+/// Claims about the limits C1, which are computed instead of measured. Their names begin with the
+/// system.
 const TRANSCENDENTAL_MAPS: &str = "
 DE7 height_x | figure of 400 iterates: h(x_n) grows like log n only | logslope(x, 500, 1000) ~ 1.0
     explains B5

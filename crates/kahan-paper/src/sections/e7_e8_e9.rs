@@ -1,4 +1,5 @@
-//! Section 6: dE7 and dE8 with gamma and digamma functions, and the quadrature of E9.
+//! Claims of section 6, on dE7 and dE8 with gamma and digamma functions, and on the quadrature of
+//! E9.
 
 mod e7;
 mod e8;

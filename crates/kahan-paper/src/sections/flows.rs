@@ -1,4 +1,4 @@
-//! Table 5: the solutions of the flows.
+//! Claims of Table 5, on the solutions of the flows.
 
 use kahan_systems::registry::find;
 
@@ -7,10 +7,10 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// A row of Table 5, with T = t + α.
+/// A row of Table 5. In its formulas T = t + α, where α is a constant.
 struct Row {
     system: &'static str,
-    /// The components x, y and z as functions of T.
+    /// The components x, y and z as functions of T = t + α.
     solution: [&'static str; 3],
     values: [&'static str; 2],
 }
@@ -83,7 +83,7 @@ fn row(row: &Row) -> Vec<Claim> {
     components.chain(integrals).collect()
 }
 
-/// E6 and the Euler top in terms of E4's solution.
+/// The solutions of E6 and of the Euler top in terms of E4's solution.
 const OTHER_TOPS: &str = "
 table5.e6.solution | Table 5, addition: E6 is E4 with the time reversed, by two Euler tops |
     x := (p/sqrt(3) + r)/2; y := q/sqrt(3); z := (r - p/sqrt(3))/2;

@@ -1,10 +1,12 @@
-//! Section 1 for the maps of all quadratic fields, and Section 2 for brackets in three dimensions.
+//! Claims of section 1 for the maps of all quadratic fields, and of section 2 for brackets in three
+//! dimensions.
 
 use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// Component i at a point, Fᵢ(u,v,w), its homogeneous parts Qᵢ, Bᵢ, Cᵢ of degrees 2, 1, 0, and δᵢⱼ.
+/// Definitions of component i of the field at a point, Fᵢ(u,v,w), of its homogeneous parts Qᵢ, Bᵢ
+/// and Cᵢ of degrees 2, 1 and 0, and of Kronecker's δᵢⱼ.
 const PARTS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);
@@ -18,8 +20,9 @@ const PARTS: &str = "
     delta31 := 0; delta32 := 0; delta33 := 1;
 ";
 
-/// Identities for generic fields. `{i}`, `{x}` and `{X}` stand for a row, its state and its next
-/// state, which makes three statements; with the column `{j}`, nine.
+/// Identities for generic fields. The placeholders `{i}`, `{x}` and `{X}` stand for a row, its
+/// state and its next state; a statement with them is made for three rows. With the column `{j}`,
+/// nine statements are made.
 const METHOD: &str = "
 scheme | definition of the map |
     ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2
@@ -50,7 +53,7 @@ scaling | scaling, homogeneous fields |
     at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}
 ";
 
-/// A bracket from an integral and a volume form.
+/// Claims about a bracket from an integral and a volume form.
 const CONSTRUCTION: &str = "
 proposition |
     proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket;
@@ -62,7 +65,7 @@ proposition |
     phi*v3*(m31*m12 - m32*m11) + phi*v1*(m32*m13 - m33*m12) + phi*v2*(m33*m11 - m31*m13) = phi*det*g2
 ";
 
-/// Brackets of generic functions of degree 2.
+/// Claims about brackets of generic functions of degree 2.
 const BRACKETS: &str = "
 bracket.jacobi | phi (I_z, I_x, I_y) is a Poisson tensor | jacobi(P12, P23, P31) = 0
 bracket.casimir | its Casimir function is I |

@@ -1,5 +1,5 @@
-//! Sections 2, 3 and 5: fields, matrices A(x,ε), determinants, difference equations, reductions
-//! between systems, and changes of variables.
+//! Claims of sections 2, 3 and 5: fields, matrices A(x,ε), determinants, difference equations,
+//! reductions between systems, and changes of variables.
 
 use kahan_systems::registry::find;
 
@@ -21,7 +21,7 @@ section2.euler.relation | Section 2, the integrals are dependent |
     H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2; a1*H1 + a2*H2 + a3*H3 = 0
 ";
 
-/// The fields and their matrices. The paper prints only one of the determinants.
+/// The fields and their matrices A(x,ε). The paper prints only one of the determinants.
 const MATRICES: &str = "
 field.euler | Section 2, the vector field | f1 = a1*y*z; f2 = a2*z*x; f3 = a3*x*y
 matrix.euler | Section 2, A(x, eps) |
@@ -79,7 +79,7 @@ determinant.e9 | Section 6, det A, addition |
     detA = (1 + eps*z)*(1 + xi*eps*z) + 2*eps^2*x^2*(1 + xi*eps*z) + 2*xi^2*eps^2*y^2*(1 + eps*z)
 ";
 
-/// The differences x̃ − x, ỹ − y, z̃ − z, with X, Y, Z for the next state.
+/// The differences x̃ − x, ỹ − y and z̃ − z, in which X, Y and Z denote the next state.
 const DIFFERENCES: &str = "
 difference.euler.x | Section 2, equation of x | next(x) - x = eps*a1*(Y*z + y*Z)
 difference.euler.y | Section 2, equation of y | next(y) - y = eps*a2*(Z*x + z*X)
@@ -114,7 +114,7 @@ difference.e9.y | Section 6, dE9, equation of y | next(y) - y = -eps*xi*(Y*z + y
 difference.e9.z | Section 6, dE9, equation of z | next(z) - z = 2*eps*x*X + 2*eps*xi*y*Y
 ";
 
-/// Systems at special values of their parameter.
+/// Systems that become others at special values of their parameter.
 const REDUCTIONS: &str = "
 reduction.e7.e1 | Section 6, dE7 at xi = 1 is dE1 |
     at(f(e7, 1), xi, 1) = f(e1, 1); at(f(e7, 2), xi, 1) = f(e1, 2); at(f(e7, 3), xi, 1) = f(e1, 3);
@@ -164,7 +164,7 @@ change.e9.inverse | Section 6, E9 with x and y exchanged and time multiplied by 
     next(z) = at(next(z), x, y, y, x, xi, 1/xi, eps, xi*eps)
 ";
 
-/// Removable poles: det A and the numerators share a factor.
+/// Removable poles: det A and the numerators of the map share a factor.
 const POLES: &str = "
 removable.e1 | Section 5, dE1 on the whole of 1 + eps x = 0, addition |
     at(detA, x, -1/eps) = 0; on(next(x), -1/eps, y, z) = 1/eps; on(next(y), -1/eps, y, z) = -y;

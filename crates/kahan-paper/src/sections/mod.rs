@@ -1,4 +1,4 @@
-//! The claims, section by section.
+//! The claims of the paper, section by section.
 
 mod appendix;
 mod diophantine;
@@ -26,7 +26,7 @@ use kahan_systems::registry::{FURTHER, SYSTEMS};
 
 pub use structures::{StructureRow, structure};
 
-/// Definitions available to every statement about a system with states x, y, z.
+/// Definitions that every statement about a system with states x, y, z may use.
 pub(super) const DEFINITIONS: &str = "
     dot(F) := f1*d(F, x) + f2*d(F, y) + f3*d(F, z);
     divergence(F) := d(F*f1, x) + d(F*f2, y) + d(F*f3, z);
@@ -96,7 +96,7 @@ const TREATED_AS_A_WHOLE: [(&str, Section); 5] = [
     ("e9", Section::Transcendental),
 ];
 
-/// Returns the section that states the claims of a system's block.
+/// Returns the section of the paper that states this kind of claim of a system's block.
 fn in_the_paper(system: &str, kind: ClaimKind) -> Section {
     let whole = TREATED_AS_A_WHOLE.iter().find(|(treated, _)| *treated == system);
     whole.map_or_else(

@@ -1,4 +1,5 @@
-//! Theorem 3: the solutions of the maps dE1 to dE5, with consequences for dE6 and the Euler top.
+//! Claims of Theorem 3, on the solutions of the maps dE1 to dE5, with consequences for dE6 and the
+//! Euler top.
 
 mod branches;
 mod initial_data;
@@ -10,13 +11,13 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// A solution of a map; one step increases n by 1.
+/// A solution of a map. One step of the map increases n by 1.
 pub(super) struct Solution {
     system: &'static str,
-    /// Abbreviations used in the solution, as definitions.
+    /// Definitions of abbreviations that the solution uses.
     given: &'static str,
     components: [&'static str; 3],
-    /// The values of H(ε) and K(ε).
+    /// The values of the integrals H(ε) and K(ε) on the solution.
     values: [&'static str; 2],
 }
 
@@ -100,8 +101,8 @@ impl Solution {
         format!("{}{components}{integrals}", self.given)
     }
 
-    /// Makes the claims that each component solves its equation and the integrals have the stated
-    /// values. The sign `-` marks components with an additional factor (−1)ⁿ.
+    /// Makes the claims that each component solves its equation, and that the integrals have the
+    /// stated values. The sign `-` marks components with an additional factor (−1)ⁿ.
     fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
         let system = self.system;
         let claim = |cell: &str, statement: String| {
@@ -122,7 +123,7 @@ impl Solution {
             if signs == [""; 3] {
                 return claim(state, step);
             }
-            // From odd n to even n + 1.
+            // In this case n is odd, and n + 1 is even.
             let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
             claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
         });
@@ -134,7 +135,7 @@ impl Solution {
     }
 }
 
-/// Further claims of the proof.
+/// Further claims that the proof of the theorem makes.
 const PROOF: &str = "
 theorem3.e3.proof.K | Theorem 3, proof, i = 3, value of K(eps) |
     delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
@@ -157,7 +158,7 @@ const ELLIPTIC: &str = "
     q(n) := sn(delta, k)*dn(v(n), k)/(eps*cn(delta, k));
     r(n) := k*sn(delta, k)*sn(v(n), k)/eps";
 
-/// dE6 and the map of the Euler top in terms of dE4's solution.
+/// The solutions of dE6 and of the map of the Euler top in terms of dE4's solution.
 const OTHER_TOPS: &str = "
 theorem3.euler.scaling |
     Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 is dE4 |
@@ -184,7 +185,7 @@ fn claim(id: &str, place: &str, statement: &str) -> Claim {
     Claim::new(Section::MapSolutions, [id], system, place, statement)
 }
 
-/// Makes a claim that may use the solution of the map.
+/// Makes a claim whose statement may use the solution of the map.
 fn solved(id: &str, place: &str, statement: &str) -> Claim {
     let claim = claim(id, place, statement);
     let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);

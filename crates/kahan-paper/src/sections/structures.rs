@@ -1,20 +1,22 @@
-//! Rows of Tables 1 to 4: Lie-Poisson pairs of the flows, integrals and Poisson pairs of the maps.
+//! The rows of Tables 1 to 4: Lie-Poisson pairs of the flows, and integrals and Poisson pairs of
+//! the maps.
 
 /// A row of Tables 1 to 4.
 #[derive(Clone, Copy, Debug)]
 pub struct StructureRow {
-    /// The command name of the system, such as `e1`.
+    /// The name of the system in commands, for example `e1`.
     pub system: &'static str,
-    /// The Lie algebras of P and Q.
+    /// The Lie algebras of the tensors P and Q.
     pub algebras: [Algebra; 2],
     /// The definitions of H, K, c and the tensors P and Q of Table 1. If the map has rational H(ε),
-    /// K(ε), P(ε), Q(ε), those of Tables 2, 3 and 4 follow, with row 3 of Table 4 corrected.
-    /// Tensors are given by {x,y}, {y,z}, {z,x}: `P12`, `P23`, `P31`. Names for the map end in
-    /// `_eps`.
+    /// K(ε), P(ε) and Q(ε), the definitions of Tables 2, 3 and 4 follow, with row 3 of Table 4
+    /// corrected. Tensors are given by {x,y}, {y,z} and {z,x}, which are named `P12`, `P23` and
+    /// `P31`. Names for the map end in `_eps`.
     pub definitions: &'static str,
 }
 
-/// A Lie algebra: the brackets {e,f}, {f,g}, {g,e} of a basis e, f, g of linear functions.
+/// A Lie algebra, given by the brackets {e,f}, {f,g} and {g,e} of a basis e, f, g of linear
+/// functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Algebra {
     /// The name of the algebra.
@@ -26,7 +28,7 @@ pub struct Algebra {
 const A33: Algebra = Algebra { name: "A(3,3)", basis: ("x", "y", "z"), brackets: ["0", "y", "-x"] };
 const E11: Algebra = Algebra { name: "e(1,1)", basis: ("x", "y", "z"), brackets: ["0", "-y", "-x"] };
 const E2: Algebra = Algebra { name: "e(2)", basis: ("x", "y", "z"), brackets: ["0", "x", "y"] };
-/// {e,f} = h, {f,h} = 2f, {h,e} = 2e.
+/// The algebra with {e,f} = h, {f,h} = 2f and {h,e} = 2e.
 const SL2: Algebra = Algebra { name: "sl(2,R)", basis: ("x", "z", "-2*y"), brackets: ["-2*y", "2*z", "2*x"] };
 const SO3: Algebra = Algebra { name: "so(3)", basis: ("x", "y", "z"), brackets: ["z", "x", "y"] };
 const A32: Algebra = Algebra { name: "A(3,2)", basis: ("x", "y", "z"), brackets: ["0", "x + y", "-x"] };
@@ -130,13 +132,14 @@ pub fn structure(system: &str) -> Option<&'static StructureRow> {
 }
 
 impl StructureRow {
-    /// Returns whether the map's integrals and pair are rational, and therefore in Tables 2 to 4.
+    /// Returns whether the map's integrals and Poisson pair are rational, and therefore in Tables 2
+    /// to 4.
     #[must_use]
     pub fn has_map(&self) -> bool {
         self.value("H_eps").is_some()
     }
 
-    /// Returns the definition of a name.
+    /// Returns the formula that the row defines for a name.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<&'static str> {
         self.pairs().find(|(defined, _)| *defined == name).map(|(_, value)| value)

@@ -1,7 +1,7 @@
-//! Tables 1 to 4 and Theorems 1 and 2, cell by cell; all rows make the same claims.
+//! Claims of Tables 1 to 4 and of Theorems 1 and 2, cell by cell. All rows make the same claims.
 //!
 //! In the texts, `{P12}` stands for the row's definition of `P12`, so that a cell is shown, checked
-//! and mutated with its claim; `{e}` is the system, `{i}` its number.
+//! and mutated with its claim. The placeholder `{e}` is the system, and `{i}` is its number.
 
 use super::super::claim::Claim;
 use super::super::id::Id;
@@ -9,7 +9,7 @@ use super::super::section::Section;
 use super::structures::{Algebra, STRUCTURES, StructureRow};
 use super::text::{ClaimText, read};
 
-/// Claims about a flow: Table 1 and Section 3, or Section 6 for E7 to E9.
+/// Claims about a flow. They belong to Table 1 and Section 3, or to Section 6 for E7 to E9.
 const FLOW: &str = "
 table1.{e}.P | {table}, P |
     {P12}; {P23}; {P31}; jacobi(P12, P23, P31) = 0;
@@ -37,14 +37,14 @@ section3.{e}.compatible | {section}, compatibility |
     jacobi(P12 + lambda*Q12/c, P23 + lambda*Q23/c, P31 + lambda*Q31/c) = 0
 ";
 
-/// The Lie algebra of a tensor.
+/// Claims about the Lie algebra of a tensor.
 const ALGEBRA: &str = "
 section3.{e}.algebra_{t} | {table}, {t} is the algebra {algebra} |
     bracket({t}12, {t}23, {t}31, {e1}, {e2}) = {e1e2}; bracket({t}12, {t}23, {t}31, {e2}, {e3}) = {e2e3};
     bracket({t}12, {t}23, {t}31, {e3}, {e1}) = {e3e1}
 ";
 
-/// Claims about a map: Tables 2 to 4 and Theorems 1 and 2.
+/// Claims about a map. They belong to Tables 2 to 4 and Theorems 1 and 2.
 const MAP: &str = "
 table2.{e}.limit | Table 2, i = {i}, at eps = 0 | at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K
 theorem1.{e}.flow | Theorem 1, the volume form of the flow, i = {i} | divergence(c/(H*K)) = 0
@@ -75,7 +75,7 @@ theorem2.{e}.involution | Theorem 2, i = {i}, H(eps) and K(eps) commute |
     bracket(P12_eps, P23_eps, P31_eps, H_eps, K_eps) = 0; bracket(Q12_eps, Q23_eps, Q31_eps, H_eps, K_eps) = 0
 ";
 
-/// For nonconstant c the map preserves Q(ε)/c instead of Q(ε).
+/// Claims for nonconstant c: the map preserves Q(ε)/c instead of Q(ε).
 const FACTOR: &str = "
 theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not invariant |
     Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
@@ -118,7 +118,7 @@ pub(super) fn claims() -> Vec<Claim> {
 
 fn row(s: &StructureRow) -> Vec<Claim> {
     let index = &s.system[1..];
-    // Table 1 contains the systems whose maps are in Tables 2 to 4.
+    // A system belongs to Table 1 if its map is in Tables 2 to 4.
     let (section, table) = if s.has_map() {
         ("3", format!("Table 1, i = {index}"))
     } else {

@@ -1,4 +1,4 @@
-//! The text form of claims, one line each where possible:
+//! The text form of claims. Each claim has one line where possible:
 //! ```text
 //! NAME | PLACE | STATEMENT
 //! NAME | PLACE |
@@ -10,15 +10,15 @@
 //!     within q: 1/50, 1/4
 //! ```
 //!
-//! Notes after a statement give the erratum that the claim corrects or explains, and intervals for
-//! the random values of names in numerical tests.
+//! Notes may follow a statement. They give the erratum that the claim corrects or explains, and the
+//! intervals from which numerical tests draw values of names.
 
 use kahan_algebra::rational::Rational;
 
 use super::super::claim::Claim;
 use super::super::erratum::Erratum;
 
-/// A claim's text: a line without indentation, and its notes.
+/// The text of a claim, which begins with a line without indentation, and the notes that follow.
 pub(super) struct ClaimText {
     pub(super) head: String,
     notes: Vec<String>,
@@ -44,8 +44,8 @@ impl ClaimText {
         all
     }
 
-    /// Adds the notes to a claim. Panics if a note is malformed; notes are constants, checked by
-    /// tests.
+    /// Adds the notes to a claim. Panics if a note is malformed; the notes are constants, which
+    /// tests check.
     pub(super) fn annotate(&self, claim: Claim) -> Claim {
         let annotated = self.notes.iter().try_fold(claim, |claim, note| {
             let (word, rest) = note.split_once([' ', ':'])?;
@@ -67,8 +67,8 @@ impl ClaimText {
     }
 }
 
-/// Reads claims; `claim` makes one from a name, a place and a statement. Panics if a line lacks one
-/// of these; lines are constants, checked by tests.
+/// Reads claims. The function `claim` makes a claim from a name, a place and a statement. Panics if
+/// a line lacks one of these three; the lines are constants, which tests check.
 pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
     let one = |written: ClaimText| {
         let mut parts = written.head.splitn(3, " | ");

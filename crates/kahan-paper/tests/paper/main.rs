@@ -1,4 +1,4 @@
-//! Tests of the paper's claims, and of the heights of its figures.
+//! Tests the paper's claims, and the heights of its figures.
 
 mod claims;
 mod heights;

@@ -1,4 +1,4 @@
-//! Brackets.
+//! Mistakes in Poisson brackets.
 
 use kahan_core::prelude::*;
 
@@ -10,7 +10,7 @@ kahan! {
     bracket P { {x,x} = 1; {x,y} = 1; }
 }
 
-// {y,x} is −{x,y}.
+// The entries of {y,x} and {x,y} contradict each other.
 kahan! {
     pub struct EntryTwice;
     xdot = y;
@@ -18,7 +18,7 @@ kahan! {
     bracket P { {x,y} = 1; {y,x} = -1; }
 }
 
-// Every entry ends with `;`.
+// Every entry must end with `;`.
 kahan! {
     pub struct MissingSemicolon;
     xdot = y;
@@ -26,7 +26,7 @@ kahan! {
     bracket P { {x,y} = 1 }
 }
 
-// An empty bracket.
+// The bracket has no entries.
 kahan! {
     pub struct NoEntries;
     xdot = y;
@@ -42,7 +42,7 @@ kahan! {
     bracket P { {x,w} = 1; }
 }
 
-// An entry is a pair of states.
+// An entry must be a pair of states.
 kahan! {
     pub struct ThreeStates;
     xdot = y;
@@ -50,7 +50,7 @@ kahan! {
     bracket P { {x,y,x} = 1; }
 }
 
-// An entry is a pair of states.
+// An entry must be a pair of states.
 kahan! {
     pub struct UnknownState;
     xdot = y;
@@ -58,7 +58,7 @@ kahan! {
     bracket P { {x,z} = 1; }
 }
 
-// A bracket has entries.
+// A bracket must have entries.
 kahan! {
     pub struct WrittenLikeAnIntegral;
     xdot = y;

@@ -1,8 +1,8 @@
-//! Claims.
+//! Mistakes in claims.
 
 use kahan_core::prelude::*;
 
-// A bracket has no value.
+// A bracket is no function, so a formula cannot use it.
 kahan! {
     pub struct BracketAsAFunction;
     xdot = y;
@@ -11,7 +11,7 @@ kahan! {
     integral H = P*(x^2 + y^2);
 }
 
-// Claims are rational functions.
+// Claims must be rational functions.
 kahan! {
     pub struct FunctionCall;
     xdot = y;
@@ -19,7 +19,7 @@ kahan! {
     integral H = sqrt(x^2 + y^2);
 }
 
-// A name has one meaning.
+// A claim cannot have the name of a parameter.
 kahan! {
     pub struct NamedLikeAParameter { w }
     xdot = w*y;
@@ -27,7 +27,7 @@ kahan! {
     integral w = x^2 + y^2;
 }
 
-// A name has one meaning.
+// Every name may have only one meaning.
 kahan! {
     pub struct NamedLikeAState;
     xdot = y;
@@ -43,7 +43,7 @@ kahan! {
     integral eps = x^2 + y^2;
 }
 
-// A name has one meaning.
+// Every name may have only one meaning.
 kahan! {
     pub struct NamedTwice;
     xdot = y;

@@ -1,4 +1,4 @@
-//! Conditions of claims.
+//! Mistakes in the conditions of claims.
 
 use kahan_core::prelude::*;
 
@@ -10,7 +10,7 @@ kahan! {
     integral H = x^2 + y^2 when k > 0;
 }
 
-// Two different values for one name.
+// The conditions give one name two different values.
 kahan! {
     pub struct Contradiction { k }
     xdot = k*y;
@@ -43,7 +43,7 @@ kahan! {
     integral H = x^2 + y^2 when k^2 = l^2 + 1;
 }
 
-// `when` without a relation.
+// No relation follows `when`.
 kahan! {
     pub struct NothingBehind { k }
     xdot = k*y;
@@ -59,7 +59,7 @@ kahan! {
     integral H = x^2 + y^2 when x = 1;
 }
 
-// A misspelt name of a parameter.
+// The name of a parameter is misspelt.
 kahan! {
     pub struct OnNothing { omega }
     xdot = omega*y;

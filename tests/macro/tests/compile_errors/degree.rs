@@ -1,8 +1,8 @@
-//! Degrees.
+//! Fields whose degree is too high.
 
 use kahan_core::prelude::*;
 
-// The squares cancel, the cubes remain.
+// The squares cancel, but the cubes remain.
 kahan! {
     pub struct AfterExpansion;
     xdot = (x + y)*(x - y)*y - x^2 + y^2;
@@ -16,13 +16,13 @@ kahan! {
     ydot = mu*(1 - x^2)*y - x;
 }
 
-// A cubic term.
+// The field contains a cubic term.
 kahan! {
     pub struct Cube;
     xdot = x^3 - x;
 }
 
-// The square of a quadratic term.
+// The field contains the square of a quadratic term.
 kahan! {
     pub struct PowerOfASum;
     xdot = 1 + (x^2 + y)^2;

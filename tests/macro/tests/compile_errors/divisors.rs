@@ -1,4 +1,4 @@
-//! Divisors.
+//! Mistakes in divisors.
 
 use kahan_core::prelude::*;
 
@@ -9,7 +9,7 @@ kahan! {
     ydot = 1;
 }
 
-// The whole divisor counts.
+// The whole divisor after `/` counts.
 kahan! {
     pub struct SumWithAState { k }
     xdot = -x/(k + x);
@@ -21,14 +21,14 @@ kahan! {
     xdot = -x/0;
 }
 
-// A constant that makes the divisor 0.
+// A constant makes the divisor 0.
 kahan! {
     pub struct ZeroConstant;
     const c = 1/2 - 0.5;
     xdot = -x/c;
 }
 
-// A divisor that expands to 0.
+// The divisor expands to 0.
 kahan! {
     pub struct ZeroInLetters { k }
     xdot = -x/(k*(k + 1) - k^2 - k);

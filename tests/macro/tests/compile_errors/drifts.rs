@@ -1,8 +1,8 @@
-//! Drifts.
+//! Mistakes in drifts.
 
 use kahan_core::prelude::*;
 
-// The next value must be a function of F; a density is not.
+// The next value must be a function of F, but a density is none.
 kahan! {
     pub struct ByADensity;
     xdot = y;
@@ -11,42 +11,42 @@ kahan! {
     drift F = x^2 + y^2 by rho*F;
 }
 
-// The next value must be a function of F; a state is not.
+// The next value must be a function of F, but a state is none.
 kahan! {
     pub struct ByAState;
     xdot = x^2;
     drift F = 1/x by F - 2*eps*x;
 }
 
-// An unknown name.
+// A name is unknown.
 kahan! {
     pub struct ByAnUnknownName;
     xdot = x^2;
     drift F = 1/x by F - 2*epsilon;
 }
 
-// A division by the number 0.
+// The formula divides by the number 0.
 kahan! {
     pub struct ByADivisorThatIsZero;
     xdot = x^2;
     drift F = 1/x by (F - 2*eps)/0;
 }
 
-// A divisor that expands to 0.
+// The divisor expands to 0.
 kahan! {
     pub struct ByADivisorThatVanishes;
     xdot = x^2;
     drift F = 1/x by 1/((F + 1)^2 - F^2 - 2*F - 1);
 }
 
-// F = -1/x has the opposite sign.
+// The claim is false: F = -1/x has the opposite sign.
 kahan! {
     pub struct ByTheWrongSign;
     xdot = x^2;
     drift F = 1/x by F + 2*eps;
 }
 
-// A function of no state.
+// The function contains no state.
 kahan! {
     pub struct Constant;
     xdot = x^2;
@@ -60,7 +60,7 @@ kahan! {
     drift F = 1/F by F - 2*eps;
 }
 
-// A state and a drift with one name.
+// A state and a drift have one name.
 kahan! {
     pub struct NamedLikeAState;
     xdot = x^2;
@@ -74,7 +74,7 @@ kahan! {
     drift F = 1/x by;
 }
 
-// `by` is part of drifts only.
+// Only drifts may contain `by`.
 kahan! {
     pub struct IntegralWithBy;
     xdot = x^2;

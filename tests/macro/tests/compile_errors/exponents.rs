@@ -1,4 +1,4 @@
-//! Exponents.
+//! Mistakes in exponents.
 
 use kahan_core::prelude::*;
 
@@ -16,13 +16,13 @@ kahan! {
     xdot = x^1.5;
 }
 
-// An exponent is written without parentheses.
+// An exponent must be written without parentheses.
 kahan! {
     pub struct InParentheses;
     xdot = x^(1+1);
 }
 
-// `^` needs a number.
+// A number must follow `^`.
 kahan! {
     pub struct Missing;
     xdot = x^;
@@ -46,7 +46,7 @@ kahan! {
     xdot = x^n;
 }
 
-// `a^b^c` is ambiguous.
+// The meaning of `a^b^c` is ambiguous.
 kahan! {
     pub struct Tower { a }
     xdot = a^2^3*x;

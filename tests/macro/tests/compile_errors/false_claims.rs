@@ -1,8 +1,8 @@
-//! False claims.
+//! Claims that are false.
 
 use kahan_core::prelude::*;
 
-// False, but zero modulo 2^61 - 1.
+// The claim is false, but its residue modulo 2^61 - 1 is zero.
 kahan! {
     pub struct APrimeTimesAState;
     xdot = -x^2;
@@ -11,7 +11,7 @@ kahan! {
     integral H = 2305843009213693951*x;
 }
 
-// A Poisson bracket that is not invariant.
+// The Poisson bracket is not invariant.
 kahan! {
     pub struct BracketNotCarried;
     xdot = -x^2;
@@ -20,7 +20,7 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-// Invariant under a linear rotation, but no Poisson bracket.
+// The tensor is invariant under a linear rotation, but is no Poisson bracket.
 kahan! {
     pub struct BracketWithoutJacobi;
     xdot = 0;
@@ -29,7 +29,7 @@ kahan! {
     bracket P { {x,y} = y; {y,z} = y; {z,x} = x; }
 }
 
-// A trivial claim.
+// The claim is trivial.
 kahan! {
     pub struct Constant;
     xdot = -x^2;
@@ -38,7 +38,7 @@ kahan! {
     integral H = 3;
 }
 
-// Equal to 1 after cancellation.
+// The function equals 1 after cancellation.
 kahan! {
     pub struct ConstantInDisguise;
     xdot = -x^2;
@@ -56,7 +56,7 @@ kahan! {
     density rho = 1;
 }
 
-// A claim without a value at any point, as its evaluation shows.
+// The claim is undefined at every point, as its evaluation shows.
 kahan! {
     pub struct DivisionByZeroAfterExpansion;
     xdot = -x^2;
@@ -65,7 +65,7 @@ kahan! {
     integral H = x/((x + y)^2 - x^2 - 2*x*y - y^2);
 }
 
-// A claim without a value at any point.
+// The claim is undefined at every point.
 kahan! {
     pub struct DivisionByZeroIdentically;
     xdot = -x^2;
@@ -74,7 +74,7 @@ kahan! {
     integral H = x/(y - y);
 }
 
-// True for xi = 1 only.
+// The claim is true for xi = 1 only.
 kahan! {
     pub struct GenericParameters { xi }
     xdot = -x^2;
@@ -83,7 +83,7 @@ kahan! {
     integral H = y/x;
 }
 
-// False, but an integral modulo 2^61 - 1.
+// The claim is false, but holds modulo 2^61 - 1.
 kahan! {
     pub struct IntegralAndAMultipleOfAPrime;
     xdot = -x^2;
@@ -92,7 +92,7 @@ kahan! {
     integral H = y/x + 2305843009213693951*z;
 }
 
-// An integral of the flow, but not of the map.
+// The function is an integral of the flow, but not of the map.
 kahan! {
     pub struct IntegralOfTheFlow;
     xdot = y*(2*z - x);
@@ -101,7 +101,7 @@ kahan! {
     integral H = x*z + y^2;
 }
 
-// A degree that needs more points than usual.
+// The degree of the claim is so high that the proof needs more points than usual.
 kahan! {
     pub struct OfHighDegree;
     xdot = -x^2;
@@ -110,7 +110,7 @@ kahan! {
     integral H = y/x*z^60;
 }
 
-// A misprint of the paper: `z` instead of `z^2`.
+// The claim is a misprint of the paper: `z` instead of `z^2`.
 kahan! {
     pub struct Table4Row3AsPrinted;
     xdot = x*z;
@@ -122,7 +122,7 @@ kahan! {
     }
 }
 
-// A trivial claim.
+// The claim is trivial.
 kahan! {
     pub struct TheHalfStep;
     xdot = -x^2;
@@ -131,7 +131,7 @@ kahan! {
     integral H = eps;
 }
 
-// The whole step h = 2 eps instead of eps.
+// The claim contains the whole step h = 2 eps instead of eps.
 kahan! {
     pub struct TheWholeStepForTheHalf;
     xdot = -x^2;
@@ -140,7 +140,7 @@ kahan! {
     integral K = (x*z + y^2)/(1 - 4*eps^2*x^2);
 }
 
-// True for xi = 1, claimed for xi = -1.
+// The claim is true for xi = 1, but is claimed for xi = -1.
 kahan! {
     pub struct WhenAParameterIsSpecial { xi }
     xdot = -x^2;
@@ -149,7 +149,7 @@ kahan! {
     integral H = y/x when xi = -1;
 }
 
-// True for eps = 1, claimed for eps = 2.
+// The claim is true for eps = 1, but is claimed for eps = 2.
 kahan! {
     pub struct WhenTheConditionDoesNotHelp;
     xdot = x*(1 - y);
@@ -157,7 +157,7 @@ kahan! {
     integral H = x + y when eps = 2;
 }
 
-// No Poisson bracket.
+// The tensor is no Poisson bracket.
 kahan! {
     pub struct ZeroBracket;
     xdot = -x^2;
@@ -166,7 +166,7 @@ kahan! {
     bracket P { {x,y} = 0*x; {y,z} = z - z; }
 }
 
-// No invariant measure.
+// The measure is not invariant.
 kahan! {
     pub struct ZeroDensity;
     xdot = -x^2;

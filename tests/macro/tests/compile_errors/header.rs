@@ -1,8 +1,8 @@
-//! Headers.
+//! Mistakes in headers.
 
 use kahan_core::prelude::*;
 
-// The macro adds the type parameter.
+// The macro itself adds the type parameter.
 kahan! {
     pub struct Generic<T> { k }
     xdot = -k*x;
@@ -14,19 +14,19 @@ kahan! {
     xdot = -k*x - l;
 }
 
-// A header ends with `;` or its parameters.
+// A header must end with `;` or with its parameters.
 kahan! {
     pub struct MissingSemicolon
     xdot = -x;
 }
 
-// Parameters become fields of a struct.
+// Parameters become named fields of a struct.
 kahan! {
     pub struct ParameterIsAKeyword { type }
     xdot = -type*x;
 }
 
-// A name is a state or a parameter.
+// A name is either a state or a parameter.
 kahan! {
     pub struct ParameterIsAState { k, x }
     xdot = -k*x;
@@ -38,7 +38,7 @@ kahan! {
     xdot = -eps*x;
 }
 
-// One parameter, one field.
+// Each parameter is one field and has one name.
 kahan! {
     pub struct ParameterTwice { k, k }
     xdot = -k*x;

@@ -1,8 +1,8 @@
-//! Keywords.
+//! Mistakes in keywords.
 
 use kahan_core::prelude::*;
 
-// Another word for an integral; claims that use it give no second error.
+// Another word stands for `integral`; claims that use the name give no second error.
 kahan! {
     pub struct Invariant;
     xdot = y;
@@ -11,7 +11,7 @@ kahan! {
     integral G = 2*H;
 }
 
-// Another word for a bracket.
+// Another word stands for `bracket`.
 kahan! {
     pub struct Poisson;
     xdot = y;
@@ -20,7 +20,7 @@ kahan! {
     integral H = x^2 + y^2;
 }
 
-// A misspelt keyword.
+// The keyword is misspelt.
 kahan! {
     pub struct Slip;
     xdot = y;

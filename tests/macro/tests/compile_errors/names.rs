@@ -1,4 +1,4 @@
-//! Names.
+//! Mistakes in names.
 
 use kahan_core::prelude::*;
 
@@ -8,7 +8,7 @@ kahan! {
     integral H = 1;
 }
 
-// A name has one meaning.
+// Every name may have only one meaning.
 kahan! {
     pub struct ConstantLikeAState;
     const x = 2;
@@ -22,7 +22,7 @@ kahan! {
     xdot = c*k*x;
 }
 
-// A name has one meaning.
+// Every name may have only one meaning.
 kahan! {
     pub struct ConstantTwice;
     const c = 2;
@@ -30,7 +30,7 @@ kahan! {
     xdot = c*x;
 }
 
-// Every state has one equation.
+// Every state must have exactly one equation.
 kahan! {
     pub struct DuplicateEquation;
     xdot = y;
@@ -52,7 +52,7 @@ kahan! {
     epsdot = -eps;
 }
 
-// Coefficients are even in the half step and finite at 0.
+// Coefficients must be even in the half time step, and finite at 0.
 kahan! {
     pub struct OddPowersOfTheHalfStep;
     xdot = y - eps^2*x;
@@ -78,7 +78,7 @@ kahan! {
     ydot = -x;
 }
 
-// A misspelt left-hand side gives one error; the uses of `x` are right.
+// The misspelt left-hand side gives one error; the uses of `x` are right.
 kahan! {
     pub struct MisspeltDot;
     xdto = y;
@@ -96,20 +96,20 @@ kahan! {
     pub struct NothingInTheBlock;
 }
 
-// `dot` without a state.
+// A state is missing before `dot`.
 kahan! {
     pub struct OnlyDot;
     dot = 1;
 }
 
-// A similar name is suggested.
+// The message must suggest a similar name.
 kahan! {
     pub struct Slip { omega }
     xdot = y;
     ydot = -omgea*x;
 }
 
-// Names differ by their case.
+// The two names differ by their case.
 kahan! {
     pub struct WrongCase { Omega }
     xdot = y;

@@ -1,4 +1,4 @@
-//! Fields that are no polynomials.
+//! Fields that are not polynomials.
 
 use kahan_core::prelude::*;
 
@@ -32,7 +32,7 @@ kahan! {
     xdot = -x.abs();
 }
 
-// A path is no name.
+// A path cannot stand for a name.
 kahan! {
     pub struct Path;
     xdot = -physics::RATE*x;

@@ -1,4 +1,4 @@
-//! Numbers.
+//! Mistakes in numbers.
 
 use kahan_core::prelude::*;
 
@@ -8,7 +8,7 @@ kahan! {
     xdot = -1e5000*x;
 }
 
-// Numbers are decimal.
+// Numbers must be decimal.
 kahan! {
     pub struct Hexadecimal;
     xdot = -0x1F*x;

@@ -1,20 +1,20 @@
-//! Operators.
+//! Mistakes in operators.
 
 use kahan_core::prelude::*;
 
-// Only round brackets group expressions.
+// Only round brackets may group expressions.
 kahan! {
     pub struct BracketsForParentheses;
     xdot = [x - 1]*x;
 }
 
-// `==` is a comparison.
+// The operator `==` is a comparison.
 kahan! {
     pub struct DoubleEquals;
     xdot == x;
 }
 
-// Python's operator for powers.
+// The operator is that of Python for powers.
 kahan! {
     pub struct DoubleStar;
     xdot = x**2;
@@ -32,32 +32,32 @@ kahan! {
     xdot = + x;
 }
 
-// A left-hand side without a right-hand side.
+// The right-hand side is missing.
 kahan! {
     pub struct MissingEquals;
     xdot x;
 }
 
-// The last item ends with `;`, too.
+// The final item must end with `;`, too.
 kahan! {
     pub struct MissingLastSemicolon;
     xdot = y;
     ydot = -x
 }
 
-// Two operators in a row.
+// Two operators stand in a row.
 kahan! {
     pub struct MissingMiddleOperand;
     xdot = x + * 2;
 }
 
-// A missing operand.
+// An operand is missing.
 kahan! {
     pub struct MissingRightOperand;
     xdot = x*;
 }
 
-// Every item ends with `;`; the next equation is still read.
+// Every item must end with `;`; the next equation is still read.
 kahan! {
     pub struct MissingSemicolon;
     xdot = y
@@ -76,13 +76,13 @@ kahan! {
     xdot = k (x + 1);
 }
 
-// `3 x`, two tokens.
+// The product `3 x` is two tokens without `*`.
 kahan! {
     pub struct NumberBeforeName;
     xdot = 1 + 3 x;
 }
 
-// `2x`, one token.
+// The product `2x` is one token without `*`.
 kahan! {
     pub struct NumberBesideName;
     xdot = 1 + 2x;
@@ -94,13 +94,13 @@ kahan! {
     xdot = (x - 1)(x + 1);
 }
 
-// Rust's method for powers.
+// The method is that of Rust for powers.
 kahan! {
     pub struct Powi;
     xdot = x.powi(2) - x;
 }
 
-// Rust's method for powers of a sum.
+// The method is that of Rust for powers, called on a sum.
 kahan! {
     pub struct PowiOfParentheses;
     xdot = (x - 1).powi(2);
@@ -112,14 +112,14 @@ kahan! {
     xdot = x%2;
 }
 
-// One equation with two `=`.
+// The equation contains two `=`.
 kahan! {
     pub struct SecondEquals;
     xdot = y = 0;
     ydot = -x;
 }
 
-// A `;` without an item.
+// No item precedes the `;`.
 kahan! {
     pub struct StraySemicolon;
     xdot = x;;

@@ -1,4 +1,4 @@
-//! Several mistakes at once.
+//! Blocks with several mistakes at once.
 
 use kahan_core::prelude::*;
 
@@ -12,7 +12,7 @@ kahan! {
     integral K = H^2;
 }
 
-// Entries are checked one by one.
+// The entries of a bracket are checked one by one.
 kahan! {
     pub struct EntriesOfABracket;
     xdot = y;
@@ -32,7 +32,7 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-// One mistake in each part of the block.
+// Each part of the block has one mistake.
 kahan! {
     pub struct HeaderEquationClaim { k: f64 }
     xdot = -k**x;
@@ -40,7 +40,7 @@ kahan! {
     integral H x^2;
 }
 
-// All unknown names of one equation, each once.
+// All unknown names of one equation are reported, each once.
 kahan! {
     pub struct NamesInOneEquation;
     xdot = a*x + b*y + a;

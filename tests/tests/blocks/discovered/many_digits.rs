@@ -1,4 +1,4 @@
-//! Coefficients of many digits.
+//! A field whose coefficients have many digits.
 
 use kahan_core::prelude::*;
 

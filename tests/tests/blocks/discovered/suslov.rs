@@ -1,4 +1,4 @@
-//! Suslov's problem: a linear growth of degrees, and the energy kept in a deformed form.
+//! Suslov's problem. Degrees grow linearly, and the map keeps the energy in a deformed form.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A field that can be integrated equation by equation; its integrals are also polynomials in ε.
+//! A field that can be integrated equation by equation. Its integrals are also polynomials in ε.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,5 @@
-//! The periodic Volterra lattice of three sites: a linear integral, and the modified Hamiltonian.
+//! The periodic Volterra lattice of three sites, with a linear integral and the modified
+//! Hamiltonian.
 
 use kahan_core::prelude::*;
 

@@ -1,5 +1,5 @@
-//! The compile-error cases as data: each file's `kahan!` blocks as text, and rustc's expected
-//! output. Blocks are found by matching brackets, so comments and strings of the cases must not
+//! The compile-error cases as data: the text of each `kahan!` block, and the expected output of
+//! rustc. Blocks are found by matching brackets, so comments and strings of the cases must not
 //! contain any.
 
 use std::fs;
@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 const FOLDER: &str = "macro/tests/compile_errors";
 
 pub(super) struct CompileCase {
-    /// `topic`, or `topic/name`.
+    /// The name `topic`, or `topic/name`.
     pub(super) name: String,
     pub(super) source: String,
-    /// The byte range inside the brackets of each `kahan!`, in order.
+    /// The byte range inside the brackets of each `kahan!`, in the order of the file.
     pub(super) blocks: Vec<Range<usize>>,
     pub(super) expected: String,
 }

@@ -1,4 +1,4 @@
-//! Blocks inside functions, as items and as values that capture their parameters.
+//! Blocks inside functions, as items and as values that capture variables of the function.
 
 use kahan_core::prelude::*;
 
@@ -40,7 +40,7 @@ fn a_value_captures_what_its_scope_means_by_a_name() {
     let k = 2.0_f64;
     let steps: Vec<f64> =
         [k, 3.0, 5.0].into_iter().map(|k| kahan! { xdot = k*x; }.step(&vector![1.0], 0.125)[0]).collect();
-    // x̃ = (1 + εk)/(1 − εk) x
+    // The exact step is x̃ = (1 + εk)/(1 − εk) x.
     for (step, k) in steps.iter().zip([2.0, 3.0, 5.0]) {
         assert!((step - (1.0 + 0.125 * k) / (1.0 - 0.125 * k)).abs() < 1e-15);
     }

@@ -1,4 +1,4 @@
-//! Claims with `when`, evaluated at the values fixed by their conditions.
+//! Claims with `when`. They are evaluated at the values that their conditions fix.
 
 use kahan_core::prelude::*;
 use kahan_systems::E7;
@@ -41,7 +41,7 @@ fn the_names_that_conditions_are_solved_for_have_their_values() {
     let (x, next) = assert_kahan(&kept);
     let eps = || ratio(EPS.0, EPS.1);
     assert_eq!(kept.total(&x, eps()), kept.total(&next, eps()));
-    // The accessor ignores the passed values of c and ε.
+    // The accessor ignores the values of c and ε that are passed.
     let other = three(ratio(7, 1));
     assert_eq!(other.total(&x, eps()), kept.total(&x, eps()));
     assert_eq!(other.total(&x, eps()), ratio(-5, 6) * x.sum());

@@ -1,4 +1,4 @@
-//! Drifts, and the keywords `drift` and `by` used as names.
+//! Drifts, in fields that use the keywords `drift` and `by` as names.
 
 use kahan_core::prelude::*;
 

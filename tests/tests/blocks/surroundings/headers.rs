@@ -31,7 +31,7 @@ kahan! {
     xdot = 1 + x^2;
 }
 
-/// A module with two blocks, one of them of limited visibility.
+/// A module with two blocks, one of which has limited visibility.
 pub(super) mod inner {
     use super::kahan;
 

@@ -1,4 +1,4 @@
-//! Blocks in included files equal blocks written in place.
+//! Blocks in included files, which must equal blocks written in place.
 
 use kahan_core::prelude::*;
 

@@ -48,6 +48,6 @@ fn a_block_needs_nothing_in_scope() {
 
 #[test]
 fn a_block_without_a_header_needs_nothing_in_scope() {
-    // x̃ = (1 − εμ)/(1 + εμ) x
+    // The exact step is x̃ = (1 − εμ)/(1 + εμ) x.
     assert!((bare::next(vector![3.0])[0] - 1.0).abs() < 1e-15);
 }

@@ -1,4 +1,4 @@
-//! Sentences on the structure of the field.
+//! Writes sentences on the structure of the field.
 
 use crate::poisson::hamiltonian::is_within_reach;
 use crate::report::{HamiltonianReport, Report};
@@ -56,7 +56,7 @@ fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> S
     )
 }
 
-/// Writes the sentence on linear and quadratic integrals of the flow, up to the degree searched.
+/// Writes the sentence on integrals of the flow, linear and quadratic, up to the searched degree.
 fn flow(report: &Report) -> String {
     let structure = &report.structure;
     let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());

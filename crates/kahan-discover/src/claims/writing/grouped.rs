@@ -1,7 +1,8 @@
-//! Writes sums as sums of products: 1 − ε²(b² − ac)(gy + hz)² has ten terms when expanded.
+//! Writes sums as sums of products. For example, 1 − ε²(b² − ac)(gy + hz)² has ten terms when
+//! expanded.
 //!
-//! A sum is split by powers of ε, or into the terms whose coefficients share a factor and the
-//! others. Each group is written recursively, and the shortest text is chosen.
+//! A sum is split into groups: by powers of ε, or into the terms whose coefficients share a factor
+//! and the others. Each group is written recursively, and the shortest text is chosen.
 
 use std::slice::from_ref;
 
@@ -61,7 +62,8 @@ impl Writer<'_> {
         if groups.len() < 2 {
             return None;
         }
-        // Each factor, the number of terms in the coefficients that contain it, and their indices.
+        // Lists each factor with the number of terms in the coefficients that contain the factor,
+        // and with the indices of these coefficients.
         let mut factors: Vec<(Polynomial, usize, Vec<usize>)> = Vec::new();
         for (index, (_, coefficient)) in groups.iter().enumerate().filter(|(_, (_, own))| own.len() > 1) {
             if budget.work_left() == 0 {
@@ -107,7 +109,7 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A group that is a plain sum gets no parentheses; its text includes the sign.
+                // A group that is a plain sum gets no parentheses. Its text includes the sign.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

@@ -1,4 +1,4 @@
-//! Evaluates a basis's integrals from consecutive points of an orbit, exactly or in floats.
+//! Evaluates the integrals of a basis from consecutive points of an orbit, exactly or in floats.
 
 use std::error::Error;
 use std::fmt;
@@ -9,15 +9,18 @@ use nalgebra::{DMatrix, DVector};
 use super::{Basis, Term};
 use crate::modular::weights::reduce;
 
-/// The coefficients of a basis on one orbit, in floats.
+/// The coefficients of a basis's relation on one orbit, in floats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BasisValues {
-    /// The coefficients in the order of the monomials; that of the unit is 1.
+    /// The coefficients in the order of the monomials. The coefficient of the unit, a chosen
+    /// monomial, is 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the equations, with monomials scaled by their largest values.
+    /// The condition number of the linear system for the coefficients. Each monomial is scaled by
+    /// its largest value.
     ///
-    /// A relative error u of the points causes an error of up to about `condition`·u in the terms
-    /// cₖ max |mₖ|, relative to the largest term. The number grows if points lie close together.
+    /// Suppose that the points have a relative error u. Then the terms cₖ max |mₖ|, with
+    /// coefficient cₖ and monomial mₖ, have errors of up to about `condition`·u, relative to the
+    /// largest term. The condition number grows if points lie close together.
     pub condition: f64,
 }
 
@@ -38,10 +41,10 @@ pub enum BasisError {
         /// The number of entries of the point.
         given: usize,
     },
-    /// A point, or the value of a monomial there, is not finite.
+    /// A point, or the value of a monomial at a point, is not finite.
     NotFinite,
-    /// The points do not determine the coefficients (in floats: not one digit). Either they repeat
-    /// or lie too close together, or the coefficient of the unit is 0 on this orbit.
+    /// The points do not determine the coefficients (in floats: not to one digit). Either the
+    /// points repeat or lie too close together, or the coefficient of the unit is 0 on this orbit.
     Undetermined,
 }
 
@@ -66,11 +69,11 @@ impl fmt::Display for BasisError {
 impl Error for BasisError {}
 
 impl Basis {
-    /// Solves exactly for the coefficients along an orbit, in the order of the monomials; the unit
-    /// has 1. Uses the first [`points`](Self::points) points of `orbit`.
+    /// Solves exactly for the coefficients along an orbit, in the order of the monomials. The
+    /// coefficient of the unit is 1. The first [`points`](Self::points) points of `orbit` are used.
     ///
     /// # Errors
-    /// See [`BasisError`].
+    /// Returns the reason why the coefficients cannot be computed, as a [`BasisError`].
     pub fn evaluate_exact(&self, orbit: &[Vec<Rational>]) -> Result<Vec<Rational>, BasisError> {
         self.check(orbit)?;
         let value = |exponents: &[u32], point: &[Rational]| {
@@ -106,11 +109,11 @@ impl Basis {
         Ok(coefficients)
     }
 
-    /// Solves for the coefficients along an orbit by least squares, in the order of the monomials;
-    /// the unit has 1. Uses all points of `orbit`, which must be consecutive.
+    /// Solves for the coefficients along an orbit by least squares, in the order of the monomials.
+    /// The coefficient of the unit is 1. All points of `orbit` are used; they must be consecutive.
     ///
     /// # Errors
-    /// See [`BasisError`].
+    /// Returns the reason why the coefficients cannot be computed, as a [`BasisError`].
     pub fn evaluate(&self, orbit: &[Vec<f64>]) -> Result<BasisValues, BasisError> {
         self.check(orbit)?;
         let value = |exponents: &[u32], point: &[f64]| {
@@ -133,7 +136,8 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The iteration for singular values stops too early to serve for solutions, too.
+        // The iteration for singular values stops too early for solutions, which are computed
+        // separately.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
         if condition.is_nan() || condition * f64::EPSILON > 1.0 {

@@ -1,4 +1,5 @@
-//! The gradients of a basis's coefficients with respect to the start of an orbit, modulo a prime.
+//! Computes, modulo a prime, the gradients of a basis's coefficients with respect to the start of
+//! an orbit.
 
 use crate::maps::map::ModularMap;
 use crate::maps::modular_step::ModularStep;
@@ -8,21 +9,22 @@ use crate::orbits::relations::monomial_gradient;
 
 use super::Basis;
 
-/// Returns the gradient of every coefficient at a point; that of the unit is 0.
+/// Returns the gradient of every coefficient at a point. The gradient for the unit, whose
+/// coefficient is 1, is 0.
 ///
-/// Let M be the values of the monomials along the orbit, and c the coefficients: M c = 0 implies M
-/// dc = −dM c. `None` if the orbit ends at a pole, or if the relation is not unique.
+/// Let M be the values of the monomials along the orbit, and c the coefficients. Then M c = 0
+/// implies M dc = −dM c. `None` if the orbit ends at a pole, or if the relation is not unique.
 pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     let n = start.len();
     let size = basis.monomials.len();
     let mut point = start.to_vec();
-    // ∂x_k/∂x_0, row by row.
+    // The Jacobian matrix ∂x_k/∂x_0 of the k-th point, row by row.
     let mut tangent: Vec<Vec<u64>> =
         (0..n).map(|i| (0..n).map(|j| if i == j { modulus.one() } else { 0 }).collect()).collect();
     let mut values: Vec<Vec<u64>> = Vec::new();
     let mut slopes: Vec<Vec<Vec<u64>>> = Vec::new();
-    // One more point than needed reveals whether a relation exists.
+    // One more point than needed shows whether a relation exists.
     for _ in 0..size {
         let (own, gradients): (Vec<u64>, Vec<Vec<u64>>) =
             basis.monomials.iter().map(|exponents| monomial_at(modulus, exponents, &point)).unzip();

@@ -1,10 +1,11 @@
 //! Proves that the terms of a basis have one relation along every orbit.
 //!
-//! The determinant of r + 1 terms at r + 1 consecutive points must vanish identically, while r rows
-//! are independent. The map is birational, so r later points are as generic as the first ones, and
-//! the relation holds on the whole orbit. The determinant is a rational function of bounded degree
-//! and size; it is evaluated at random points modulo random primes. Points on both sides of the
-//! start halve the number of steps, with which degrees grow exponentially.
+//! Let the basis have r + 1 terms. Their determinant at r + 1 consecutive points must vanish
+//! identically, while r rows are independent. The map is birational, so r later points are as
+//! generic as the first ones, and the relation holds on the whole orbit. The determinant is a
+//! rational function of bounded degree and size, and it is evaluated at random points modulo random
+//! primes. Degrees grow exponentially with the number of steps. Points on both sides of the start
+//! halve this number.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -22,11 +23,12 @@ use super::{Basis, Term};
 
 const MOST_POINTS: u32 = 64;
 
-/// The most starts to try, since orbits may end at poles.
+/// The most starts of orbits to try, since orbits may end at poles.
 const MOST_SAMPLES: usize = 16;
 
-/// Proves the basis with an error below 2⁻¹⁰⁰; returns the number of points modulo random primes.
-/// `None` if a point refutes it, degrees are too high for 61-bit primes, or the deadline passes.
+/// Proves the basis with a probability of error below 2⁻¹⁰⁰, and returns the number of points
+/// modulo random primes. `None` if a point refutes the basis, degrees are too high for 61-bit
+/// primes, or the deadline passes.
 pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
     let size = determinant_size(basis, field, searched.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
@@ -35,8 +37,8 @@ pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &De
     (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, searched, &mut random)).then_some(points)
 }
 
-/// Returns whether r + 1 points have exactly one relation, at one random point modulo a random
-/// prime.
+/// Returns whether the terms have exactly one relation at consecutive points, one more than needed
+/// to determine it. The orbit is random, modulo a random prime.
 fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
     for _ in 0..MOST_SAMPLES {
         let modulus = Modulus::random(random);
@@ -53,7 +55,7 @@ fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Rando
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
         let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
-        // With fewer than r independent rows, this point decides nothing.
+        // If too few rows are independent, this point decides nothing.
         if fewer < width - 1 {
             continue;
         }
@@ -79,20 +81,20 @@ impl Basis {
     }
 }
 
-/// Bounds on the total degree, and on log₂ of the 1-norm of a polynomial.
+/// Bounds on the total degree of a polynomial, and on log₂ of its 1-norm, the sum of |coefficient|.
 #[derive(Clone, Copy)]
 struct Bound {
     degree: u64,
     bits: u64,
 }
 
-/// Bounds the determinant of all terms at all points.
+/// Bounds the determinant of the values of all terms at all points.
 fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let (before, after) = halves(basis);
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
     let size = basis.terms.len() as u64;
     let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
-    // Bits for each row: one for each doubling of the number of rows and of the sum of factors.
+    // Count one bit for each doubling of the number of rows, and of the sum of the factors.
     let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
     let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {
@@ -107,8 +109,9 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
     Some(total)
 }
 
-/// Bounds x̃ = X̃/W̃ in terms of x = X/W; each bound holds for numerator and denominator. Row i of
-/// A x̃ = b, times qᵢW, has degree 1 in X and W; Cramer's rule multiplies n rows.
+/// Bounds the image x̃ = X̃/W̃ of the point x = X/W. Each bound holds for numerator and
+/// denominator. Row i of A x̃ = b, times qᵢW with the denominator qᵢ of component i, has degree 1
+/// in X and W. Cramer's rule multiplies n rows.
 fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;
@@ -116,7 +119,8 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let sides = || field.numerators().chain(field.denominators());
     let of_coefficients = sides().map(others).max()?;
     let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
-    // The 1-norm of a row is at most |qᵢ| + 4 |pᵢ|, times the size of a fixed ε.
+    // The 1-norm of row i is at most |qᵢ| + 4 |pᵢ|, times the size of a fixed ε. Here pᵢ/qᵢ is
+    // component i of the field.
     let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
     Some(Bound {
         degree: degree.checked_mul(n)?,
@@ -124,7 +128,7 @@ fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     })
 }
 
-/// Returns an upper bound on log₂ of the 1-norm after clearing denominators.
+/// Returns an upper bound on log₂ of the polynomial's 1-norm after clearing denominators.
 fn norm_bits(polynomial: &Polynomial) -> u64 {
     let all: u64 = polynomial.terms().map(|(_, coefficient)| coefficient.bits()).sum();
     all + u64::from((polynomial.len() as u64 + 1).ilog2()) + 1

@@ -1,4 +1,4 @@
-//! Tests with bases of systems whose integrals are known.
+//! Tests bases of systems whose integrals are known.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::{lexer, read};
@@ -10,7 +10,8 @@ fn field(text: &str) -> Field {
     read(&lexer::lex(text).tokens).system().expect("a system").field.as_ref().clone()
 }
 
-/// Clebsch's case of a rigid body in a fluid: four integrals in six variables, one with few terms.
+/// Clebsch's case of a rigid body in a fluid. The map has four integrals in six variables, one of
+/// them with few terms.
 const CLEBSCH: &str = "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
     p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;";
 
@@ -29,7 +30,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Bas
 fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
     assert_eq!(bases.iter().map(|basis| basis.integrals.len()).sum::<usize>(), 4);
-    // The shortest basis is that of Petrera, Pfadler and Suris.
+    // The shortest basis is the one that Petrera, Pfadler and Suris found.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
         assert!(prove(basis, &searched, &field, &Deadline::never()).is_some());
@@ -39,7 +40,7 @@ fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
 #[test]
 fn what_is_no_basis_is_not_proved() {
     let (searched, field, bases) = found(CLEBSCH, 2, 4);
-    // Without one monomial there is no relation; two joined bases have two.
+    // Without one monomial there is no relation. Two joined bases have two relations.
     let mut less = bases[0].clone();
     less.monomials.truncate(3);
     less.terms.truncate(3);
@@ -85,7 +86,8 @@ fn exact_values_are_constant_along_an_orbit_and_floats_agree_with_them() {
         let terms = first.iter().enumerate().map(|(place, c)| c.to_f64().abs() * scale(place));
         let largest = terms.fold(0.0, f64::max);
         for (place, (value, exact)) in found.coefficients.iter().zip(&first).enumerate() {
-            // Each entry of the equations is rounded a few times, and twelve are summed.
+            // Each entry of the linear system is rounded a few times, and twelve entries are
+            // summed.
             let bound = 64.0 * f64::EPSILON * found.condition * largest / scale(place);
             assert!((value - exact.to_f64()).abs() <= bound, "{value} {exact} {}", found.condition);
         }
@@ -112,7 +114,7 @@ fn gradients_are_those_of_the_coefficients() {
     for basis in &bases {
         let here = gradients::of_coefficients(basis, &sample.map, &point).unwrap();
         let there = gradients::of_coefficients(basis, &sample.map, &next).unwrap();
-        // From c(φ(x)) = c(x): the gradient at x̃ times ∂x̃/∂x is the gradient at x.
+        // By c(φ(x)) = c(x), the gradient at x̃ times ∂x̃/∂x is the gradient at x.
         for (own, other) in here.iter().zip(&there) {
             let mut pulled = vec![0; 6];
             for (factor, row) in other.iter().zip(&jacobian) {
@@ -126,7 +128,7 @@ fn gradients_are_those_of_the_coefficients() {
     }
 }
 
-/// Kirchhoff's case with two equal moments, in which the body is symmetric about its axis.
+/// Tests Kirchhoff's case with two equal moments, in which the body is symmetric about its axis.
 #[test]
 fn monomials_with_equal_coefficients_are_joined() {
     let kirchhoff =
@@ -140,7 +142,7 @@ fn monomials_with_equal_coefficients_are_joined() {
         basis.join(&searched, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
         assert!(prove(&basis, &searched, &field, &Deadline::never()).is_some());
-        // A different factor destroys the relation between these terms.
+        // With a different factor, the terms have no relation.
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
             let mut wrong = basis.clone();
             wrong.terms[term][1].1 += 1;

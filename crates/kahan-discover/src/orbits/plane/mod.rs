@@ -1,8 +1,9 @@
 //! Maps of the plane: proofs of exponential growth of degrees, and conclusions from linear growth.
 //!
-//! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x, so
-//! φ is given by three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. `growth` proves exponential
-//! growth by one large degree or by `stability`; `linear` excludes integrals by linear growth.
+//! Let φ be Kahan's map in two variables, over K = ℚ(parameters, ε) or ℚ. A(x)x̃ is affine in x for
+//! A = I − ε f′, so φ is given by three quadratic forms Φ on ℙ², and dₖ = deg φᵏ ≤ 2ᵏ. The function
+//! `growth` proves exponential growth by one large degree or by the module `stability`. The
+//! function `linear` excludes integrals by linear growth.
 
 mod stability;
 
@@ -18,24 +19,26 @@ use crate::orbits::growth::{Growth, GrowthVerdict};
 /// A proof that degrees grow exponentially.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GrowthProof {
-    /// dₖ = 2ᵏ for all k: the map is algebraically stable modulo a prime.
+    /// The degrees of all iterates are dₖ = 2ᵏ, since the map is algebraically stable modulo a
+    /// prime.
     Stable {
-        /// The prime.
+        /// The prime modulo which the map is stable.
         prime: u64,
     },
-    /// A degree dₖ > k² + 1.
+    /// One degree satisfies dₖ > k² + 1, which proves that growth is exponential.
     Degree {
-        /// The number k.
+        /// The number k of the iterate.
         iterate: usize,
-        /// A lower bound of dₖ.
+        /// A lower bound of the degree dₖ.
         degree: usize,
     },
 }
 
-/// The numbers k of iterates to try in turn; dₖ must exceed k² + 1.
+/// The numbers k of the iterates to try in turn. The proof needs a degree dₖ > k² + 1.
 const ITERATES: [usize; 4] = [8, 16, 32, 64];
 
-/// Classifies the growth of degrees of a sampled map; in the plane, proves exponential growth.
+/// Classifies the growth of the degrees of a sampled map. In the plane, exponential growth is also
+/// proved.
 ///
 /// **A bound on degrees.** Suppose that φ preserves a pencil of curves, curve by curve (as with a
 /// rational integral) or permuting them. Let w be the class of these curves in the Picard–Manin
@@ -51,11 +54,11 @@ const ITERATES: [usize; 4] = [8, 16, 32, 64];
 /// growth is exponential and that no rational integral exists.
 ///
 /// **Degrees modulo a prime are lower bounds.** Let R be ℤ[parameters, ε] localised at the prime
-/// ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms
-/// over R, where Ψ has degree dₖ. If a point of a line has a k-th image modulo the prime, then the
-/// reduced Φᵏ and H are not zero there, and the reduced Ψ gives this image. On the line these
-/// images are rational functions of degree at most dₖ, for which Thiele's continued fraction finds
-/// at most this degree.
+/// ideal of the prime and the sampled values; R is factorial. By Gauss's lemma Φᵏ = HΨ with forms H
+/// and Ψ over R, where Ψ has degree dₖ. Suppose that a point of a line has a k-th image modulo the
+/// prime. Then the reduced Φᵏ and H are not zero there, and the reduced Ψ gives this image. On the
+/// line these images are rational functions of degree at most dₖ, for which Thiele's continued
+/// fraction finds at most this degree.
 pub(crate) fn growth(
     searched: &SearchField,
     map: &ModularMap,
@@ -92,18 +95,19 @@ pub(crate) fn growth(
     verdict
 }
 
-/// The number of iterates over which growth must be linear to count as linear.
+/// The number of iterates over which degrees must grow linearly before growth is called linear.
 const LINEAR_ITERATES: usize = 200;
 
-/// Returns the number of iterates with linear growth, if linear growth excludes integrals.
+/// Returns the number of iterates whose degrees grow linearly. `None` unless linear growth excludes
+/// integrals.
 ///
 /// A map of linear growth permutes the curves of exactly one pencil (Diller and Favre). It acts on
 /// the parameter t of the pencil by a Möbius map μ. A drift F and an integral are constant on the
-/// curves, so both are functions of t. If the next value of F has infinite order as a Möbius map,
-/// so has μ, and every integral is constant. F + c with c ≠ 0 has infinite order, and so has c·F
-/// unless c = ±1. At generic ε, if the field has a value at ε = 0, a Möbius map with matrix M has
-/// infinite order, too: for order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at ε = 0
-/// the map is the identity with the value 4. Linear growth itself is observed, not proved.
+/// curves, so both are functions of t. If F ↦ F(x̃) has infinite order as a Möbius map, so has μ,
+/// and every integral is constant. F + c with c ≠ 0 has infinite order, and so has c·F unless c =
+/// ±1. Suppose that ε is generic and the field is defined at ε = 0. Then a Möbius map with matrix M
+/// has infinite order, too. For order n > 1, (tr M)²/det M = 4 cos²(πk/n) < 4 at all ε, but at ε =
+/// 0 the map is the identity with the value 4. Linear growth itself is observed, not proved.
 pub(crate) fn linear(
     searched: &SearchField,
     map: &ModularMap,

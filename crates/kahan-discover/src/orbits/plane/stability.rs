@@ -2,9 +2,9 @@
 //!
 //! A birational map φ of ℙ² is *algebraically stable* if no iterate sends a curve to a point of
 //! indeterminacy. Then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001, theorem
-//! 1.14): if the forms of Φᵏ have a common factor that those of Φᵏ⁻¹ lack, φᵏ⁻¹ sends its curve to
-//! a point of indeterminacy. Reduction modulo a prime preserves common factors, so stability modulo
-//! a prime suffices.
+//! 1.14). Let Φ be the forms of φ. If the forms of Φᵏ have a common factor that those of Φᵏ⁻¹ lack,
+//! φᵏ⁻¹ sends the factor's curve to a point of indeterminacy. Reduction modulo a prime preserves
+//! common factors, so stability modulo a prime suffices.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
@@ -14,24 +14,28 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// The range of primes. An orbit has about p/3 steps and fails by chance at a rate of about 3/p.
+/// The least number from which a prime is sought. Modulo p, an orbit has about p/3 steps, and the
+/// proof fails by chance at a rate of about 3/p.
 const LEAST: u64 = 211;
+/// The number of integers from which the search for a prime may start.
 const SPREAD: u64 = 1000;
 
-/// The most samples; if the three lines are conjugate, one sample in six contains all of them.
+/// The most samples. If the three contracted lines are conjugate, one sample in six contains all of
+/// them.
 const MOST_SAMPLES: usize = 64;
 
 type Point = [u64; 3];
 
-/// Finds a prime modulo which the map is algebraically stable of degree 2 at sampled unknowns.
+/// Finds a prime modulo which the map is algebraically stable of degree 2, at sampled parameters
+/// and ε.
 ///
-/// The inverse of Kahan's map is the map at −ε. Let Ψ be its forms: Ψ∘Φ = κ·(X, Y, Z) with a cubic
-/// form κ. The map contracts exactly the curves of κ: outside of them Ψ∘Φ separates points, and on
-/// them Ψ vanishes at the values of Φ. If κ is a product of linear forms, the curves are lines ℓᵢ
-/// with images qᵢ. Modulo the prime the orbit of qᵢ is finite. It cannot be periodic outside the
-/// lines, since φ is injective there and has no value qᵢ there. So it reaches a point of
-/// indeterminacy, or a line ℓⱼ, after which it is the orbit of qⱼ. Following each qᵢ for finitely
-/// many steps decides stability.
+/// Let Φ be the forms of the map. The inverse of Kahan's map is the map at −ε. Let Ψ be its forms:
+/// Ψ∘Φ = κ·(X, Y, Z) with a cubic form κ. The map contracts exactly the curves of κ: outside of
+/// them Ψ∘Φ separates points, and on them Ψ vanishes at the values of Φ. If κ is a product of
+/// linear forms, the curves are lines ℓᵢ with images qᵢ. Modulo the prime the orbit of qᵢ is
+/// finite. The orbit cannot be periodic outside the lines, since φ is injective there and never
+/// takes the value qᵢ there. So it reaches a point of indeterminacy, or a line ℓⱼ, after which it
+/// is the orbit of qⱼ. Following each qᵢ for finitely many steps decides stability.
 pub(super) fn prime_of_stability(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -54,12 +58,12 @@ struct Forms {
 }
 
 impl Forms {
-    /// Returns whether κ has three linear factors, with multiplicity, and the map is stable of
-    /// degree
-    /// 2. For a lower degree, Φ vanishes on the line of a linear factor of κ.
+    /// Returns whether the map is stable and has degree 2. For this, the cubic form κ must have
+    /// three linear factors, counted with multiplicity. If the degree is lower, Φ vanishes on the
+    /// line of a linear factor of κ.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
-        // A quadratic form with three zeros on a line vanishes on it; so try three points.
+        // A quadratic form with three zeros on a line vanishes on the line, so try three points.
         let image =
             |line: &Point| (0..3).map(|t| self.image(self.on(line, t))).find(|image| *image != [0; 3]);
         lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
@@ -69,7 +73,7 @@ impl Forms {
     /// indeterminacy.
     fn walk_is_stable(&self, start: Point) -> bool {
         let mut point = start;
-        // A safeguard only: every orbit leaves the complement of the lines.
+        // The limit only prevents an endless loop: every orbit leaves the complement of the lines.
         for _ in 0..100 * self.modulus().prime() {
             let next = self.image(point);
             if next == [0; 3] {
@@ -90,7 +94,7 @@ impl Forms {
         let mut lines: Vec<Point> = Vec::new();
         for (&a, &b) in first.iter().flat_map(|a| second.iter().map(move |b| (a, b))) {
             let line = self.normalised(self.cross(a, b));
-            // A cubic form with four zeros on a line vanishes on it.
+            // A cubic form with four zeros on a line vanishes on the line.
             let is_zero = line != [0; 3] && (0..4).all(|t| self.cubic(self.on(&line, t)) == 0);
             if is_zero && !lines.contains(&line) {
                 lines.push(line);
@@ -105,8 +109,9 @@ impl Forms {
         powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
     }
 
-    /// Returns whether κ is a nonzero constant times powers of lines, with exponents of sum 3. Two
-    /// cubic forms are equal if they agree at the ten points (i, j, k) with i + j + k = 3.
+    /// Returns whether the cubic form κ is a nonzero constant times powers of lines, whose
+    /// exponents have the sum 3. Two cubic forms are equal if they agree at the ten points (i, j,
+    /// k) with i + j + k = 3.
     fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
         let modulus = self.modulus();
         let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
@@ -123,7 +128,8 @@ impl Forms {
         right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
     }
 
-    /// Returns the zeros of κ on a line except the first point; `None` if κ vanishes on the line.
+    /// Returns the zeros of the cubic form κ on a line, except the line's first point. `None` if κ
+    /// vanishes on the line.
     fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
         let modulus = self.modulus();
         let mut point = base;
@@ -137,7 +143,7 @@ impl Forms {
         (zeros.len() <= 3).then_some(zeros)
     }
 
-    /// Returns point number t on a line; points differ for different t below the prime.
+    /// Returns the point with number t on a line. Points differ for different t below the prime.
     fn on(&self, line: &Point, t: u64) -> Point {
         let modulus = self.modulus();
         let [a, b] = match line.iter().position(|&entry| entry != 0) {
@@ -173,9 +179,9 @@ impl Forms {
         self.forms(point, self.map.eps())
     }
 
-    /// Returns (adj A · b, det A) for the system A x̃ = b of the map in homogeneous coordinates:
-    /// A = Z − ε f′,  b = x + ε Bx + 2ε cZ,
-    /// where f has the linear part Bx and the constant part c.
+    /// Returns (adj A · b, det A) for the linear system A x̃ = b of the map in homogeneous
+    /// coordinates: A = Z − ε f′, b = x + ε Bx + 2ε cZ. Here f has the linear part Bx and the
+    /// constant part c.
     fn forms(&self, point: Point, eps: u64) -> Point {
         let modulus = self.modulus();
         let mut matrix = [[point[2], 0], [0, point[2]]];

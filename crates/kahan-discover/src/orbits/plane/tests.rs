@@ -5,7 +5,7 @@ use super::*;
 use crate::modular::modulus::Modulus;
 
 const LOTKA_VOLTERRA: &str = "xdot = x*(1 - y); ydot = y*(x - 1);";
-/// Zander's field with exponents (1, 1, 3).
+/// The equations of Zander's field with exponents (1, 1, 3).
 const ZANDER_113: &str = "xdot = x*(x + y) + 3*x*y; ydot = -(y*(x + y) + 3*x*y);";
 
 fn field(text: &str) -> std::sync::Arc<Field> {
@@ -27,7 +27,7 @@ fn exponential_growth_is_proved() {
         let found = verdict(LOTKA_VOLTERRA, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Stable { .. })), "{found:?}");
         assert!((found.growth.entropy() - 2f64.ln()).abs() < 1e-15);
-        // Orbits of contracted lines reach points of indeterminacy: d₆ is 62, not 64.
+        // Orbits of contracted lines reach points of indeterminacy, so d₆ is 62, not 64.
         let found = verdict(ZANDER_113, seed);
         assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
     }
@@ -43,7 +43,8 @@ fn growth_that_shows_is_proved_from_more_degrees() {
     assert!(matches!(found.proof, Some(GrowthProof::Degree { iterate: 5, degree: 32 })), "{found:?}");
 }
 
-/// If the map preserves a pencil of curves, no degree exceeds k² + 1, and no prime shows stability.
+/// Tests maps that preserve a pencil of curves: no degree exceeds k² + 1, and no prime shows
+/// stability.
 #[test]
 fn no_other_growth_is_proved_exponential() {
     let integrable = [

@@ -2,8 +2,9 @@
 //!
 //! Let A(x,ε) = I − ε f′(x). The map has the Jacobian matrix A(x,ε)⁻¹ A(x̃,−ε), and f′K is
 //! symmetric, so P(x) = (I − ε² f′²)K = A(x,ε) K A(x,ε)ᵀ = A(x,−ε) K A(x,−ε)ᵀ. P is invariant in
-//! the plane, where P = det A · K, in direct sums of planar systems, and for planar fields over a
-//! commutative algebra (the canonical systems of Petrera and Suris), but not in general.
+//! the plane, where P = det A · K, and in direct sums of planar systems. It is also invariant for
+//! planar fields over a commutative algebra (the canonical systems of Petrera and Suris), but not
+//! in general.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -21,8 +22,8 @@ use super::polynomial::{PoissonTensor, Tensor};
 const MOST_TERMS: usize = 3_000;
 const MOST_WORK: u64 = 4_000_000;
 
-/// Computes (I − ε² f′²)K for the K with the index and Hamiltonian in `structure`. `None` if this
-/// is not an invariant bracket modulo a prime, or beyond the budget.
+/// Computes (I − ε² f′²)K for one constant K of `structure`. `None` if the result is not an
+/// invariant bracket modulo a prime, or if it is beyond the budget.
 pub(crate) fn of_structure(
     searched: &SearchField,
     field: &Field,
@@ -100,14 +101,15 @@ impl PoissonTensor {
         matrix_at(searched, place, point, &self.entries)
     }
 
-    /// Returns the rank at a point if J P Jᵀ = P(x̃) and Jacobi's identity hold there.
+    /// Returns the rank of the tensor P at a point. `None` unless J P Jᵀ = P(x̃), with the Jacobian
+    /// J of the map, and Jacobi's identity hold there.
     fn invariant_rank(&self, searched: &SearchField, place: &SampledStep) -> Option<usize> {
         let map = &place.sample.map;
         let modulus = map.modulus();
         let jacobian = map.jacobian(&place.here, &place.there)?;
         let here = self.at(searched, place, &place.here)?;
         let there = self.at(searched, place, &place.there)?;
-        // P is antisymmetric, so row i of JP is −P times row i of J.
+        // P is antisymmetric, so row i of J·P is −P times row i of the Jacobian J.
         let half: Vec<Vec<u64>> = jacobian
             .iter()
             .map(|row| here.iter().map(|own| modulus.opposite(modulus.dot(row, own))).collect())

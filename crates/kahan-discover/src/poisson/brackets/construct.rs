@@ -1,7 +1,7 @@
-//! The Poisson tensor of a density and n − 2 integrals.
+//! Computes the Poisson tensor that a density and n − 2 integrals define.
 //!
 //! Each gradient is brought over one denominator and divided by common factors, so that minors are
-//! those of small polynomials. All factors are multiplied into the tensor at the end.
+//! those of small polynomials. Finally the tensor is multiplied by all these factors.
 
 use kahan_algebra::kahan::maximal_minors;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
@@ -10,10 +10,11 @@ use kahan_algebra::symbols::Symbols;
 
 /// Returns the bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper for a
 /// `density` ρ and n − 2 `integrals` I, n ≥ 2. The result has the entries above the diagonal, row
-/// by row; for n = 2 the entry 1/ρ. It satisfies Jacobi's identity for any I, which are its
-/// Casimirs, and is invariant under maps that preserve ρ dx and the I's. `None` for a zero density,
-/// for dependent integrals, or beyond the budget. Cost: n gcds for each gradient, and the minors of
-/// n − 2 rows by Laplace expansion, where zero minors are free.
+/// by row; for n = 2 it has the entry 1/ρ. The bracket satisfies Jacobi's identity for any
+/// functions I, which are its Casimir functions. It is invariant under maps that preserve ρ dx and
+/// all I. `None` for a zero density, for dependent integrals, or beyond the budget. The cost is n
+/// greatest common divisors for each gradient, and the minors of n − 2 rows by Laplace expansion,
+/// where zero minors are free.
 pub(super) fn invariant_tensor(
     symbols: &Symbols,
     density: &RationalFunction,
@@ -37,7 +38,8 @@ pub(super) fn invariant_tensor(
         for k in j + 1..n {
             let others = ((1u64 << n) - 1) & !(1 << j | 1 << k);
             let minor = minors.remove(&others).unwrap_or_default();
-            // x_j passes the j variables before it, then x_k the remaining k − 1.
+            // The variable x_j passes the j variables before it, then x_k passes the remaining k −
+            // 1 variables before it.
             let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
             entries.push(RationalFunction::from(minor).mul_within(&factor, budget).ok()?);
         }
@@ -45,7 +47,7 @@ pub(super) fn invariant_tensor(
     Some(entries)
 }
 
-/// dI = factor · direction, where the entries of the direction are coprime polynomials.
+/// A differential dI = factor · direction. The entries of the direction are coprime polynomials.
 struct Gradient {
     factor: RationalFunction,
     direction: Vec<Polynomial>,

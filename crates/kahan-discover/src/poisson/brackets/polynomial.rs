@@ -1,10 +1,10 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
 //! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant if J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is linear
-//! in the coefficients of P. Jacobi's identity is quadratic: if elements of a reduced basis and
-//! sums of two of them satisfy it, so do all their linear combinations. The rank of a sum can
-//! exceed the ranks of its summands. The search ends at the degree of the first bracket of full
-//! rank, n or n − 1.
+//! in the coefficients of P. Jacobi's identity is quadratic. If elements of a reduced basis and
+//! sums of two of them satisfy it, so do all linear combinations of these elements. The rank of a
+//! sum can exceed the ranks of its summands. The search ends at the degree of the first bracket of
+//! full rank, which is n or n − 1 in n dimensions.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -28,11 +28,12 @@ use crate::modular::monomials::Monomials;
 use crate::modular::subspace::{Form, PolynomialSpace, combination};
 use crate::orbits::relations::{gradient, monomial_gradients};
 
-/// The highest degree of the entries, and the most coefficients of all of them.
+/// The highest degree of the entries of a bracket.
 const HIGHEST_DEGREE: u32 = 4;
+/// The most coefficients of all entries together.
 const MOST_COEFFICIENTS: usize = 600;
 
-/// The most coefficients up to degree 2: enough for eight variables.
+/// The most coefficients of all entries up to degree 2, which suffice for eight variables.
 const MOST_QUADRATIC_COEFFICIENTS: usize = 1300;
 
 /// The highest degree of the search if a bracket of full rank is already known.
@@ -41,13 +42,13 @@ const HIGHEST_BESIDE: u32 = 1;
 /// The number of points at which tensors are compared and Jacobi's identity is checked.
 const POINTS: usize = 3;
 
-/// The most basis elements whose sums are tried.
+/// The most basis elements for which sums of elements are tried.
 const MOST_ELEMENTS: usize = 40;
 
 const MOST_TENSORS: usize = 4;
 
-/// The monomials and the entries above the diagonal; the coefficient of monomial m in entry k has
-/// the index m·pairs + k.
+/// The monomials of the entries, and the entries above the diagonal. The coefficient of monomial m
+/// in entry k has the index m·pairs + k.
 struct TensorMonomials {
     monomials: Monomials,
     pairs: Vec<(usize, usize)>,
@@ -57,18 +58,19 @@ struct TensorMonomials {
 pub(crate) struct PoissonTensor {
     pub(crate) rank: usize,
     pub(crate) entries: Vec<Polynomial>,
-    /// The index of the constant K, if the tensor is (I − ε² f′²)K.
+    /// The index of the constant matrix K, if the tensor is (I − ε² f′²)K.
     pub(crate) structure: Option<usize>,
-    /// Whether the bracket is proved but not written, because chosen brackets imply it.
+    /// Whether the bracket is proved but not written, because brackets that are written imply it.
     pub(crate) is_implied: bool,
 }
 
 impl PoissonTensor {
     /// Returns a polynomial p such that 1/p is a candidate for an invariant density.
     ///
-    /// In even dimension p is the Pfaffian. In odd dimension the Pfaffians without one row and
-    /// column form a common factor times the gradient of a Casimir function, if it is a polynomial;
-    /// p is their greatest common divisor. `None` if the rank is not full, or beyond the budget.
+    /// In even dimension p is the Pfaffian of the tensor. In odd dimension, take the Pfaffians
+    /// without one row and column. If a Casimir function is a polynomial, they are its gradient
+    /// times a common factor; p is their greatest common divisor. `None` if the rank is not full,
+    /// or beyond the budget.
     pub(crate) fn pfaffian(&self, n: usize, budget: &mut Budget) -> Option<Polynomial> {
         let all: Vec<usize> = (0..n).collect();
         if n.is_multiple_of(2) {
@@ -85,7 +87,8 @@ impl PoissonTensor {
         gcd_all_within(&minors, budget).ok()
     }
 
-    /// Returns the Pfaffian of these rows and columns, by expansion along the first row.
+    /// Returns the Pfaffian of the rows and columns with these indices, by expansion along the
+    /// first row.
     fn pfaffian_of(&self, n: usize, indices: &[usize], budget: &mut Budget) -> Option<Polynomial> {
         let Some((&first, others)) = indices.split_first() else { return Some(Polynomial::one()) };
         let mut sum = Polynomial::zero();
@@ -110,7 +113,8 @@ struct Candidate {
 
 enum Source {
     Known(PoissonTensor),
-    /// A sum of elements of a reduced basis: the degree, and the coefficients of each element.
+    /// A sum of elements of a reduced basis: the degree of the entries, and the coefficients of
+    /// each element.
     Sum(u32, Vec<Vec<u64>>),
 }
 
@@ -129,10 +133,11 @@ impl Candidate {
     }
 }
 
-/// Finds up to four brackets: independent ones of the highest rank, and one of each lower rank.
-/// Entries have degrees up to `highest`, at most 4. Brackets in `known` compete with those found;
-/// those not chosen follow, marked as implied. The search ends at the first degree with a bracket
-/// of full rank, at 600 coefficients of all entries (1300 up to degree 2), or at the deadline.
+/// Finds up to four brackets: independent brackets of the highest rank, and one bracket of each
+/// lower rank. Entries have degrees up to `highest`, at most 4. Brackets in `known` compete with
+/// those found. Known brackets that are not chosen follow, marked as implied. The search ends at
+/// the first degree with a bracket of full rank, at the deadline, or at 600 coefficients of all
+/// entries (1300 up to degree 2).
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     known: Vec<PoissonTensor>,
@@ -174,8 +179,8 @@ pub(crate) fn polynomial_tensors(
         Some(Candidate { rank: tensor.rank, source: Source::Known(tensor.clone()), values })
     };
     found.extend(known.iter().filter_map(candidate));
-    // Known tensors usually have shorter texts than basis elements. Sums of basis elements may be
-    // shorter still, since each element is divided by its common factors.
+    // Prefer known tensors, which usually have shorter texts than basis elements. Sums of basis
+    // elements may be shorter still, since each element is divided by its common factors.
     let symbols = searched.family().symbols();
     let is_known = |candidate: &Candidate| matches!(candidate.source, Source::Known(_));
     let least = found.iter().filter(|one| is_known(one)).map(|one| one.terms(symbols)).min();
@@ -189,7 +194,7 @@ pub(crate) fn polynomial_tensors(
         (Reverse(candidate.rank), class, terms)
     });
     let chosen = select_by_rank(map.modulus(), found);
-    // Reconstructions by basis element; several sums may share an element.
+    // Reconstructed tensors by basis element, since several sums may contain one element.
     let mut known_parts: Vec<(Vec<u64>, Option<Vec<Polynomial>>)> = Vec::new();
     let mut over_the_rationals = |Candidate { rank, source, .. }: Candidate| {
         let (degree, parts) = match source {
@@ -208,7 +213,8 @@ pub(crate) fn polynomial_tensors(
             entries = entries.into_iter().zip(own?).map(|(sum, own)| sum + own).collect();
         }
         let mut tensor = PoissonTensor { rank, entries, structure: None, is_implied: false };
-        // Over ℚ each summand has its own factor, so the sum may have another rank.
+        // Over ℚ each summand gets its own factor, so the sum may have another rank than modulo the
+        // prime.
         let matrix = tensor.at(searched, &place, &points[0])?;
         tensor.rank = Echelon::of(map.modulus(), matrix, n).rank();
         Some(tensor)
@@ -220,7 +226,8 @@ pub(crate) fn polynomial_tensors(
     all
 }
 
-/// Chooses four brackets: independent ones of the highest rank, then the first of each lower rank.
+/// Chooses up to four brackets: independent brackets of the highest rank, then the first bracket of
+/// each lower rank.
 fn select_by_rank(modulus: &Modulus, found: Vec<Candidate>) -> Vec<Candidate> {
     let highest = found.first().map_or(0, |candidate| candidate.rank);
     let mut last = None;
@@ -253,8 +260,8 @@ impl TensorMonomials {
         self.monomials.len() * self.pairs.len()
     }
 
-    /// Returns a basis of the invariant tensors with coefficients on `support`. `None` if the map
-    /// has no value or the deadline passes.
+    /// Returns a basis of the invariant tensors whose coefficients outside of `support` are 0.
+    /// `None` if the map is undefined or the deadline passes.
     fn invariant(
         &self,
         map: &ModularMap,
@@ -288,8 +295,8 @@ impl TensorMonomials {
         Echelon::null_vectors(modulus, rows, support.len(), deadline)
     }
 
-    /// Returns brackets of rank above `best` among basis elements and their sums, by descending
-    /// rank.
+    /// Returns brackets of a rank above `best`, by descending rank. Basis elements and their sums
+    /// are tried.
     fn higher(
         &self,
         map: &ModularMap,
@@ -380,7 +387,8 @@ impl TensorMonomials {
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Polynomial>> {
         let support: Vec<usize> = (0..self.len()).filter(|&place| part[place] != 0).collect();
-        // Pivots of other basis elements are outside this support, so the tensor is unique on it.
+        // The leading coefficients of other basis elements are outside this support. So the tensor
+        // is unique on the support.
         let form = Form { support: support.clone(), pivots: vec![0] };
         let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let map = searched.at(modulus, unknowns)?;
@@ -403,8 +411,9 @@ impl TensorMonomials {
         Some((0..self.pairs.len()).map(entry).collect())
     }
 
-    /// Returns the weights of the coefficients on a support, relative to the first one, which is 1.
-    /// Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common weight.
+    /// Returns the weights of the coefficients on a support, relative to the first coefficient,
+    /// which is 1. Entry (i, j) of an invariant tensor has the weight of xᵢxⱼ, up to a common
+    /// weight.
     fn grading(&self, searched: &SearchField, support: &[usize]) -> Grading {
         let symbols = searched.family().symbols();
         let weights = searched.weights();
@@ -443,7 +452,7 @@ impl Place {
     }
 }
 
-/// A basis element that is a bracket, with its tensors at the points of a search.
+/// A basis element that is a bracket, with the values of its tensor at the points of a search.
 struct Element {
     rank: usize,
     terms: usize,
@@ -471,8 +480,8 @@ impl Tensor {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
-    /// Returns whether Σ Pᵢₗ ∂ₗPⱼₖ over l and cyclic permutations of (i, j, k) is 0 for all i, j,
-    /// k.
+    /// Returns whether the bracket satisfies Jacobi's identity at the point. The sum of Pᵢₗ ∂ₗPⱼₖ
+    /// over l and over cyclic permutations of (i, j, k) must be 0 for all i, j, k.
     pub(super) fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {

@@ -1,18 +1,18 @@
-//! Calls in LaTeX: functions, derivatives, points of the map and matrix entries.
+//! Writes calls in LaTeX: functions, derivatives, points of the map and matrix entries.
 
 use super::super::Formula;
 use kahan_algebra::render::Precedence;
 
 use super::{at_least, enclosed, name, write};
 
-/// Functions that LaTeX writes as operator names.
+/// Functions whose names are operator names in LaTeX.
 pub(super) const FUNCTIONS: [&str; 14] =
     ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "coth", "sech", "sn", "cn", "dn", "atanh"];
 
-/// Calls that are not written as name(arguments).
+/// Calls that are not written as a name with arguments in parentheses.
 pub(super) const OPEN_ENDED: [&str; 5] = ["back", "d", "on", "at", "sum"];
 
-/// Writes a call; `power` is the exponent of a function's name.
+/// Writes a call. The text `power` is an exponent for the function's name.
 pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String {
     let written: Vec<String> = arguments.iter().map(|argument| write(argument).0).collect();
     let list = written.join(", ");
@@ -83,7 +83,7 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
     }
 }
 
-/// Writes a function's name with an optional exponent; braces keep spaces out of its base.
+/// Writes a function's name with an optional exponent. Braces keep spaces out of the base.
 fn operator(function: &str, power: &str) -> String {
     if power.is_empty() {
         format!("\\operatorname{{{function}}}")

@@ -1,10 +1,11 @@
-//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1).
+//! Claims on the second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1).
 
 use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::{Solution, solved};
 
-/// δ and κ of Theorem 3 shifted by πi/2, and ν = iμ; `-` marks components with a factor (−1)ⁿ.
+/// The solutions with δ and κ of Theorem 3 shifted by πi/2, and ν = iμ. The sign `-` marks
+/// components with a factor (−1)ⁿ.
 pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     (
         Solution {
@@ -34,7 +35,7 @@ pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     ),
 ];
 
-/// Orbits cannot change the branch.
+/// Claims that an orbit cannot change its branch.
 const SEPARATION: &str = "
 theorem3.e3.sides | Theorem 3, i = 3, addition: the sign of 1 - eps^2 z^2 is kept |
     1 - 2*eps^2*K_eps = (1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2))

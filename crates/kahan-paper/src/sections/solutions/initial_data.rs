@@ -1,11 +1,11 @@
-//! The parameters of each solution through a given state.
+//! Claims on the parameters of the solution through a given state.
 
 use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::branches::BRANCHES;
 use super::{claim, solved};
 
-/// The parameters as functions of (x, y, z).
+/// The parameters of the solution as functions of the state (x, y, z).
 const THROUGH: &str = "
 theorem3.e1.through | Theorem 3, i = 1, addition: the parameters from initial data |
     tau := 1/(2*eps*x); beta := H_eps; gamma := K_eps; X(0) = x; Y(0) = y; Z(0) = z
@@ -25,7 +25,7 @@ theorem3.e5.through | Theorem 3, i = 5, addition: the parameters from initial da
     mu := (K_eps - tanh(delta)^2/eps^2)*eps/sinh(delta); X(0) = x; Y(0) = y; Z(0) = z
 ";
 
-/// The parameters on the second real branches.
+/// The parameters of the solutions on the second real branches.
 const THROUGH_BRANCHES: &str = "
 theorem3.e3.branch.through | Theorem 3, i = 3, addition: the parameters from initial data, eps z > 1 |
     theta := atan2(y, x); delta := atanh(1/(eps*sqrt(2*K_eps))); kappa := atanh(coth(delta)/(eps*z));
@@ -42,7 +42,8 @@ theorem3.e1.tau | Theorem 3, i = 1, tau | tau = 1/(2*eps*X(0))
 theorem3.e2.tau | Theorem 3, i = 2, tau | tau = 1/(2*eps*X(0))
 ";
 
-/// The relation behind dE4's parameters: for sn²δ = s, the values of H and K determine s and k².
+/// The relation from which dE4's parameters follow. For sn²δ = s, the values of H and K determine s
+/// and k².
 const VALUES: &str = "
     c := 1 - s; d2 := 1 - k2*s;
     h := (1 - k2)*s/(2 - (1 + k2)*s); g := 1 - 2*c*d2/(c + d2)";
@@ -53,7 +54,7 @@ theorem3.e4.delta |
     k2 = (g - h)*(1 + h)/((g + h)*(1 - h))
 ";
 
-/// Every state of a level set lies on the orbit's curve.
+/// Claims that every state of a level set lies on the orbit's curve.
 const POINT: &str = "
     h := 2*eps^2*x*y/(1 + eps^2*(x^2 + y^2)); g := eps^2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
     s := (g + h)/(1 + h); k2 := (g - h)*(1 + h)/((g + h)*(1 - h)); c := 1 - s; d2 := 1 - k2*s";

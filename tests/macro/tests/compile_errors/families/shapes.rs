@@ -1,4 +1,4 @@
-//! Items within and beside a family.
+//! Items that are not allowed within or beside a family.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Points of dimension two for a map of dimension three.
+//! The points have dimension two, but the map has dimension three.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A map without ε.
+//! The map is not prepared, so it has no ε.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A map for each trajectory, without ε.
+//! Each trajectory has a map, but the maps have no ε.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Big rationals need a feature.
+//! Big rationals need a feature that is not enabled.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A missing file.
+//! The included file is missing.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A file whose block has two mistakes.
+//! The block in the included file has two mistakes.
 
 use kahan_core::prelude::*;
 

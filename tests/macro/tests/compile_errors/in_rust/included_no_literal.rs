@@ -1,4 +1,4 @@
-//! A name instead of a literal.
+//! The file is given by a name instead of a literal.
 
 use kahan_core::prelude::*;
 

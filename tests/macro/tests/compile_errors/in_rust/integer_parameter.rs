@@ -1,4 +1,4 @@
-//! An integer instead of a float.
+//! The parameter is an integer instead of a float.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! An integer instead of a float, with and without a suffix.
+//! The parameter is an integer instead of a float, with and without a suffix.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A vector of two entries for a map of dimension three.
+//! The vector has two entries, but the map has dimension three.
 
 use kahan_core::prelude::*;
 

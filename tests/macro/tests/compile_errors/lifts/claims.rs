@@ -1,8 +1,8 @@
-//! Claims of lifts concern their quadratic fields.
+//! False and broken claims of lifts; such claims concern the quadratic field.
 
 use kahan_core::prelude::*;
 
-// The flow's energy is not preserved by the map.
+// The map does not preserve the flow's energy.
 kahan! {
     lift pub struct Flow;
     xdot = v;
@@ -17,7 +17,7 @@ kahan! {
     integral J = x*(t2 - t^2);
 }
 
-// Claims contain no functions.
+// Claims cannot contain functions.
 kahan! {
     lift pub struct Function;
     xdot = v;
@@ -25,7 +25,7 @@ kahan! {
     integral E = v^2/2 - cos(x);
 }
 
-// A claim with the name of a new variable.
+// The claim has the name of a new variable.
 kahan! {
     lift pub struct Taken;
     xdot = v;
@@ -34,7 +34,7 @@ kahan! {
 }
 
 fn main() {
-    // Stand-in types replace the broken blocks.
+    // The broken blocks are replaced by types with the expected methods.
     let start = Flow.embed(&vector![0.5, 0.0]);
     let _: SVector<f64, 4> = Flow.step(&start, 0.1);
 }

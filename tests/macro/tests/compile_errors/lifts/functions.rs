@@ -2,25 +2,25 @@
 
 use kahan_core::prelude::*;
 
-// A function with a corner.
+// The function has a corner.
 kahan! {
     lift pub struct Corner;
     xdot = -abs(x);
 }
 
-// An unknown function.
+// The function is unknown.
 kahan! {
     lift pub struct Unknown;
     xdot = -f(x);
 }
 
-// A delay.
+// The equation contains a delay.
 kahan! {
     lift pub struct Delay;
     xdot = -x(t - 1);
 }
 
-// An unknown name.
+// A name is unknown.
 kahan! {
     lift pub struct Name { k }
     xdot = -k*sin(x) + c;
@@ -33,7 +33,7 @@ kahan! {
     vdot = -sin(x);
 }
 
-// A field that needs no lift.
+// The field needs no lift.
 kahan! {
     lift pub struct Nothing;
 }

@@ -1,15 +1,15 @@
-//! The place of `lift`.
+//! Mistakes in the place of the keyword `lift`.
 
 use kahan_core::prelude::*;
 
-// `lift` stands after the visibility.
+// The keyword must follow the visibility.
 kahan! {
     pub lift struct Behind;
     xdot = v;
     vdot = -sin(x);
 }
 
-// `lift` cannot stand in the middle of a block.
+// The keyword cannot stand in the middle of a block.
 kahan! {
     pub struct Middle;
     xdot = v;
@@ -17,7 +17,7 @@ kahan! {
     vdot = -x;
 }
 
-// `lift` stands once.
+// The keyword may stand only once.
 kahan! {
     lift pub struct Twice;
     lift;

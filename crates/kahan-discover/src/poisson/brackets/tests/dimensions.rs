@@ -1,4 +1,4 @@
-//! The proposition of section 4 of the paper in several dimensions.
+//! Tests the proposition of section 4 of the paper in several dimensions.
 
 use super::*;
 use kahan_algebra::read_unproved;
@@ -25,7 +25,7 @@ fn brackets_in_dimensions_4_and_5_are_proved() {
         let tensor = bracket(&system, &stated(&system, density), &chosen).expect("independent integrals");
         assert!(is_proved(&system, &tensor), "{field} {integrals:?}");
         for casimir in &chosen {
-            // Σ over k of {xⱼ, xₖ} ∂I/∂xₖ.
+            // Compute Σ over k of {xⱼ, xₖ} ∂I/∂xₖ, which vanishes for a Casimir function I.
             let n = symbols.dimension();
             for j in 0..n {
                 let terms = (0..n).map(|k| &entry(n, &tensor, j, k) * &casimir.derivative(symbols.state(k)));
@@ -51,14 +51,14 @@ fn jacobi_fails_where_it_should() {
     };
     assert!(!poisson("{x,y} = z; {y,z} = x; {z,x} = x*y;"));
     assert!(poisson("{x,y} = z; {y,z} = x; {z,x} = y;"));
-    // Each is Poisson; {x,y} = 1 is compatible with {y,z} = x, but not with {y,z} = y.
+    // Each of the four is Poisson. {x,y} = 1 is compatible with {y,z} = x, but not with {y,z} = y.
     for entries in ["{x,y} = 1;", "{y,z} = x;", "{y,z} = y;", "{x,y} = 1; {y,z} = x;"] {
         assert!(poisson(entries), "{entries}");
     }
     assert!(!poisson("{x,y} = 1; {y,z} = y;"));
 }
 
-/// Returns {xⱼ, xₖ} of a tensor given by its entries above the diagonal.
+/// Returns the bracket {xⱼ, xₖ} from the entries of a tensor above the diagonal.
 fn entry(n: usize, tensor: &[RationalFunction], j: usize, k: usize) -> RationalFunction {
     match j.cmp(&k) {
         std::cmp::Ordering::Less => tensor[upper_index(n, j, k)].clone(),
@@ -84,7 +84,7 @@ fn permutations(n: usize) -> Vec<(Vec<usize>, i64)> {
 
 #[test]
 fn every_entry_is_the_alternating_sum_of_the_proposition() {
-    // The functions are not invariant, but their entries are defined.
+    // The functions are not invariant under the map, but the entries of their bracket are defined.
     let text = "xdot = y; ydot = -x; zdot = x*y; udot = -z; vdot = x;
         density rho = 1/(2 + x*u - eps*y);
         integral A = x^2*z - v/(1 + u); integral B = y*z + u*v^2; integral C = (x - v)/(z + eps*y);";
@@ -121,6 +121,6 @@ fn coordinates_as_integrals_leave_one_entry_in_any_dimension() {
     let constructed = bracket(&large, &RationalFunction::one(), &integrals).expect("a bracket");
     let nonzero: Vec<usize> = (0..constructed.len()).filter(|&e| !constructed[e].is_zero()).collect();
     assert_eq!(nonzero, [upper_index(40, 3, 17)]);
-    // x3 passes 3 variables, x17 the remaining 16 before it.
+    // In the sign, x3 passes 3 variables, and x17 passes the remaining 16 variables before it.
     assert_eq!(entry(40, &constructed, 3, 17), RationalFunction::constant(Rational::from(-1)));
 }

@@ -1,4 +1,4 @@
-//! Cases without a bracket, and cases beyond the budget.
+//! Tests cases without a bracket, and cases beyond the budget.
 
 use super::*;
 
@@ -19,7 +19,7 @@ fn work_beyond_the_budget_is_refused_and_not_begun() {
     let mut little = Budget::new(100, 20);
     assert_eq!(invariant_tensor(&four.field.symbols, &rho, &[h, k], &mut little), None);
 
-    // Twenty-four states and dense integrals would need 2²⁴ minors.
+    // With twenty-four states and dense integrals, the tensor would need 2²⁴ minors.
     let names: Vec<String> = (0..24).map(|i| format!("x{i}")).collect();
     let field: String = names.iter().map(|name| format!("{name}dot = {name}; ")).collect();
     let large = system(&field);

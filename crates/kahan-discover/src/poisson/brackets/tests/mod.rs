@@ -1,4 +1,4 @@
-//! Tests of brackets: construction, proofs in any dimension, budgets.
+//! Tests how brackets are constructed and proved in any dimension, and that budgets end the work.
 
 mod dimensions;
 mod limits;
@@ -47,7 +47,7 @@ fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
     is_proved_at(system, &[], tensor)
 }
 
-/// Returns whether a tensor in x, y, z is Poisson; the zero field's map preserves all tensors.
+/// Returns whether a tensor in x, y, z is Poisson. The map of the zero field preserves all tensors.
 fn is_poisson(tensor: &[RationalFunction]) -> bool {
     is_proved(&system("xdot = 0; ydot = 0; zdot = 0;"), tensor)
 }
@@ -60,7 +60,7 @@ fn sum(left: &[RationalFunction], right: &[RationalFunction]) -> Vec<RationalFun
     left.iter().zip(right).map(|(left, right)| left + right).collect()
 }
 
-/// E1 with a further component w proportional to y.
+/// E1 with a further component w, which is proportional to y along solutions.
 const E1_IN_FOUR: &str = "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z; wdot = -x*w;
     integral H = y/x; integral K = (x*z + y^2)/(1 - eps^2*x^2); integral L = w/x;
     density rho = 1/(x^2*y*(x*z + y^2));";

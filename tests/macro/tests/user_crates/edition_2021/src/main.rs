@@ -1,4 +1,4 @@
-//! The previous edition, with default features and only the prelude.
+//! A crate of the previous edition, with default features and only the prelude.
 
 #![deny(missing_docs, unused, warnings)]
 #![deny(clippy::pedantic)]
@@ -15,7 +15,7 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
-/// A user's struct with a prepared map and its state.
+/// A user's struct that holds a prepared map and its state.
 struct Spinning<M: KahanMap<f64, 2>> {
     map: KahanAt<M, f64, 2>,
     state: SVector<f64, 2>,

@@ -1,5 +1,5 @@
-//! The cost of expanding blocks with an unoptimised macro, cargo's default.
-//! `KAHAN_TIMING=1 cargo build --package expansion_cost` in this workspace prints it.
+//! Measures the cost of expanding blocks with an unoptimised macro, which is cargo's default.
+//! `KAHAN_TIMING=1 cargo build --package expansion_cost` in this workspace prints the cost.
 
 use kahan_core::prelude::*;
 

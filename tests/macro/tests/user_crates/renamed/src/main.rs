@@ -1,4 +1,4 @@
-//! kahan-core under another name, in a crate without a prelude.
+//! A crate without a prelude that uses kahan-core under another name.
 
 #![no_implicit_prelude]
 #![deny(missing_docs, unused, warnings)]

@@ -14,7 +14,7 @@ kahan! {
     density rho = 1/(x*y);
 }
 
-/// One step of `LotkaVolterra` in single precision.
+/// Makes one step of `LotkaVolterra` in single precision.
 #[must_use]
 pub fn step(x: &SVector<f32, 2>, eps: f32) -> SVector<f32, 2> {
     LotkaVolterra { a: 1.0, b: 0.5 }.step(x, eps)
