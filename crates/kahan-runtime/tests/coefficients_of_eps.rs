@@ -14,13 +14,13 @@ mod support;
 use support::{q, read, samples};
 
 kahan! {
-    /// The map is 1/x̃ = 1/x − 2ε − 2aε³.
+    /// 1/x̃ = 1/x − 2ε − 2aε³.
     pub struct Advance { a }
     xdot = (1 + a*eps^2)*x^2;
 }
 
 kahan! {
-    /// A field in three variables, with a divisor that depends on ε.
+    /// Three variables, with a divisor that depends on ε.
     pub struct Curved { a, b }
     xdot = y*z*(1 - a*eps^2) + b*eps^4*x;
     ydot = (a - eps^2)*(x - b*y)*z - eps^2/2;
@@ -28,7 +28,7 @@ kahan! {
 }
 
 kahan! {
-    /// The field [`Curved`], with ε² replaced by a parameter.
+    /// [`Curved`] with ε² as a parameter.
     pub struct Straight { a, b, k }
     xdot = y*z*(1 - a*k) + b*k^2*x;
     ydot = (a - k)*(x - b*y)*z - k/2;
@@ -36,15 +36,14 @@ kahan! {
 }
 
 kahan! {
-    /// The factor 1 − ε − ε(1 − ε²)x is common to numerator and denominator of the map, and
-    /// cancels.
+    /// The factor 1 − ε − ε(1 − ε²)x cancels in the map.
     pub struct Reduced;
     xdot = x^2;
     ydot = (1 - eps^2)*x*y + y;
 }
 
 kahan! {
-    /// A field in nine variables, so that each step eliminates.
+    /// Nine variables, so that each step eliminates.
     pub struct Chain { a }
     x1dot = x2*x3*(1 + a*eps^2) - x1;
     x2dot = x3*x1 + eps^2*x2^2;

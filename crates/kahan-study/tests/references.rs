@@ -140,8 +140,8 @@ kahan! {
 }
 
 kahan! {
-    /// Robertson's kinetics. The variable y stays below 4·10⁻⁵ of the solution's size, but
-    /// determines the motion.
+    /// Robertson's kinetics: y stays below 4·10⁻⁵ of the solution's size, but determines the
+    /// motion.
     struct Kinetics;
     xdot = -x/25 + 10000*y*z;
     ydot = x/25 - 10000*y*z - 30000000*y^2;
