@@ -8,8 +8,9 @@ use kahan_study::HeightsFound;
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
-/// Draws ln h of each variable's heights h against n for exponential growth, else against ln n, so
-/// that powers of n become straight lines. `eps` appears in the description.
+/// Draws ln h, where h are the heights of each variable. If h grows exponentially, the abscissa is
+/// n; otherwise it is ln n, so that powers of n become straight lines. `eps` appears in the
+/// description.
 #[must_use]
 pub fn heights(found: &HeightsFound, eps: &Rational, look: &PictureOptions) -> Picture {
     let survey = &found.survey;
@@ -17,8 +18,8 @@ pub fn heights(found: &HeightsFound, eps: &Rational, look: &PictureOptions) -> P
     let mark = if survey.heights.len() < 30 { Mark::Both } else { Mark::Line };
     let series = |(index, name): (usize, &String)| {
         let heights = survey.component(index).into_iter().enumerate().skip(1);
-        let across = |n: usize| if is_exponential { n as f64 } else { (n as f64).ln() };
-        let points = heights.map(|(n, h)| (across(n), h.ln()));
+        let across = |n: usize| if is_exponential { n as f64 } else { libm::log(n as f64) };
+        let points = heights.map(|(n, h)| (across(n), libm::log(h)));
         // A height of 0 has no logarithm.
         let points = points.filter(|point| point.1.is_finite()).collect();
         Series::new(&symbol(name), index % COLOURS + 1, mark, points)

@@ -1,19 +1,20 @@
-//! Errors of a lift's relations along an orbit.
+//! Draws the errors of a lift's relations along an orbit.
 
 use kahan_study::{LiftFound, WatchedOrbit};
 
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
-/// Draws the largest error of each relation in each segment of the watched orbit, on a logarithmic
-/// axis. Returns `None` if no orbit was watched. Relations without any error get no line.
+/// Draws the largest error of each relation in each segment of an orbit, on a logarithmic axis.
+/// Returns `None` if errors were measured along no orbit. A relation whose errors are all 0 gets no
+/// line.
 #[must_use]
 pub fn relations(found: &LiftFound, look: &PictureOptions) -> Option<Picture> {
     let WatchedOrbit { eps, errors: seen, .. } = found.watched.as_ref()?;
     let end = 2.0 * eps * seen.steps as f64;
     let series = found.relations.iter().zip(&seen.errors).enumerate().map(|(index, (relation, errors))| {
         let time = |part: usize| (part as f64 + 0.5) / errors.len() as f64 * end;
-        let points = errors.iter().enumerate().map(|(part, error)| (time(part), error.log10()));
+        let points = errors.iter().enumerate().map(|(part, error)| (time(part), libm::log10(*error)));
         // An error of 0 has no logarithm.
         let points = points.filter(|point| point.1.is_finite()).collect();
         let mark = if index < COLOURS { Mark::Line } else { Mark::Thin };

@@ -1,5 +1,6 @@
-//! The work–precision diagram: price against error. Double and double-double get a line for each
-//! order, other scalars and compensated sums small dots; the Pareto front is drawn below them.
+//! The work–precision diagram, price against error. Double and double-double have a line for each
+//! order; other scalars and compensated sums have small dots. The Pareto front is drawn below the
+//! lines and dots.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
@@ -7,13 +8,13 @@ use kahan_study::trade::{Measured, Traded};
 use super::{Picture, PictureOptions};
 use crate::plot::{Canvas, Mark, NumberLine, Plot, Series, TickKind};
 
-/// Returns the default sheet.
+/// Returns the default canvas.
 #[must_use]
 pub fn trade_canvas() -> Canvas {
     Canvas::page(720, 480)
 }
 
-/// Draws all measured settings except those with useless errors.
+/// Draws all measured settings, except those whose errors are too large to be useful.
 #[must_use]
 pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
     const LARGEST: f64 = 10.0;
@@ -53,7 +54,7 @@ pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
             points(&|measured| measured.setting.scheme() == scheme),
         ));
     }
-    let tolerance = traded.scene.tolerance().log10();
+    let tolerance = libm::log10(traded.scene.tolerance());
     let x = NumberLine::around("time per unit of t, ns", shown.iter().map(|measured| place(measured).0));
     let errors = shown.iter().map(|measured| place(measured).1);
     let relative = match traded.scene.need() {
@@ -82,5 +83,5 @@ pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
 }
 
 fn place(measured: &Measured) -> (f64, f64) {
-    (measured.nanoseconds_per_unit_time.log10(), measured.error().log10())
+    (libm::log10(measured.nanoseconds_per_unit_time), libm::log10(measured.error()))
 }

@@ -1,4 +1,5 @@
-//! Orbits in space, in parallel projection; near points and lines are wider than distant ones.
+//! Draws orbits in space, in parallel projection. Near points and lines are wider than distant
+//! ones.
 
 use std::cell::Cell;
 
@@ -16,7 +17,8 @@ pub struct SpaceSeries {
     pub colour: usize,
     /// The style.
     pub mark: Mark,
-    /// The points in units of the axes. Points outside are omitted, and interrupt lines.
+    /// The points in units of the axes. Points outside of the axes are omitted, and interrupt
+    /// lines.
     pub points: Vec<[f64; 3]>,
 }
 
@@ -29,7 +31,7 @@ pub struct SpacePlot {
     pub sheet: Canvas,
     /// The axes to the right, to the back and upwards.
     pub axes: [NumberLine; 3],
-    /// The clouds.
+    /// The series of points.
     pub clouds: Vec<SpaceSeries>,
 }
 
@@ -40,18 +42,20 @@ const LINE: f64 = 1.4;
 const THIN: f64 = 0.7;
 const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
-/// The number of depth layers. The width of lines changes invisibly from one layer to the next.
+/// The number of depth layers; it is so large that the change of line widths between layers is
+/// invisible.
 const LAYERS: usize = 24;
-/// A box whose ratio of lengths exceeds `SLENDER` is stretched to unit height and at most `BROAD`
-/// times that width.
+/// A box whose lengths have a ratio above `SLENDER` is stretched: to height 1, and to a width of at
+/// most `BROAD`.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
-/// Rotates a point into the coordinates right, up and towards the eye. The eye is in front,
-/// slightly right of and above the box.
+/// Rotates a point into the coordinates right, up and towards the eye. The eye is in front of the
+/// box, slightly to the right and above.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
-    let (right, back) = (x * TURN.cos() - y * TURN.sin(), x * TURN.sin() + y * TURN.cos());
-    [right, z * TILT.cos() + back * TILT.sin(), z * TILT.sin() - back * TILT.cos()]
+    let (right, back) =
+        (x * libm::cos(TURN) - y * libm::sin(TURN), x * libm::sin(TURN) + y * libm::cos(TURN));
+    [right, z * libm::cos(TILT) + back * libm::sin(TILT), z * libm::sin(TILT) - back * libm::cos(TILT)]
 }
 
 struct View {
