@@ -125,7 +125,7 @@ fn number(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),
         size if (1e-3..1e6).contains(&size) => {
-            let before = libm::log10(size).floor().max(0.0) as usize;
+            let before = size.log10().floor().max(0.0) as usize;
             format!("{value:.0$}", 8 - before.min(7))
         }
         _ => format!("{value:.7e}"),
@@ -134,7 +134,7 @@ fn number(value: f64) -> String {
 
 /// Writes the digits of a value up to the first digit that an error of this size changes.
 fn known(value: f64, error: f64) -> String {
-    let places = -libm::log10(error).floor();
+    let places = -error.log10().floor();
     // Eight digits are written if there is no error estimate, or if more than eight decimals are
     // certain.
     if !(value.is_finite() && (..=8.0).contains(&places)) {

@@ -33,7 +33,8 @@ pub fn style_sheet() -> String {
     [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
 }
 
-/// Returns a document; `main` is the anchor and name of the part to which a link skips.
+/// Returns a document. `main` is the anchor and the name of the part to which a link at the top
+/// skips.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)

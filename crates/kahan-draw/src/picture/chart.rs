@@ -30,7 +30,7 @@ pub struct Chart {
 
 /// Returns the logarithm to base 10. Smaller values than `f64::EPSILON` count as `f64::EPSILON`.
 fn logarithm(value: f64) -> f64 {
-    if value < f64::EPSILON { libm::log10(f64::EPSILON) } else { libm::log10(value) }
+    if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
 impl Chart {
@@ -131,10 +131,10 @@ impl Chart {
 
         let numbers = || self.values.iter().copied().filter(|value| value.is_finite());
         let (low, high) = (numbers().fold(f64::MAX, f64::min), numbers().fold(f64::MIN, f64::max));
-        let value = if self.is_logarithm { libm::exp10(low) } else { low };
+        let value = if self.is_logarithm { 10_f64.powf(low) } else { low };
         match high - low {
             length if length < 0.0 => format!("every cell is empty{}", self.early()),
-            _ if self.is_logarithm && high <= libm::log10(ROUNDING) => {
+            _ if self.is_logarithm && high <= ROUNDING.log10() => {
                 "no more than rounding in all cells".to_owned()
             }
             length if length <= 1e-9 * high.abs() => format!("the same in all cells: {value:.6}"),

@@ -18,8 +18,8 @@ pub fn heights(found: &HeightsFound, eps: &Rational, look: &PictureOptions) -> P
     let mark = if survey.heights.len() < 30 { Mark::Both } else { Mark::Line };
     let series = |(index, name): (usize, &String)| {
         let heights = survey.component(index).into_iter().enumerate().skip(1);
-        let across = |n: usize| if is_exponential { n as f64 } else { libm::log(n as f64) };
-        let points = heights.map(|(n, h)| (across(n), libm::log(h)));
+        let across = |n: usize| if is_exponential { n as f64 } else { (n as f64).ln() };
+        let points = heights.map(|(n, h)| (across(n), h.ln()));
         // A height of 0 has no logarithm.
         let points = points.filter(|point| point.1.is_finite()).collect();
         Series::new(&symbol(name), index % COLOURS + 1, mark, points)

@@ -14,7 +14,7 @@ pub fn relations(found: &LiftFound, look: &PictureOptions) -> Option<Picture> {
     let end = 2.0 * eps * seen.steps as f64;
     let series = found.relations.iter().zip(&seen.errors).enumerate().map(|(index, (relation, errors))| {
         let time = |part: usize| (part as f64 + 0.5) / errors.len() as f64 * end;
-        let points = errors.iter().enumerate().map(|(part, error)| (time(part), libm::log10(*error)));
+        let points = errors.iter().enumerate().map(|(part, error)| (time(part), error.log10()));
         // An error of 0 has no logarithm.
         let points = points.filter(|point| point.1.is_finite()).collect();
         let mark = if index < COLOURS { Mark::Line } else { Mark::Thin };

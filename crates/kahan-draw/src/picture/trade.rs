@@ -54,7 +54,7 @@ pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
             points(&|measured| measured.setting.scheme() == scheme),
         ));
     }
-    let tolerance = libm::log10(traded.scene.tolerance());
+    let tolerance = traded.scene.tolerance().log10();
     let x = NumberLine::around("time per unit of t, ns", shown.iter().map(|measured| place(measured).0));
     let errors = shown.iter().map(|measured| place(measured).1);
     let relative = match traded.scene.need() {
@@ -83,5 +83,5 @@ pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
 }
 
 fn place(measured: &Measured) -> (f64, f64) {
-    (libm::log10(measured.nanoseconds_per_unit_time), libm::log10(measured.error()))
+    (measured.nanoseconds_per_unit_time.log10(), measured.error().log10())
 }

@@ -26,7 +26,7 @@ pub(super) fn rgb(hex: &str) -> Linear {
 /// Converts one byte of an sRGB channel to linear light.
 pub(super) fn linear(byte: u8) -> f64 {
     let c = f64::from(byte) / 255.0;
-    if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
+    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
 pub(super) fn seen(colour: Linear, kind: ColourVision) -> Linear {
@@ -62,7 +62,7 @@ pub(super) fn contrast(one: Linear, other: Linear) -> f64 {
 pub(super) fn lab([r, g, b]: Linear) -> [f64; 3] {
     let x = (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505;
     let z = (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089;
-    let f = |t: f64| if t > 0.008856 { libm::cbrt(t) } else { 7.787 * t + 16.0 / 116.0 };
+    let f = |t: f64| if t > 0.008856 { t.cbrt() } else { 7.787 * t + 16.0 / 116.0 };
     let (x, y, z) = (f(x), f(luminance([r, g, b])), f(z));
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }

@@ -96,7 +96,7 @@ impl NumberLine {
 
     /// Returns the largest power of ten that is not longer than the axis.
     fn unit(&self) -> f64 {
-        libm::exp10(libm::log10(self.high - self.low).floor())
+        10_f64.powf((self.high - self.low).log10().floor())
     }
 
     /// Returns the number to subtract from values that share their leading digits; otherwise 0.
@@ -112,7 +112,7 @@ impl NumberLine {
     fn power(&self) -> i32 {
         let offset = self.offset();
         let largest = (self.low - offset).abs().max((self.high - offset).abs());
-        if (1e-2..1e5).contains(&largest) { 0 } else { libm::log10(largest).floor() as i32 }
+        if (1e-2..1e5).contains(&largest) { 0 } else { largest.log10().floor() as i32 }
     }
 
     fn has_powers(&self) -> bool {
@@ -146,7 +146,7 @@ impl NumberLine {
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
         // The decimals remove rounding errors such as that of 0.1 + 0.2. A step of 0.25 needs one
         // decimal more than its size suggests.
-        let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
+        let size = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);
             (digits - digits.round()).abs() < 1e-6 * digits
