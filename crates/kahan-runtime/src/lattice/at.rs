@@ -118,9 +118,9 @@ impl ChainAt {
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves for H of degree at most
-    /// 3. `None` if the family has no Hamiltonian H. Cost: one step, since x̃ − x = 2ε A⁻¹ f, and a
-    /// copy of the state.
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves if H has a degree of at
+    /// most three. `None` if the family has no Hamiltonian H. Cost: one step, since x̃ − x = 2ε A⁻¹
+    /// f, and a copy of the state.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.

@@ -1,7 +1,9 @@
 //! The list of observables with their observers, and the observation of one or many orbits.
 //!
-//! In: a map for each orbit, first points, and observables. Out: the observed values, in the
-//! requested order. An orbit has equal values singly and in a group.
+//! In: a map for each orbit, first points, and observables. Out: the observed values in the
+//! requested order, equal for an orbit singly or in a group.
+//!
+//! # Files
 //!
 //! An observable with an observer of its own is a file in `running/` such as `last.rs`: `ABOUT`
 //! describes the observable, `Own` is the observer's type, `observer` makes an observer, `seen`
