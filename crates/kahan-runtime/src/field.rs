@@ -39,7 +39,8 @@ impl Field {
 
     /// Reads a field from a named text, or from a passage of it, and proves its claims.
     ///
-    /// # Errors [`Diagnostics`], as for [`parse`](Self::parse).
+    /// # Errors
+    /// [`Diagnostics`], as for [`parse`](Self::parse).
     pub fn read(text: &FieldText) -> Result<Self, Diagnostics> {
         text.system().map(|system| Self::of(&system))
     }

@@ -233,7 +233,8 @@ impl Line {
 
     /// Runs the program once, after resizing the registers.
     ///
-    /// # Panics If a division by zero has no value in the scalar.
+    /// # Panics
+    /// If a division by zero has no value in the scalar.
     pub(crate) fn values<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],

@@ -62,7 +62,8 @@ impl FieldText {
 
     /// Wraps a range of a text; `origin` names the text in reports.
     ///
-    /// # Panics If `body` is not within the text, or splits a character.
+    /// # Panics
+    /// If `body` is not within the text, or splits a character.
     #[must_use]
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
         // Skip a byte order mark.
@@ -143,8 +144,8 @@ impl FieldText {
 
     /// Passes the tokens of the block to a reader, and returns its result.
     ///
-    /// # Errors [`Diagnostics`] with the mistakes that the reader found, at their positions in the
-    /// text.
+    /// # Errors
+    /// [`Diagnostics`] with the mistakes that the reader found, at their positions in the text.
     pub fn read_by<T>(
         &self,
         reader: impl FnOnce(&[Token]) -> Result<T, Vec<Diagnostic>>,

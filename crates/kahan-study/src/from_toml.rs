@@ -52,7 +52,8 @@ impl<'t> TomlDocument<'t> {
 
     /// Converts the document to a JSON object, in the order of the text.
     ///
-    /// # Errors A value that JSON cannot represent, with its line.
+    /// # Errors
+    /// A value that JSON cannot represent, with its line.
     pub fn to_json(&self) -> Result<Map<String, Value>, MistakeAtLine> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }

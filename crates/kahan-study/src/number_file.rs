@@ -68,7 +68,8 @@ impl Numbers<Option<Rational>> {
     /// column is a state. Ignores an unnamed first column that counts the rows from 0, as in files
     /// of pandas.
     ///
-    /// # Errors A sentence that the caller begins with the file's name: "has no rows; …".
+    /// # Errors
+    /// A sentence that the caller begins with the file's name: "has no rows; …".
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;

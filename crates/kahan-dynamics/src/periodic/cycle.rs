@@ -311,8 +311,8 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
 /// Cost: some iterations of Newton's method. Each decomposes a matrix of dimension `period` times
 /// the number of variables.
 ///
-/// # Errors [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or no periodic point
-/// found.
+/// # Errors
+/// [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or no periodic point found.
 pub fn periodic_point<M: Differentiable>(
     map: &M,
     start: &[f64],

@@ -35,8 +35,9 @@ impl FlowCycle {
     /// Refines the cycle to twice the number of steps, which quarters the error of the period. From
     /// the periods T before and T₂ after the refinement, T₂ + (T₂ − T)/3 has an error of order ε⁴.
     ///
-    /// # Errors [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found; other errors
-    /// are those of [`flow_cycle`].
+    /// # Errors
+    /// [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found; other errors are
+    /// those of [`flow_cycle`].
     pub fn doubled<M: Parametric>(&self, map: impl Fn(f64) -> M) -> Result<Self, NoPeriodicPoint> {
         let eps = 0.5 * self.eps;
         let half = map(eps);
@@ -122,9 +123,9 @@ pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
 /// Cost: a few Newton steps. Each takes N Jacobians, and a decomposition of a matrix with a row for
 /// each variable.
 ///
-/// # Errors [`NoPeriodicPoint`] for an unfit start, an orbit that is not finite, no convergence, or
-/// a family of cycles, as in conservative fields. The periods of a family vary, so N does not
-/// determine ε.
+/// # Errors
+/// [`NoPeriodicPoint`] for an unfit start, an orbit that is not finite, no convergence, or a family
+/// of cycles, as in conservative fields. The periods of a family vary, so N does not determine ε.
 pub fn flow_cycle<M: Parametric>(
     map: impl Fn(f64) -> M,
     start: &[f64],

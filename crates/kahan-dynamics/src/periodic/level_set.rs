@@ -48,7 +48,8 @@ impl LevelSet {
 
     /// Returns the point with these coordinates.
     ///
-    /// # Panics If the number of coordinates differs from the number of free variables.
+    /// # Panics
+    /// If the number of coordinates differs from the number of free variables.
     #[must_use]
     pub fn point<T: Scalar + From<f64>>(&self, coordinates: &[T]) -> Vec<T> {
         assert_eq!(coordinates.len(), self.free.len(), "a leaf has a coordinate for each free variable");

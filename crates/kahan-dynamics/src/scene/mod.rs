@@ -109,11 +109,12 @@ impl Scene {
     /// never in `f32`, because a step of a single orbit takes as long as in `f64`; `f32` saves
     /// memory, and time in an [`Ensemble`](kahan_core::Ensemble).
     ///
-    /// # How For [`Need::Trajectory`], the [`Flow`](crate::Flow) is computed over the whole
-    /// horizon, and settings are run and compared with it at every step. The observed error of the
-    /// chosen setting, including rounding, is at most 0.85 of the tolerance. The flow itself is
-    /// checked: an orbit in [`Dd`](kahan_core::Dd) must agree with it to a tenth of the tolerance.
-    /// The choice is deterministic, and a second run from the start has the observed error. Other
+    /// # How
+    /// For [`Need::Trajectory`], the [`Flow`](crate::Flow) is computed over the whole horizon, and
+    /// settings are run and compared with it at every step. The observed error of the chosen
+    /// setting, including rounding, is at most 0.85 of the tolerance. The flow itself is checked:
+    /// an orbit in [`Dd`](kahan_core::Dd) must agree with it to a tenth of the tolerance. The
+    /// choice is deterministic, and a second run from the start has the observed error. Other
     /// starts and later times are not covered.
     ///
     /// For [`Need::Integrals`], only Kahan's map itself is considered. ε‖f′‖∞ is at most 1 at the
@@ -126,8 +127,9 @@ impl Scene {
     /// scenes that have a setting may be refused. The package `kahan-bench-trade` times choices
     /// against all other settings.
     ///
-    /// # Cost At most the time of 10⁶ steps of the map, and usually of some 10⁴ steps; steps in
-    /// `Dd` take longer. The choice pays off for long orbits and for many orbits.
+    /// # Cost
+    /// At most the time of 10⁶ steps of the map, and usually of some 10⁴ steps; steps in `Dd` take
+    /// longer. The choice pays off for long orbits and for many orbits.
     ///
     /// # Errors
     /// [`NoSetting`]: numbers that are not positive or not finite, a trajectory that cannot be

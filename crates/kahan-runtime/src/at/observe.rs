@@ -52,7 +52,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// receives the number of steps made since its last call. If `tell` breaks, the work stops, and
     /// the reports cover the points seen so far.
     ///
-    /// # Errors [`DimensionError`], as for [`observe_columns`](Self::observe_columns).
+    /// # Errors
+    /// [`DimensionError`], as for [`observe_columns`](Self::observe_columns).
     pub fn observe_columns_while<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],

@@ -61,7 +61,8 @@ impl ProjectiveMap {
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
     ///
-    /// # Panics If the number of values is not the number of parameters of the system.
+    /// # Panics
+    /// If the number of values is not the number of parameters of the system.
     pub fn new(system: &System, parameters: &[Rational], eps: &Rational) -> Result<Self, UndefinedField> {
         Self::of(system, RationalMap::of(&system.field).as_ref(), parameters, eps)
     }

@@ -65,7 +65,8 @@ impl HeightsOrbit {
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
     ///
-    /// # Panics If the number of coordinates or of parameter values differs from the system's.
+    /// # Panics
+    /// If the number of coordinates or of parameter values differs from the system's.
     pub fn new(
         system: &System,
         parameters: &[Rational],

@@ -40,8 +40,8 @@ impl Map {
     /// Returns the map over any scalar, as a [`KahanMap`](kahan_core::KahanMap) padded to
     /// [`LARGEST_DIMENSION`] variables; the added variables stay constant.
     ///
-    /// # Errors [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`]
-    /// variables.
+    /// # Errors
+    /// [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`] variables.
     pub fn as_padded_kahan_map<T: Scalar>(&self) -> Result<Padded<T>, UnsupportedDimension> {
         self.as_kahan_map().map_err(|why| UnsupportedDimension(why.expected()))
     }

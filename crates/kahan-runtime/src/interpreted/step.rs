@@ -25,7 +25,8 @@ pub struct InterpretedStep<T, const N: usize> {
 impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
     /// Computes the constants from ε and the parameters.
     ///
-    /// # Panics For exact scalars, if the field divides by zero at the parameters.
+    /// # Panics
+    /// For exact scalars, if the field divides by zero at the parameters.
     pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
         let is_general = map.engine.steps().are_general(&eps);
         let kept = match map.engine.steps().form(is_general).lines() {

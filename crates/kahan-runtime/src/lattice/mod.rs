@@ -140,7 +140,8 @@ impl Lattice {
     /// whole chain has one number. A parameter of sites has one number for all sites, or one number
     /// for each site.
     ///
-    /// # Errors [`LatticeError`] for 0 sites, an ε that is not finite, or wrong parameters.
+    /// # Errors
+    /// [`LatticeError`] for 0 sites, an ε that is not finite, or wrong parameters.
     ///
     /// ```
     /// use kahan_runtime::{FieldText, Lattice};

@@ -167,7 +167,8 @@ impl Section {
 
     /// Returns the columns of the table.
     ///
-    /// # Errors Axes that are unknown, or that the question does not allow.
+    /// # Errors
+    /// Axes that are unknown, or that the question does not allow.
     pub fn columns(&self, study: &Study) -> Result<Vec<Column>, StudyError> {
         Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
     }
@@ -193,9 +194,10 @@ impl Section {
     /// field's claims hold. Refines each crossing on the curve that the step traces as its ε grows
     /// from 0. Costs the orbits, and some steps for each crossing; memory is bounded.
     ///
-    /// # Errors [`StudyError`]: claims that do not hold, values that are missing or beyond the
-    /// range of doubles, a plane that is not a formula or is constant, a field that is undefined at
-    /// its parameters, or axes that the question does not allow.
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
+    /// doubles, a plane that is not a formula or is constant, a field that is undefined at its
+    /// parameters, or axes that the question does not allow.
     pub fn find(
         &self,
         study: &Study,
@@ -238,7 +240,8 @@ impl Rows for LimitedRows<'_> {
 impl SectionFound {
     /// Returns the only orbit, or the first of several.
     ///
-    /// # Panics If there is no orbit.
+    /// # Panics
+    /// If there is no orbit.
     #[must_use]
     pub fn orbit(&self) -> &Crossed {
         &self.orbits[0]

@@ -150,8 +150,9 @@ impl Show {
     /// the map is reduced. Costs milliseconds to a second; a limit on the number of terms bounds
     /// the time.
     ///
-    /// # Errors [`StudyError`]: claims that do not hold, a field that is undefined at its
-    /// parameters, or a field of more than 500 variables, which can only be shown as a block.
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or a
+    /// field of more than 500 variables, which can only be shown as a block.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ShownField, StudyError> {
         study.proved()?;
         let variables = study.variables().len();
