@@ -1,7 +1,7 @@
-//! Conversion of NumPy arrays to slices, and its errors.
+//! Converts NumPy arrays to slices, and words the errors of such conversions.
 //!
-//! Arrays of `float64` and `float32` in C order are used in place. NumPy first copies lists,
-//! integers and other layouts.
+//! Arrays of `float64` and `float32` in C order are used without a copy. NumPy first copies lists,
+//! integers and arrays of other layouts.
 
 use kahan_study::columns::{ExpectedColumns, OtherColumns};
 use kahan_study::numbers::number;
@@ -34,7 +34,7 @@ fn nearest(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     Ok(number.to_f64())
 }
 
-/// Returns ε, half the time step, from either ε or the time step.
+/// Returns ε, half the time step. The caller gives either ε or the time step.
 pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
     match (eps, dt) {
         (Some(eps), None) => nearest(eps, "eps"),
@@ -53,7 +53,7 @@ pub(crate) enum Floats<'py> {
     Single(PyReadonlyArrayDyn<'py, f32>),
 }
 
-/// Reads numbers given by a caller; `name` is the argument.
+/// Reads numbers that a caller gave; `name` is the name of the argument.
 pub(crate) fn floats<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Floats<'py>> {
     let is_usable = |array: &Bound<'py, PyArrayDyn<f64>>| array.is_c_contiguous();
     if let Ok(array) = given.cast::<PyArrayDyn<f64>>()
@@ -69,7 +69,7 @@ pub(crate) fn floats<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Flo
     Ok(Floats::Double(readonly(array, name)?))
 }
 
-/// Reads numbers like [`floats`], and converts `f32` to `f64`.
+/// Reads numbers as [`floats`] does, and converts `f32` to `f64`.
 pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
     match floats(given, name)? {
         Floats::Double(array) => Ok(array),
@@ -80,32 +80,32 @@ pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Py
     }
 }
 
-/// Converts numbers to an array of floats in C order, by `kahan._arrays`.
+/// Converts numbers to an array of floats in C order, by the Python module `kahan._arrays`.
 fn converted<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     static FLOATS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     FLOATS.import(given.py(), "kahan._arrays", "floats")?.call1((given, name))
 }
 
-/// Reads numbers by `kahan._arrays`, which sorts named ones into the order of the variables of a
-/// field or a chain.
+/// Reads numbers by the Python module `kahan._arrays`. Numbers with names are sorted into the order
+/// of the variables of a field or a chain.
 pub(crate) fn named<'py>(
     given: &Bound<'py, PyAny>,
     of: &Bound<'py, PyAny>,
     name: &str,
 ) -> PyResult<Bound<'py, PyAny>> {
     static NAMED: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    // An array of floats has no names.
+    // An array of floats has no names, so it is read directly.
     if given.cast::<PyArrayDyn<f64>>().is_ok() || given.cast::<PyArrayDyn<f32>>().is_ok() {
         return Ok(given.clone());
     }
     NAMED.import(given.py(), "kahan._arrays", "named")?.call1((given, of, name))
 }
 
-/// The columns of the states in a table, and the columns of parameters and `eps` with their names.
+/// The columns of the states in a table; then the names and columns of parameters and `eps`.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
-/// Finds the columns of a table, with one for each of the first `least` states. With `varies`,
-/// parameters and `eps` may also have columns. `name` is the argument of the caller.
+/// Finds the columns of a table. Each of the first `least` states needs a column. If `varies`,
+/// parameters and `eps` may also have columns. Errors mention `name`, the argument of the caller.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),
@@ -119,7 +119,7 @@ pub(crate) fn places(
     Ok((found.states, found.others))
 }
 
-/// Calls [`places`] for `kahan._formula`, which has names without a field.
+/// Calls [`places`] for `kahan._formula`, whose names do not belong to a field.
 #[pyfunction]
 pub(crate) fn columns(
     names: Vec<String>,
@@ -139,7 +139,7 @@ fn readonly<'py, T: Element>(
     borrowed.map_err(|error| PyValueError::new_err(format!("{name}: {error}; give a copy of it")))
 }
 
-/// Checks the array for a result: it must have these sizes and this type, in C order.
+/// Checks the array for a result. It must be in C order, and have these sizes and this type.
 pub(crate) fn out<'py, T: Element>(
     given: &Bound<'py, PyAny>,
     sizes: &[usize],

@@ -1,7 +1,7 @@
-//! Tables as Arrow streams: columns of NumPy in, a capsule for other libraries out.
+//! Tables as Arrow streams. NumPy columns become a capsule that other libraries can read.
 //!
-//! Floats and counts are copied once, with any strides. Other values, such as fractions, become
-//! text, because Arrow has no rational numbers.
+//! Floats and counts are copied once; their arrays may have any strides. Other values, such as
+//! fractions, become text, because Arrow has no rational numbers.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 
-/// Writes columns of one length as a stream of one batch, in Arrow's capsule.
+/// Writes columns of equal lengths as a stream of one batch, in Arrow's capsule.
 #[pyfunction]
 pub(crate) fn arrow<'py>(
     py: Python<'py>,
@@ -42,7 +42,7 @@ fn column(values: &Bound<'_, PyAny>) -> PyResult<ArrayRef> {
     Ok(Arc::new(StringArray::from(texts.collect::<PyResult<Vec<_>>>()?)))
 }
 
-/// Copies the numbers of an array, if it has this type.
+/// Copies the numbers of an array; `None` if the array has another type.
 fn numbers<T: ArrowPrimitiveType<Native: Element + Copy>>(values: &Bound<'_, PyAny>) -> Option<ArrayRef> {
     let values = values.cast::<PyArray1<T::Native>>().ok()?.try_readonly().ok()?;
     Some(Arc::new(PrimitiveArray::<T>::from_iter_values(values.as_array().iter().copied())))

@@ -1,4 +1,4 @@
-//! Long work outside of the interpreter's lock, with Ctrl-C and reports of progress.
+//! Does long work without the interpreter's lock. Ctrl-C ends the work, and progress is reported.
 //!
 //! Python handles signals only on its main thread, and only while that thread runs Python code. The
 //! work therefore has its own thread, while the caller's thread checks for signals a hundred times
@@ -18,12 +18,13 @@ use pyo3::prelude::*;
 
 const LOOK: Duration = Duration::from_millis(10);
 const TOLD: Duration = Duration::from_millis(100);
-/// The most numbers computed without a check for signals: some milliseconds of work.
+/// The largest number of numbers that are computed without a check for signals, in some
+/// milliseconds.
 const SHORT: u64 = 1 << 16;
-/// The stack of a worker; recursion over long formulas needs more than the default.
+/// The stack size of a working thread. Recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// The [`Watch`] of running work: receives its progress and results, and may stop it.
+/// The [`Watch`] of running work. It receives progress and results, and may stop the work.
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -31,9 +32,9 @@ pub(crate) struct Caller {
     waiting: thread::Thread,
     since: Instant,
     threads: usize,
-    /// The number of steps, if counted here.
+    /// The number of steps, if this watch counts them.
     made: AtomicU64,
-    /// The news since the last report.
+    /// The news that was not reported yet.
     news: Mutex<PendingNews>,
 }
 
@@ -56,7 +57,7 @@ impl Caller {
         }
     }
 
-    /// Adds finished steps out of `of`; returns `Break` if the work must end.
+    /// Adds finished steps, out of `of` steps in all; returns `Break` if the work must end.
     pub(crate) fn made(&self, steps: u64, of: u64) -> ControlFlow<()> {
         let done = self.made.fetch_add(steps, Ordering::Relaxed) + steps;
         self.look(&Progress { what: "steps", done, of: Some(of) })
@@ -72,14 +73,14 @@ impl Caller {
         if self.wants_no_more() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Does the work, and wakes the waiting thread, even after a panic.
+    /// Does the work, and then wakes the waiting thread. Wakes the thread even after a panic.
     fn does<R>(&self, work: impl FnOnce(&Caller) -> R) -> R {
         let _woken = WakeOnDrop(self);
         work(self)
     }
 
-    /// Waits for the work, checks for signals, and reports news. An exception of a signal's handler
-    /// or of the listener ends the work.
+    /// Waits for the work, checks for signals, and reports news. If a signal handler or the
+    /// listener raises an exception, the work ends.
     fn wait(&self, py: Python<'_>, listener: &Listener<'_>) -> PyResult<()> {
         let mut told = Instant::now();
         while !self.is_done.load(Ordering::Acquire) {
@@ -123,8 +124,8 @@ impl Watch for Caller {
     }
 }
 
-/// A listener in Python, called with the unit of the count, the count and the total, or with
-/// `found` and the kind, name and text of a finding.
+/// A listener in Python. It is called with the name of the counted things, their number and the
+/// total; or with `found`, and the kind, name and text of a finding.
 pub(crate) struct Listener<'py>(pub(crate) Option<Bound<'py, PyAny>>);
 
 impl Listener<'_> {
@@ -140,10 +141,10 @@ impl Listener<'_> {
     }
 }
 
-/// Does work on another thread, with the interpreter's lock released.
+/// Does work on another thread, and releases the interpreter's lock meanwhile.
 ///
 /// # Errors
-/// An exception of a signal's handler or of the listener, which ends the work and drops its result;
+/// An exception of a signal handler or of the listener, which ends the work and drops its result;
 /// or a panic of the work, which is a bug of this package.
 pub(crate) fn run_watched<R: Send>(
     py: Python<'_>,
@@ -155,7 +156,7 @@ pub(crate) fn run_watched<R: Send>(
     thread::scope(|scope| {
         let worker = worker().spawn_scoped(scope, || caller.does(work)).map_err(no_thread)?;
         let raised = caller.wait(py, listener);
-        // The work ends within a moment after the request.
+        // After the request to end, the work ends within a moment.
         let result = py.detach(|| worker.join());
         raised?;
         listener.hears(caller.news())?;
@@ -163,8 +164,8 @@ pub(crate) fn run_watched<R: Send>(
     })
 }
 
-/// Works like [`run_watched`] on one thread, but on the caller's thread for at most `SHORT` numbers,
-/// because starting a thread takes some tens of microseconds.
+/// Works like [`run_watched`] on one thread. At most `SHORT` numbers are computed on the caller's
+/// thread, because starting a thread takes some tens of microseconds.
 ///
 /// # Errors
 /// See [`run_watched`].
@@ -183,8 +184,8 @@ pub(crate) fn run_watched_if_long<R: Send>(
     Ok(result)
 }
 
-/// Works like [`run_watched`], but returns without waiting for the end of cancelled work, which may
-/// take seconds with numbers of a million digits. The work must not borrow.
+/// Works like [`run_watched`], but does not wait for the end of cancelled work. With numbers of a
+/// million digits, this end may take seconds. The work must not borrow.
 ///
 /// # Errors
 /// See [`run_watched`].
@@ -215,7 +216,7 @@ fn internal_error() -> PyErr {
     PyRuntimeError::new_err("kahan has a mistake here; please report what was asked")
 }
 
-/// On drop, marks the work as done and wakes the waiting thread.
+/// A guard whose drop marks the work as done, and wakes the waiting thread.
 struct WakeOnDrop<'a>(&'a Caller);
 
 impl Drop for WakeOnDrop<'_> {

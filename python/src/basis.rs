@@ -1,4 +1,4 @@
-//! Hirota–Kimura bases: results of a discovery, and their coefficients along orbits.
+//! Hirota–Kimura bases that a search found, and their coefficients along orbits.
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::basis::BasisError;
@@ -13,11 +13,13 @@ use crate::background::{Listener, run_detached, run_watched};
 use crate::errors::of_study;
 use crate::field::{Field, question};
 
-/// Monomials with one linear relation along every orbit; the basis of `kahan.Basis`.
+/// Monomials that satisfy one linear relation along every orbit. `kahan.Basis` is derived from this
+/// class.
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Relation(kahan_discover::Basis);
 
-/// The parts of a relation: exponents, terms, the unit, the integrals and the proof.
+/// The parts of a relation: exponents, terms, the index of the coefficient 1, the indices of the
+/// integrals, and the proof.
 type Parts = (Vec<Vec<u32>>, Vec<Vec<(usize, i64)>>, usize, Vec<usize>, Option<u32>);
 
 #[pymethods]
@@ -42,7 +44,7 @@ impl Relation {
         Ok(Relation(kahan_discover::Basis { monomials, terms, unit, integrals, proof }))
     }
 
-    /// Returns the arguments of the constructor, for pickling.
+    /// Returns the arguments of the constructor, which pickling needs.
     fn __getnewargs__(&self) -> Parts {
         let kahan_discover::Basis { monomials, terms, unit, integrals, proof } = self.0.clone();
         (monomials, terms, unit, integrals, proof)
@@ -60,9 +62,10 @@ impl Relation {
         self.0.integrals.clone()
     }
 
-    /// Returns the coefficients along orbits, of shape (orbits, monomials), and the condition of
-    /// the equations that they solve. `orbits` has the shape (orbits, points, variables), with
-    /// consecutive points of each. Coefficients that the points do not determine are NaN.
+    /// Returns the coefficients along orbits, of shape (orbits, monomials), and the condition
+    /// number of the equations that they solve. `orbits` has the shape (orbits, points, variables);
+    /// the points of an orbit are consecutive. Coefficients that the points do not determine are
+    /// NaN.
     fn solve<'py>(
         &self,
         orbits: &Bound<'py, PyAny>,
@@ -99,8 +102,8 @@ impl Relation {
         Ok((values.into_any(), PyArray1::from_vec(py, conditions)))
     }
 
-    /// Returns the exact coefficients along the orbit with these consecutive points; numbers are
-    /// text.
+    /// Returns the exact coefficients along the orbit with these consecutive points. Numbers are
+    /// given and returned as text.
     fn solve_exactly(&self, orbit: Vec<Vec<String>>) -> PyResult<Vec<String>> {
         let point = |point: &Vec<String>| point.iter().map(|value| number(value)).collect();
         let orbit: Result<Vec<Vec<Rational>>, _> = orbit.iter().map(point).collect();
@@ -116,7 +119,8 @@ fn refused(error: &BasisError) -> PyErr {
 
 #[pymethods]
 impl Field {
-    /// Answers a discovery. The question and the answer are JSON; also returns the bases found.
+    /// Answers a question of discovery; question and answer are JSON. Also returns the bases that
+    /// were found.
     #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,

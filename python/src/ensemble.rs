@@ -1,4 +1,4 @@
-//! Many trajectories, on all processors.
+//! Follows many trajectories, on all processors.
 
 use std::mem::discriminant;
 use std::num::NonZeroU64;
@@ -17,18 +17,19 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The number of trajectories that a thread takes at once; their columns stay in its cache.
+/// The number of trajectories that a thread takes at once. Their columns stay in the thread's
+/// cache.
 const TOGETHER: usize = 1024;
-/// The number of steps, of all trajectories together, between checks for signals.
+/// The number of steps, summed over all trajectories, between two checks for signals.
 const AT_ONCE: u64 = 1 << 22;
-/// The number of steps, of all trajectories together, between reports.
+/// The number of steps, summed over all trajectories, between two reports.
 const TOLD: u64 = 1 << 18;
 
 #[pymethods]
 impl Field {
-    /// Advances many trajectories by `steps` steps. Returns their last points, NaN if a trajectory
-    /// ended early; how each ended; and the number of its steps. `eps` and each parameter have one
-    /// value, or one for each trajectory.
+    /// Advances many trajectories by `steps` steps. Returns the last point of each (NaN if it ended
+    /// early), how it ended, and the number of its steps. `eps` and each parameter have one value,
+    /// or one value for each trajectory.
     #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn advance<'py>(
@@ -49,8 +50,8 @@ impl Field {
         }
     }
 
-    /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
-    /// each orbit, how each ended, and the number of its steps. `of` names observables.
+    /// Observes the orbits of many points. Returns the names of the columns, and for each orbit a
+    /// row of numbers, how it ended, and the number of its steps. `of` names the observables.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, transient = 0, renormalize = 10, spectrum = None, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
@@ -110,7 +111,7 @@ pub(crate) struct EnsembleOptions<'a, 'py> {
 }
 
 impl Field {
-    /// Prepares the map and the constants for points of this shape.
+    /// Prepares the map and the constants for points in an array of this shape.
     pub(crate) fn many<T: Float>(
         &self,
         py: Python<'_>,
@@ -126,7 +127,7 @@ impl Field {
             None => Ok(Vec::new()),
         });
         let mut values = values.collect::<PyResult<Vec<Vec<T>>>>()?;
-        // A parameter given here may lack a value in the field.
+        // A parameter whose values are given here may lack a value in the field.
         let at: MapAt<T> = self.map_with(py, &values)?.at(eps.first().copied().unwrap_or_else(T::zero));
         let at = at.composed(composition(asked.order)?);
         for (own, values) in at.map().parameters().iter().zip(&mut values) {
@@ -175,7 +176,8 @@ impl Field {
 pub(crate) struct Trajectories<T: Float> {
     pub(crate) at: MapAt<T>,
     pub(crate) eps: Vec<T>,
-    /// For each parameter one value, or one for each trajectory; empty if all values are the map's.
+    /// For each parameter one value, or one value for each trajectory. Empty if the map's values
+    /// hold for all parameters.
     pub(crate) constants: Vec<Vec<T>>,
     pub(crate) steps: u64,
     trajectories: usize,
@@ -189,20 +191,20 @@ impl<T: Float> Trajectories<T> {
             let missing = constants.len()..self.at.map().parameters().len();
             let own = |k: usize| vec![T::near(self.at.map().parameters()[k].to_f64())];
             constants.extend(missing.map(own));
-            // With derivatives by ε the last parameter is 1/ε.
+            // If derivatives by ε are requested, the last parameter is 1/ε.
             constants.push(self.eps.iter().map(|eps| T::one() / *eps).collect());
         }
         Trajectories { at, eps: self.eps.clone(), constants, ..*self }
     }
 
-    /// Reports that `trajectories` trajectories made `steps` more steps.
+    /// Reports that each of `trajectories` trajectories made `steps` more steps.
     pub(crate) fn made(&self, steps: u64, trajectories: usize, caller: &Caller) -> ControlFlow<()> {
         let all = self.steps.saturating_mul(self.trajectories as u64);
         caller.made(steps.saturating_mul(trajectories as u64), all)
     }
 
-    /// Advances points, stored row by row. Returns the ends of the trajectories, in the pieces that
-    /// threads take.
+    /// Advances points that are stored row by row. Returns how the trajectories ended, one list for
+    /// each piece that a thread took.
     pub(crate) fn advance(
         &self,
         rows: &mut [T],
@@ -218,8 +220,8 @@ impl<T: Float> Trajectories<T> {
         found.into_iter().collect()
     }
 
-    /// Follows trajectories of a lifted field again, up to their ends, if their last points are
-    /// beyond. `from` and `to` hold first and last points.
+    /// Finds the trajectories of a lifted field whose last points are beyond the lift's domain, and
+    /// follows them again up to their ends. `from` and `to` hold first and last points.
     fn end_lifted(
         &self,
         from: &[T],
@@ -238,7 +240,7 @@ impl<T: Float> Trajectories<T> {
         Ok(())
     }
 
-    /// Advances the trajectories of one thread; the first one has the number `first`.
+    /// Advances the trajectories that one thread takes; the first of them has the number `first`.
     fn piece(
         &self,
         rows: &mut [T],
@@ -259,15 +261,16 @@ pub(crate) struct ThreadColumns<'a, T: Float> {
     eps: &'a [T],
     parameters: Vec<&'a [T]>,
     caller: &'a Caller,
-    /// The end of each trajectory so far; empty before the first step.
+    /// The end of each trajectory so far: how it ended, with its number of steps. Empty before the
+    /// first step.
     ends: Vec<End>,
-    /// The number of steps, and the number of steps not yet reported.
+    /// The number of steps. The next field is the number of steps that were not reported yet.
     pub(crate) made: u64,
     untold: u64,
 }
 
 impl<'a, T: Float> ThreadColumns<'a, T> {
-    /// Loads trajectories that begin at these rows; the first one has the number `first`.
+    /// Loads the trajectories that begin at these rows; the first of them has the number `first`.
     pub(crate) fn of(
         many: &'a Trajectories<T>,
         rows: &[T],
@@ -312,7 +315,7 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         Ok(())
     }
 
-    /// Writes the current points, one for each trajectory.
+    /// Writes the current points; each row takes the point of one trajectory.
     pub(crate) fn put<'r>(&self, rows: impl Iterator<Item = &'r mut [T]>)
     where
         T: 'r,
@@ -322,7 +325,7 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         }
     }
 
-    /// Returns the trajectories of a lifted field that have passed their ends.
+    /// Returns the indices of the trajectories of a lifted field that have left the lift's domain.
     pub(crate) fn beyond(&self, study: &Study) -> Vec<usize> {
         let Some(step) = study.lifted_step(&self.many.at) else { return Vec::new() };
         let count = self.columns.first().map_or(0, Vec::len);
@@ -330,8 +333,8 @@ impl<'a, T: Float> ThreadColumns<'a, T> {
         (0..count).filter(|k| step.is_beyond(&point(*k))).collect()
     }
 
-    /// Returns the end of each trajectory. Without a step each is complete, unless its start is not
-    /// finite.
+    /// Returns how each trajectory ended. If no step was made, each is complete, unless its start
+    /// is not finite.
     pub(crate) fn ends(mut self) -> Result<Vec<End>, DimensionError> {
         if self.made == 0 {
             self.follow(0)?;
@@ -351,7 +354,7 @@ impl Trajectories<f64> {
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = study.variables().len().max(1);
-        // Small pieces, so that all threads get some.
+        // Pieces are small, so that all threads get some.
         let together = (AT_ONCE / asked.steps_in_all().max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
         let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {
@@ -373,8 +376,8 @@ impl Trajectories<f64> {
     }
 }
 
-/// The ends of trajectories: the names that occur, the index of the name for each trajectory, and
-/// the number of its steps.
+/// The ends of trajectories: the names of ends that occur, the index of the name for each
+/// trajectory, and the number of its steps.
 pub(crate) type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
 pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator<Item = End>) -> Ends<'_> {
@@ -392,8 +395,8 @@ pub(crate) fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
-/// Combines ends with ends that are counted after `steps` earlier steps; trajectories that ended
-/// earlier keep their ends.
+/// Combines the ends before and after step `steps`; `more` counts steps from there. A trajectory
+/// that ended before keeps its end.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     if before.is_empty() {
         return more;
@@ -405,7 +408,7 @@ fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
     more.into_iter().enumerate().map(own).collect()
 }
 
-/// Reads one number, or one for each trajectory.
+/// Reads one number, or one number for each trajectory.
 fn constants<T: Float>(given: &Bound<'_, PyAny>, trajectories: usize, name: &str) -> PyResult<Vec<T>> {
     let values: PyReadonlyArrayDyn<'_, f64> = doubles(given, name)?;
     match values.shape() {

@@ -15,7 +15,7 @@ fn class<'py>(
     cell.import(py, "kahan._errors", name)
 }
 
-/// Builds `kahan.FieldError`, with the place of each mistake.
+/// Builds `kahan.FieldError`, which holds the position of each mistake in the text.
 fn field_error(py: Python<'_>, mistakes: &Diagnostics) -> PyResult<PyErr> {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let places = mistakes.mistakes().iter().zip(mistakes.places());
@@ -25,7 +25,7 @@ fn field_error(py: Python<'_>, mistakes: &Diagnostics) -> PyResult<PyErr> {
     Ok(PyErr::from_value(error))
 }
 
-/// Builds `kahan.SingularStep` for a point at which the map has no value.
+/// Builds `kahan.SingularStep` for a point at which the map is undefined.
 pub(crate) fn singular_step(py: Python<'_>, message: &str) -> PyErr {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let error = class(py, &CLASS, "SingularStep").and_then(|class| class.call1((message,)));

@@ -18,7 +18,7 @@ use crate::background::{Listener, run_detached};
 use crate::errors::{of_dimension, of_study};
 use crate::orbit::wrong_shape;
 
-/// A field with the values of its parameters; the basis of `kahan.System`.
+/// A field with the values of its parameters. `kahan.System` is derived from this class.
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Field {
     study: Study,
@@ -30,17 +30,18 @@ pub(crate) struct MapCache {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
-    /// The map at parameters given in the call, with their values.
+    /// The map at the parameter values of the last call that gave values, together with these
+    /// values.
     valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
-/// A float of NumPy in which steps are made.
+/// A NumPy float type in which steps are made.
 pub(crate) trait Float:
     kahan_runtime::MachineFloat + kahan_core::EmbedScalar + kahan_core::Pivot + numpy::Element
 {
-    /// Rounds a double, Python's float.
+    /// Rounds a double, which is Python's float, to this type.
     fn near(number: f64) -> Self;
-    /// Returns the cache entry for this precision.
+    /// Returns the entry for this precision in the cache.
     fn last(last: &mut MapCache) -> &mut Option<MapAt<Self>>;
 }
 
@@ -82,13 +83,14 @@ impl Field {
         Ok(last.clone().expect("it was put there"))
     }
 
-    /// Returns the map with all integrals, including those claimed only at this ε.
+    /// Returns the map with all its integrals, also those that are claimed only at this ε.
     pub(crate) fn with_integrals(&self, py: Python<'_>, eps: f64) -> PyResult<MapAt<f64>> {
         let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
             return Ok(at.clone());
         }
-        // A float stands for its decimal; NaN and infinity get the claims at ε = 0.
+        // A float stands for its shortest decimal. For NaN and infinity, the claims at ε = 0 are
+        // used.
         let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
         let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
         let at = at.map_err(|error| of_study(py, &error))?;
@@ -96,7 +98,8 @@ impl Field {
         Ok(at)
     }
 
-    /// Returns the map at eps = 0 with these values in place of the field's own, and caches it.
+    /// Returns the map at eps = 0 with these values in place of the field's own values, and caches
+    /// it.
     pub(crate) fn valued(&self, py: Python<'_>, values: &[Option<f64>]) -> PyResult<MapAt<f64>> {
         if values.iter().all(Option::is_none) {
             return self.at(py, 0.0);
@@ -125,8 +128,8 @@ impl Field {
         self.study.variables().len()
     }
 
-    /// Builds the error for points of a wrong shape in all variables. For a lifted field, the
-    /// message is in terms of the variables of arrays.
+    /// Builds the error for points of a wrong shape. For a lifted field, the message names the
+    /// variables that arrays have.
     pub(crate) fn wrong_points(&self, name: &str, wanted: &[&str], found: &[usize]) -> PyErr {
         let shown = self.study.shown().len();
         let given = found.iter().enumerate().map(|(axis, size)| {
@@ -144,7 +147,7 @@ impl Field {
         &self.study.parameters()[k]
     }
 
-    /// Returns the map; parameters without a value get the first of these values.
+    /// Returns the map. A parameter without a value gets the first of its values in `first`.
     pub(crate) fn map_with<T: Float>(&self, py: Python<'_>, first: &[Vec<T>]) -> PyResult<Map> {
         if self.study.given().iter().all(Option::is_some) {
             return self.map(py);
@@ -154,7 +157,7 @@ impl Field {
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
-                // A value that is not finite gets 1 as a placeholder.
+                // In place of a value that is not finite, the number 1 is used.
                 let exactly =
                     |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
                 let other = other.map(exactly);
@@ -167,8 +170,9 @@ impl Field {
     }
 }
 
-/// The kind of lift; the start of the orbit on which lifts are compared with the names of its
-/// coordinates, if any; the time of the start; and whether arrays have the new variables.
+/// The options of a lift: its kind; if given, the names and values of the coordinates of the start
+/// of the orbit along which lifts are compared; the time of the start; and whether arrays have the
+/// new variables.
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
@@ -194,7 +198,8 @@ enum FieldSource<'py> {
     Coefficients(Vec<String>, Vec<String>, Columns<'py>),
 }
 
-/// The component, the two states, the parameter (-1 for none) and the value of each coefficient.
+/// The component, the two states, the parameter and the value of each coefficient; −1 stands for no
+/// parameter.
 type Columns<'py> = (Indices<'py>, Indices<'py>, Indices<'py>, Indices<'py>, PyReadonlyArray1<'py, f64>);
 type Indices<'py> = PyReadonlyArray1<'py, i64>;
 
@@ -228,8 +233,9 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 #[pymethods]
 impl Field {
     /// Reads a field from its name in the catalog, its text or its coefficients. `sites` is for
-    /// families. Values of parameters are exact numbers as text. With `of`, takes that field at
-    /// these values and ignores the other arguments; both share plans and compiled code.
+    /// families. Values of parameters are exact numbers as text. If `of` is given, takes the field
+    /// `of` at these values and ignores the other arguments; both fields share plans and compiled
+    /// code.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
     fn new(
@@ -264,21 +270,21 @@ impl Field {
         Ok(Field { study: study.map_err(|error| of_study(py, &error))?, last: Mutex::default() })
     }
 
-    /// The name in answers.
+    /// The name of the field in answers.
     #[getter]
     fn name(&self) -> &str {
         self.study.name()
     }
 
-    /// The text in the language of `kahan!`; for a system of the catalog its block of Rust, which
-    /// can be read as a field, too.
+    /// The text in the language of `kahan!`. For a system of the catalog, it is the block in Rust,
+    /// which can be read as a field, too.
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
     }
 
-    /// Returns the coefficients of the field at its parameters: components, first states, second
-    /// states (-1 for none), and values.
+    /// Returns the coefficients of the field at its parameter values: components, first states,
+    /// second states (−1 for none), and values.
     #[pyo3(name = "_coefficients")]
     fn coefficients(&self, py: Python<'_>) -> PyResult<([Vec<i64>; 3], Vec<f64>)> {
         let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;
@@ -289,22 +295,22 @@ impl Field {
         Ok((indices, coefficients.iter().map(|one| one.value.to_f64()).collect()))
     }
 
-    /// The variables of arrays: for a lifted field the original ones, and the new ones if
-    /// requested.
+    /// The variables that arrays have. For a lifted field these are the original ones, and the new
+    /// ones if requested.
     #[getter]
     fn variables(&self) -> Vec<&str> {
         self.study.shown().iter().map(String::as_str).collect()
     }
 
-    /// Finds the columns of the variables among these names. With `varies`, parameters and `eps`
-    /// may have columns, too. `name` is the argument of the caller.
+    /// Finds the columns of the variables among these names. If `varies`, parameters and `eps` may
+    /// have columns, too. Errors mention `name`, the argument of the caller.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let states = (self.study.shown(), self.study.coordinates().len());
         places(&names, states, self.study.parameters(), varies, name)
     }
 
-    /// All variables, which formulas use.
+    /// All variables; formulas may use each of them.
     #[getter(_all_variables)]
     fn all_variables(&self) -> Vec<&str> {
         self.study.variables().iter().map(String::as_str).collect()
@@ -317,21 +323,22 @@ impl Field {
         Ok(found.map(|found| serde_json::to_string(&found).expect("answers are JSON")))
     }
 
-    /// The time at the start, and the index of `t` among all variables if `t` was lifted.
+    /// The time at the start, and the index of `t` among all variables; `None` if `t` was not
+    /// lifted.
     #[getter(_time)]
     fn time(&self) -> (f64, Option<usize>) {
         (self.study.time().to_f64(), self.study.time_place())
     }
 
-    /// The indices of the variables of arrays among all variables.
+    /// The index, among all variables, of each variable that arrays have.
     #[getter(_places)]
     pub(crate) fn places(&self) -> Vec<usize> {
         self.study.project(&(0..self.study.variables().len()).collect::<Vec<_>>())
     }
 
-    /// Extends points to all variables. Points have the shape (…, variables), or (…, original
-    /// variables), and the result (…, all variables). `parameters` has for each parameter a number,
-    /// one for each point, or `None` for the field's own.
+    /// Extends points to all variables. Points have the shape (…, variables) or (…, original
+    /// variables); the result has the shape (…, all variables). `parameters` holds for each
+    /// parameter one number, one number for each point, or `None` for the field's own value.
     #[pyo3(name = "_embedded", signature = (x, parameters = Vec::new(), time = None))]
     pub(crate) fn embedded<'py>(
         &self,
@@ -372,8 +379,8 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// Returns a warning about a lift that was chosen without a start, along the orbit of this
-    /// start.
+    /// Returns a warning about a lift that was chosen without a start; the warning is based on the
+    /// orbit of `x`.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -381,8 +388,8 @@ impl Field {
         Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
-    /// Returns a note on components that steps do not resolve, from some of these points of all
-    /// variables.
+    /// Returns a note on components that steps do not resolve, based on some of the points `x`,
+    /// which have all variables.
     #[pyo3(name = "_rates_note")]
     fn rates_note(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;
@@ -399,20 +406,21 @@ impl Field {
         self.study.notes().iter().cloned().chain(warning).collect()
     }
 
-    /// The first point of the text, with numbers as text.
+    /// The first point in the text of the field, as numbers in text form.
     #[getter(_start)]
     fn start(&self) -> Option<Vec<String>> {
         Some(self.study.start()?.iter().map(Rational::to_string).collect())
     }
 
-    /// The parameters with their values as text: given values, otherwise the text's own, or `None`.
+    /// The parameters with their values as text: the given value, otherwise the text's value, or
+    /// `None`.
     #[getter(_given)]
     fn given(&self) -> Vec<(&str, Option<String>)> {
         let values = self.study.valued().into_iter().map(|value| value.map(|value| value.to_string()));
         self.study.parameters().iter().map(String::as_str).zip(values).collect()
     }
 
-    /// Answers a question; both are JSON. `listener` receives reports of progress.
+    /// Answers a question. Question and answer are JSON; `listener` receives reports of progress.
     #[pyo3(name = "_answer", signature = (asked, *, threads = None, listener = None))]
     fn ask(
         &self,
@@ -429,7 +437,7 @@ impl Field {
         answer.map_err(|error| of_study(py, &error))
     }
 
-    /// Returns the verdicts on steps at extreme points, as JSON.
+    /// Tests steps at extreme points, and returns the results as JSON.
     #[pyo3(name = "_judged", signature = (trials, seed, *, listener = None))]
     fn judged(
         &self,

@@ -1,4 +1,4 @@
-//! Chains with any number of sites; a state is an array with a row for each site.
+//! Chains with any number of sites. A state is an array with a row for each site.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -12,25 +12,25 @@ use crate::arrays::{Eps, Places, doubles, named, places};
 use crate::background::{Listener, run_watched};
 use crate::errors::{of_dimension, of_study};
 
-/// Returns whether a text describes a family, whose number of sites is open.
+/// Returns whether a text describes a family, which has chains of any number of sites.
 #[pyfunction]
 pub(crate) fn is_family(text: &str) -> bool {
     matches!(FieldText::new(text.to_owned(), "field".to_owned()).family(), Ok(Some(_)))
 }
 
-/// A chain at one eps; the basis of `kahan.Lattice`.
+/// A chain at one eps. `kahan.Lattice` is derived from this class.
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Chain {
     lattice: Lattice,
     sites: usize,
-    /// A chain has scratch memory, so that only one call at a time can use it.
+    /// The map of the chain. Its scratch memory allows only one call at a time.
     at: Mutex<ChainAt>,
 }
 
 #[pymethods]
 impl Chain {
-    /// Reads the family of a text, or the family of the catalog with this name. Each value is one
-    /// number, or one for each site.
+    /// Reads a family from a text, or takes the family of the catalog with this name. Each
+    /// parameter has one number, or one number for each site.
     #[new]
     fn new(
         py: Python<'_>,
@@ -56,13 +56,14 @@ impl Chain {
         Ok(Chain { lattice, sites, at: Mutex::new(at) })
     }
 
-    /// The arrays, in their order within a site.
+    /// The arrays of the family, in their order within a site.
     #[getter]
     fn arrays(&self) -> &[String] {
         self.lattice.arrays()
     }
 
-    /// Finds the columns of the arrays of a chain among these names. Parameters have no columns.
+    /// Finds, among these column names, those that hold the chain's arrays. Parameters have no
+    /// columns.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let arrays = self.lattice.arrays();
@@ -75,7 +76,7 @@ impl Chain {
         self.sites
     }
 
-    /// Returns the state after `steps` steps, in the shape of the given state.
+    /// Returns the state after `steps` steps, in an array of the same shape as the given state.
     #[pyo3(signature = (state, steps = 1, *, listener = None))]
     fn advance<'py>(
         slf: &Bound<'py, Self>,
@@ -92,14 +93,14 @@ impl Chain {
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
         if followed.end.steps(steps) < steps {
-            // A state that left the range of floats stays NaN.
+            // A state that left the range of floats becomes NaN.
             x.fill(f64::NAN);
         }
         x.into_pyarray(py).reshape(state.shape())
     }
 
-    /// Returns the sums that the chain claims at a state, by name: its integrals, the Hamiltonian,
-    /// and the modified energy that the map preserves.
+    /// Returns the sums over the chain at a state, by name: the integrals, the Hamiltonian, and the
+    /// modified energy, which the map preserves.
     #[pyo3(name = "_sums")]
     fn sums(slf: &Bound<'_, Self>, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
         let own = slf.get();

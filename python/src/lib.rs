@@ -1,4 +1,5 @@
-//! The interface between Python and the libraries: Python objects in, arrays and answers out.
+//! The interface between Python and the libraries. It takes Python objects, and returns arrays and
+//! answers.
 //!
 //! Questions and answers are JSON ([`kahan_study::Question`]); calls in loops (steps, orbits,
 //! ensembles) take and return NumPy arrays directly. Python files in `kahan/` add named results,
@@ -42,14 +43,14 @@ mod _kahan {
     const __version__: &str = env!("CARGO_PKG_VERSION");
 }
 
-/// Runs the command `kahan` with these arguments, the program's name first, and returns its exit
-/// status.
+/// Runs the command `kahan` and returns its exit status; the first argument is the name of the
+/// program.
 #[pyfunction]
 fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| kahan_cli::status(arguments))
 }
 
-/// Returns the allowed names for each kind of argument.
+/// Returns the names that each kind of argument allows.
 #[pyfunction]
 fn names() -> [(&'static str, Vec<&'static str>); 6] {
     let known = Systems.names().into_iter().map(|[name, _]| name);
@@ -65,14 +66,14 @@ fn names() -> [(&'static str, Vec<&'static str>); 6] {
     ]
 }
 
-/// Returns the known name that `name` probably misspells, by the rule for texts of fields.
+/// Returns the known name that `name` probably misspells; the rule is the one for texts of fields.
 #[pyfunction]
 fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()
 }
 
-/// Converts the numbers of a column for a picture; also returns whether they are logarithms to base
-/// 10.
+/// Scales the numbers of a column for a picture. Also returns whether the results are logarithms to
+/// base 10.
 #[pyfunction]
 fn picture_scale(column: &str, values: Vec<f64>) -> (bool, Vec<f64>) {
     (Chart::is_logarithmic(column), values.into_iter().map(Chart::scale(column)).collect())

@@ -14,7 +14,7 @@ use crate::background::{Listener, run_watched, run_watched_if_long};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
-/// The most numbers that are stepped without a check for signals.
+/// The largest number of values that are stepped without a check for signals.
 const MOMENT: usize = 1 << 14;
 
 #[pymethods]
@@ -31,9 +31,8 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, false)
     }
 
-    /// Returns the points one time step later, with an error of at most 64 units in the last place
-    /// of the largest component. Otherwise raises `SingularStep`, which says why there is no such
-    /// point.
+    /// Returns the points one time step later. The error is at most 64 units in the last place of
+    /// the largest component. If there is no such point, raises `SingularStep` with the reason.
     #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn try_step<'py>(
         slf: &Bound<'py, Self>,
@@ -45,8 +44,8 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, true)
     }
 
-    /// Follows an orbit. Returns its rows, the first after `transient` steps, the number of all
-    /// steps, its end (complete, range or reembed), and the reason for an end caused by a lift.
+    /// Follows an orbit. Returns its rows (the first after `transient` steps), the number of all
+    /// steps, how it ended (complete, range or reembed), and the reason if the lift ended it.
     #[pyo3(name = "_points", signature = (x, eps, steps, *, transient = 0, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
@@ -78,8 +77,8 @@ impl Field {
         }
     }
 
-    /// Computes f(x) at points, in the shape of x, or f′(x), with one more axis. `parameters`
-    /// replace the field's own values, except for `None`.
+    /// Computes f(x) at points, in an array of the shape of x; or f′(x), in an array with one more
+    /// axis. `parameters` replace the field's own values; `None` keeps a value.
     #[pyo3(name = "_field_at", signature = (x, *, parameters = Vec::new(), jacobian = false))]
     fn field_at<'py>(
         &self,
@@ -104,8 +103,8 @@ impl Field {
         Ok(PyArray1::from_vec(py, values).reshape(sizes)?.into_any())
     }
 
-    /// Returns the names of the claimed integrals, and their values at points; their axis replaces
-    /// the last axis of the points.
+    /// Returns the names of the claimed integrals, and their values at points. In the array of
+    /// values, the last axis is that of the integrals.
     #[pyo3(name = "_integrals_at")]
     fn integrals_at<'py>(
         &self,
@@ -147,8 +146,8 @@ struct OrbitOptions<'py> {
     listener: Listener<'py>,
 }
 
-/// The rows of an orbit, the number of steps to the last point, the end, and its reason if the lift
-/// caused it.
+/// The rows of an orbit, the number of steps to the last point, how the orbit ended, and the reason
+/// if the lift ended it.
 type Rows<'py> = (Bound<'py, PyAny>, u64, &'static str, Option<String>);
 
 impl Field {
@@ -165,7 +164,7 @@ impl Field {
         self.stepped_whole(x, eps, out, checked)
     }
 
-    /// Steps points of a lifted field, given and returned in its original variables.
+    /// Steps points of a lifted field. Points are given and returned in the original variables.
     fn stepped_between<'py>(
         &self,
         x: &Bound<'py, PyAny>,
@@ -191,7 +190,7 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         checked: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        // Copy the input first, since the result may overwrite it.
+        // The input is copied first, since the result may overwrite it.
         let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
         match floats(copied.as_ref().unwrap_or(x), "x")? {
             Floats::Double(x) => self.next(&x, eps, out, checked),
@@ -315,7 +314,7 @@ where
     Ok((rows, end.steps(steps), end.name(), why))
 }
 
-/// The rows of an orbit, its last point, its end, and the requested number of steps.
+/// The rows of an orbit, its last point, how it ended, and the requested number of steps.
 type Orbit<'py, T> = (Bound<'py, PyAny>, Vec<T>, End, u64);
 
 fn follow<'py, S>(
@@ -359,18 +358,18 @@ where
     Ok((array, x, followed.end, in_all))
 }
 
-/// Checks the number of steps between rows.
+/// Checks that the number of steps between rows is not 0.
 pub(crate) fn stride(every: u64) -> PyResult<NonZeroU64> {
     NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))
 }
 
-/// Returns the number of rows of an orbit, if it fits an index.
+/// Returns the number of rows of an orbit; fails if it exceeds the range of an index.
 pub(crate) fn room(paces: &RowSchedule) -> PyResult<usize> {
     let rows = usize::try_from(paces.rows()).ok().filter(|rows| *rows < usize::MAX);
     rows.ok_or_else(|| too_long(paces))
 }
 
-/// Allocates zeros for rows, if memory suffices.
+/// Allocates zeros for rows; fails if memory does not suffice.
 pub(crate) fn zeros<T: Float>(length: Option<usize>, paces: &RowSchedule) -> PyResult<Vec<T>> {
     let (length, mut all) = (length.ok_or_else(|| too_long(paces))?, Vec::new());
     all.try_reserve_exact(length).map_err(|_| too_long(paces))?;
@@ -395,7 +394,7 @@ pub(crate) fn wrong_shape(name: &str, wanted: &str, found: &[usize]) -> PyErr {
     ))
 }
 
-/// Writes a shape like Python.
+/// Writes the shape of an array as Python does.
 fn shown(shape: &[usize]) -> String {
     match shape {
         [one] => format!("({one},)"),

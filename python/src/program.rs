@@ -11,13 +11,14 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
 
-/// Formulas in the same names, computed together; the basis of `kahan.Formula`.
+/// Formulas in one list of names, computed together. `kahan.Formula` is derived from this class.
 #[pyclass(frozen, module = "kahan._kahan")]
 pub(crate) struct Program(Formulas);
 
 #[pymethods]
 impl Program {
-    /// Reads the formulas `texts` in these names and in definitions, which are named formulas.
+    /// Reads the formulas `texts`. They may use `names`, and `definitions`, which are named
+    /// formulas.
     #[new]
     fn new(names: Vec<String>, definitions: Vec<(String, String)>, texts: Vec<String>) -> PyResult<Self> {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -28,13 +29,13 @@ impl Program {
         read.map(Program).map_err(|why| PyValueError::new_err(why.to_string()))
     }
 
-    /// The indices of the names that have a row in the inputs.
+    /// The indices of the names for which the inputs have a row.
     #[getter]
     fn needed(&self) -> Vec<usize> {
         self.0.needed()
     }
 
-    /// Returns the values at points, point after point, in the precision of the inputs.
+    /// Returns the values of the formulas, point after point, in the precision of the inputs.
     fn floats<'py>(
         &self,
         py: Python<'py>,
@@ -56,7 +57,7 @@ impl Program {
         }
     }
 
-    /// Returns the values at points, in fractions.
+    /// Returns the values of the formulas at points, as fractions.
     fn fractions(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Crossings of orbits as arrays, complete or block by block.
+//! The crossings of orbits with a section as arrays, complete or block by block.
 
 use std::ops::ControlFlow;
 
@@ -12,16 +12,16 @@ use crate::errors::of_study;
 use crate::field::Field;
 use crate::table::array;
 
-/// The columns of a table with their meanings.
+/// The columns of a table, each with name, meaning and values.
 type Columns<'py> = Vec<(String, String, Bound<'py, PyAny>)>;
-/// The end, the number of steps, of crossings and of jumps of each orbit.
+/// For each orbit how it ended, and the numbers of its steps, crossings and jumps.
 type Ends<'py> = (Vec<&'static str>, [Bound<'py, PyAny>; 3]);
 
 #[pymethods]
 impl Field {
     /// Returns the crossings for a question about a section, given as JSON: their columns, and how
-    /// each orbit ended. `part` is called with columns of some crossings after others; the result
-    /// then holds the last ones.
+    /// each orbit ended. If `part` is given, it is called with the columns of one block of
+    /// crossings after another; the result then holds the last block.
     #[pyo3(name = "_crossings", signature = (question, *, part = None, threads = None, listener = None))]
     fn crossings<'py>(
         &self,
@@ -63,7 +63,7 @@ impl Field {
         Ok((columns, (orbits.iter().map(|one| one.end.name()).collect(), counts)))
     }
 
-    /// Returns the derivative of a variable, a component of the field, as a formula.
+    /// Returns the derivative of a variable, which is a component of the field, as a formula.
     #[pyo3(name = "_rate")]
     fn rate(&self, py: Python<'_>, variable: &str) -> PyResult<String> {
         self.study().rate(variable).map_err(|error| of_study(py, &error))
@@ -75,7 +75,7 @@ struct Parts<'a> {
     caller: &'a Caller,
     rows: Table,
     part: Py<PyAny>,
-    /// The exception that Python raised.
+    /// The exception that Python code raised.
     raised: Option<PyErr>,
 }
 
@@ -100,7 +100,8 @@ impl Rows for Parts<'_> {
     }
 }
 
-/// Converts the columns of a table to arrays; a table without rows has columns of doubles.
+/// Converts the columns of a table to arrays. If the table has no rows, its columns become empty
+/// arrays of doubles.
 fn in_arrays(py: Python<'_>, rows: Table) -> PyResult<Columns<'_>> {
     let mut values = rows.values.into_iter();
     let columns = rows.columns.into_iter().map(|column| {

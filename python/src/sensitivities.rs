@@ -1,7 +1,7 @@
 //! Derivatives of orbits and ensembles with respect to parameters, first points and ε.
 //!
-//! In: the rows of an orbit computed without derivatives, with the usual bits. Out: the derivative
-//! of each row with respect to each name.
+//! In: the rows of an orbit, which were computed without derivatives. Out: the derivative of each
+//! row with respect to each name.
 
 use std::num::NonZeroU64;
 
@@ -23,8 +23,8 @@ const MOMENT: u64 = 4096;
 
 #[pymethods]
 impl Field {
-    /// Differentiates the rows of an orbit, from `_points`, with respect to the names in `by`.
-    /// Returns the names in the order of the array, and the array of shape (names, rows,
+    /// Differentiates the rows of an orbit, which `_points` returned, with respect to the names in
+    /// `by`. Returns the names in the order of the array, and the array of shape (names, rows,
     /// variables).
     #[pyo3(name = "_derivatives", signature = (rows, eps, by, *, every, order = 2, compensated = false, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
@@ -47,7 +47,7 @@ impl Field {
         Ok((vectors.names, derivatives?))
     }
 
-    /// Differentiates the last points of an ensemble with respect to the names in `by`; other
+    /// Differentiates the last points of an ensemble with respect to the names in `by`. The other
     /// arguments are those of `_advance`. Returns the names in the order of the array, and the
     /// array of shape (names, trajectories, variables).
     #[pyo3(name = "_last_derivatives", signature = (points, eps, steps, by, *, parameters = Vec::new(), order = 2, threads = None, listener = None))]
@@ -88,17 +88,18 @@ struct SensitivityOptions<'py> {
     listener: Listener<'py>,
 }
 
-/// The derivative vectors propagated with a point.
+/// The derivative vectors that are propagated with a point.
 struct Vectors {
     names: Vec<String>,
     by: Vec<Sensitivity>,
-    /// The index of the variable, for a derivative by an initial value.
+    /// For each derivative with respect to an initial value, the index of the variable; otherwise
+    /// `None`.
     starts: Vec<Option<usize>>,
     variables: usize,
 }
 
 impl Vectors {
-    /// Iterates over the vectors at the start, one after another.
+    /// Iterates over the entries of all vectors at the start, one vector after another.
     fn first<T: Float>(&self) -> impl Iterator<Item = T> {
         let vector = |start: &Option<usize>| {
             let start = *start;
@@ -107,7 +108,8 @@ impl Vectors {
         self.starts.iter().flat_map(vector)
     }
 
-    /// Writes the vectors of a state to `row` of each derivative, which has `rows` rows.
+    /// Writes the vectors of a state into the derivatives: each vector becomes row `row` of its
+    /// derivative, which has `rows` rows.
     fn put<T: Float>(&self, vectors: &[T], derivatives: &mut [T], row: usize, rows: usize) {
         let n = self.variables.max(1);
         for (k, vector) in vectors.chunks_exact(n).enumerate() {
@@ -117,8 +119,8 @@ impl Vectors {
 }
 
 impl Field {
-    /// Returns the vectors for these names, in the order of the field, so that compiled code serves
-    /// every order of names.
+    /// Returns the vectors for these names. Their order is that of the field, so that compiled code
+    /// serves every order of names.
     fn vectors(&self, asked: &[String]) -> Vectors {
         let study = self.study();
         let parameters = study.parameters().iter().enumerate();
@@ -152,8 +154,8 @@ impl Field {
         }
     }
 
-    /// Returns the derivatives of the last points of an ensemble; NaN if a trajectory or one of its
-    /// derivatives leaves the range.
+    /// Returns the derivatives of the last points of an ensemble. They are NaN if a trajectory or
+    /// one of its derivatives leaves the range of floats.
     fn at_the_end<'py, T: Float>(
         &self,
         points: &PyReadonlyArrayDyn<'py, T>,
@@ -177,8 +179,8 @@ impl Field {
     }
 }
 
-/// Propagates the vectors from row to row by `with`, a map of points with vectors. Each row
-/// replaces the point of the state, which may differ from it by rounding.
+/// Propagates the vectors from row to row; `with` is the map of a point with its vectors. At each
+/// row, the row replaces the point in the state, which may differ by rounding.
 fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,

@@ -14,8 +14,8 @@ use crate::field::Field;
 #[pymethods]
 impl Field {
     /// Returns the rows of a question, given as JSON: name, meaning and values of each column; how
-    /// the table ended; and the number of steps of an orbit. A `color` is the observable for orbits
-    /// over axes, and becomes the last column.
+    /// the table ended; and the number of steps of an orbit. For orbits over axes, `color` is an
+    /// observable that becomes the last column.
     #[pyo3(name = "_table", signature = (question, *, color = None, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
@@ -53,8 +53,8 @@ impl Field {
     }
 }
 
-/// Converts a column: floats and counts to an array, double-doubles to an array with rows of two,
-/// other values to a list.
+/// Converts a column. Floats and counts become an array, double-doubles an array with two numbers
+/// in a row, and other values a list.
 pub(crate) fn array(py: Python<'_>, kept: StoredColumn) -> PyResult<Bound<'_, PyAny>> {
     Ok(match kept {
         StoredColumn::F64(values) => values.into_pyarray(py).into_any(),
@@ -72,7 +72,8 @@ pub(crate) fn array(py: Python<'_>, kept: StoredColumn) -> PyResult<Bound<'_, Py
     })
 }
 
-/// Converts to a fraction of Python; an undefined value is `None`, an infinite one a float.
+/// Converts a number to a Python fraction. An undefined value becomes `None`, and an infinite one a
+/// float.
 fn fraction<'py>(py: Python<'py>, value: &Exact) -> PyResult<Bound<'py, PyAny>> {
     static FRACTION: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     match value {

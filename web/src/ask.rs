@@ -1,7 +1,8 @@
-//! What the page asks, and the answers.
+//! Reads the page's questions, and answers them.
 //!
-//! The page needs some of the questions of `kahan-study`. The others would double the module, so
-//! each of these is read and asked by its name here, and not as a `Question`, which holds all.
+//! The page needs only some of the questions of `kahan-study`; the others would double the size of
+//! the module. Therefore the questions are read and asked one by one by name, and not as a
+//! `Question`, which would contain them all.
 
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
@@ -17,35 +18,39 @@ use crate::plane::{Plane, plane};
 use crate::scene::scene;
 use crate::shown::{self, formulas, part};
 
-/// Answers questions, and keeps the field of the last one with what was planned for it.
+/// Answers questions. Keeps the field of the last question, with everything that was planned for
+/// it.
 #[derive(Default)]
 pub struct Asker {
     last: Option<(Value, Study)>,
-    /// The ε of the last orbit of its map, and the study with the integrals that are claimed there.
+    /// The ε of the last orbit of Kahan's map, and the study with the integrals that are claimed at
+    /// this ε.
     at_step: Option<(Rational, Study)>,
 }
 
-/// An answer.
+/// An answer for the page, as JSON and as numbers.
 #[derive(Debug, Default)]
 pub struct Answered {
-    /// `{"answer": …, "html": …, "parameters": […], "values": {…}, "lifted": …}`, or
-    /// `{"mistake": …, "lifts": …}`, which says in words what was wrong, and whether a lift reads
-    /// the equations all the same.
+    /// The answer, `{"answer": …, "html": …, "parameters": […], "values": {…}, "lifted": …}`, or a
+    /// mistake, `{"mistake": …, "lifts": …}`. A mistake says in words what was wrong, and whether a
+    /// lift can read the equations.
     pub json: String,
-    /// Of an orbit its rows, column by column; of relations their errors, one after the other.
+    /// For an orbit, its rows, column by column. For relations, their errors, one relation after
+    /// the other.
     pub columns: Vec<f64>,
 }
 
-/// What is answered before it is text.
+/// An answer before it is written as text.
 #[derive(Default)]
 struct Reply {
     answer: Value,
     html: Option<String>,
     /// The parameters of the subject.
     parameters: Vec<String>,
-    /// The values of the parameters that have some.
+    /// The parameters that have values, with these values.
     values: Map<String, Value>,
-    /// Of a lifted field `{"html": …, "coordinates": […], "relations": […], "warning": …}`.
+    /// For a lifted field, `{"html": …, "coordinates": […], "relations": […], "warning": …}`;
+    /// otherwise null.
     lifted: Value,
     columns: Vec<f64>,
 }
@@ -53,7 +58,7 @@ struct Reply {
 /// The mistake in words.
 struct Mistake {
     said: String,
-    /// Whether the equations are not quadratic, and a lift reads them.
+    /// Whether the equations are not quadratic, but a lift can read them.
     lifts: bool,
 }
 
@@ -63,22 +68,22 @@ impl<E: ToString> From<E> for Mistake {
     }
 }
 
-/// Equal parts of an orbit that have an error of a relation each.
+/// The number of equal parts of an orbit. For each part, the largest error of a relation is shown.
 const PARTS: usize = 480;
 
 impl Reply {
-    /// An answer, and how pages show it.
+    /// Makes the reply for an answer, with the HTML that shows it.
     fn of(answer: Answer) -> Self {
         Reply { answer: json!(answer), html: Some(part(&answer)), ..Reply::default() }
     }
 }
 
 impl Asker {
-    /// Answers what stands in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject
-    /// the page asks for `list`, the catalog, or `style`, the style of the page. Beside the
-    /// questions of `kahan-study` it may ask for `scene`, with which a picture begins, for
-    /// `plane`, the field in a plane and its equilibria, and for `relations`, the errors of a
-    /// lift's relations along an orbit.
+    /// Answers a question in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject,
+    /// the page asks for `list`, the catalog, or for `style`, the style sheet of the page. Besides
+    /// the questions of `kahan-study` there are three more: `scene`, with which a picture begins;
+    /// `plane`, the field in a plane and its equilibria; and `relations`, the errors of a lift's
+    /// relations along an orbit.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
             Ok(Reply { answer, html, parameters, values, lifted, columns }) => {
@@ -129,7 +134,7 @@ impl Asker {
         })
     }
 
-    /// The study of a subject, which is the last one where it is the same.
+    /// Returns the study of a subject. If the subject did not change, it is the last study.
     fn study(&mut self, subject: Value) -> Result<&Study, Mistake> {
         if self.last.as_ref().is_none_or(|(last, _)| *last != subject) {
             let read: Subject = read(subject.clone())?;
@@ -142,7 +147,8 @@ impl Asker {
         Ok(&self.last.as_ref().expect("it was put there").1)
     }
 
-    /// The last study with the integrals that an orbit keeps. Orbits of one map share it.
+    /// Returns the last study with the integrals that an orbit preserves. Orbits of one map share
+    /// this study.
     fn study_of_orbit(&mut self, asked: &Orbit) -> Result<Study, StudyError> {
         let (_, study) = self.last.as_ref().expect("a subject was read");
         if !asked.is_of_the_map() {
@@ -159,7 +165,8 @@ fn read<T: DeserializeOwned>(value: Value) -> Result<T, serde_json::Error> {
     serde_json::from_value(value)
 }
 
-/// A block as one writes it: without its header, and what is said to readers of its source.
+/// Returns a block as a user would write it: without its header, and without comments for readers
+/// of the source.
 fn written(block: &str) -> String {
     let lines = block.lines().map(|line| line.strip_prefix("    ").unwrap_or(line));
     let lines = lines.filter(|line| !line.trim_start().starts_with("///"));
@@ -167,13 +174,14 @@ fn written(block: &str) -> String {
     text.split_once([';', '}']).map_or("", |(_header, items)| items).trim().to_owned()
 }
 
-/// The equations of what was written, without the claims behind the last of them.
+/// Returns the equations in a text, without the claims that follow the last equation.
 fn equations(text: &str) -> &str {
     let ends = text.rfind("dot =").and_then(|last| Some(last + text[last..].find(';')? + 1));
     &text[..ends.unwrap_or(text.len())]
 }
 
-/// The systems of the catalog with their texts, and values of their parameters that show something.
+/// Returns the systems of the catalog with their texts, and with values of their parameters that
+/// give typical pictures.
 fn catalog() -> Result<Reply, StudyError> {
     let listed = list(&Systems)?;
     let systems = listed.systems.iter().zip(registry::all()).map(|(system, entry)| {
@@ -188,7 +196,7 @@ fn catalog() -> Result<Reply, StudyError> {
 fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Reply, StudyError> {
     let shown = asked.ask(study, watch)?;
     let answer = json!(shown);
-    // Formulas in another notation are copied, and not shown.
+    // Formulas in other notations are only copied by the user, so they have no HTML.
     let html = (asked.form == ShowForm::Latex).then(|| formulas(shown, asked.jacobian));
     let parameters = study.parameters().to_vec();
     let values = parameters.iter().cloned().zip(study.valued());
@@ -197,7 +205,7 @@ fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Repl
     Ok(Reply { answer, html, parameters, values, lifted: lifted(study)?, ..Reply::default() })
 }
 
-/// The lift of the field; null of a field that is quadratic as it was written.
+/// Returns the lift of the field as JSON; null for a field that is quadratic as written.
 fn lifted(study: &Study) -> Result<Value, StudyError> {
     let is_quadratic = study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time);
     let Some(found) = study.lift_found(None)?.filter(|_| !is_quadratic) else { return Ok(Value::Null) };
@@ -210,7 +218,7 @@ fn lifted(study: &Study) -> Result<Value, StudyError> {
     }))
 }
 
-/// The rows of an orbit in doubles, each column after the other.
+/// Returns the rows of an orbit in doubles, one column after the other.
 fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, StudyError> {
     let Orbited { head, rows, ending } = asked.begin_in_doubles(study)?.in_memory(watch);
     let mut columns = Vec::with_capacity(rows.count() * rows.values.len());
@@ -226,8 +234,8 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
     Ok(Reply { answer, columns, ..Reply::default() })
 }
 
-/// The errors of the relations along an orbit of Kahan's map, in equal parts of it; those that it
-/// does not reach have none.
+/// Returns the errors of the relations along an orbit of Kahan's map, in equal parts of the orbit.
+/// Parts that the orbit does not reach have no errors.
 fn relations(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
     let seen = study.relation_errors(&asked.at, &asked.eps, asked.steps, PARTS)?;
     let padded = |errors: &Vec<f64>| {

@@ -1,10 +1,10 @@
-//! What the page's worker calls, and what it lends: a clock, an ear for progress, and one for
-//! findings.
+//! The functions that the page's worker calls, and the functions that the worker provides: a clock,
+//! and receivers of progress and findings.
 //!
-//! A question is a text: the worker asks for `room`, writes the text there, calls `ask`, and reads
-//! the answer at `answer` and the columns at `columns`, each with its length. What it was given
-//! before is no longer valid then. `unsafe` are the names of what is exported, of which no library
-//! below has one.
+//! A question is a text. The worker asks for memory by `room`, writes the text there, and calls
+//! `ask`. It then reads the answer at `answer` and the columns at `columns`, each with its length.
+//! Pointers from earlier calls are no longer valid then. Only the exported names need `unsafe`; the
+//! libraries below export none.
 #![allow(unsafe_code)]
 
 use std::cell::RefCell;
@@ -16,19 +16,19 @@ use serde_json::json;
 
 use crate::ask::{Answered, Asker};
 
-// SAFETY: the worker brings functions with these signatures, and none of them touches what is ours:
-// they read `length` bytes from `text` on, which stay as they are while they run.
+// SAFETY: the worker provides functions with these signatures. They only read `length` bytes from
+// `text` on, which do not change during the call, and do not touch other memory of this module.
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
-    /// The milliseconds since the worker began.
+    /// Returns the milliseconds since the worker began.
     safe fn now() -> f64;
-    /// Hears how far work is, or why it failed, as JSON.
+    /// Receives the progress of work, or the reason why it failed, as JSON.
     safe fn look(text: *const u8, length: usize);
-    /// Hears of a finding, as JSON.
+    /// Receives a finding, as JSON.
     safe fn found(text: *const u8, length: usize);
 }
 
-/// The worker.
+/// The page's worker as a watch.
 struct Page;
 
 impl Watch for Page {
@@ -60,9 +60,9 @@ thread_local! {
     static STATE: RefCell<State> = RefCell::default();
 }
 
-// SAFETY of the exports: no other crate here exports these names.
+// SAFETY of the exported functions: no other crate here exports these names.
 
-/// Where the worker writes a question of so many bytes.
+/// Returns the address at which the worker writes a question of `length` bytes.
 #[unsafe(no_mangle)]
 extern "C" fn room(length: usize) -> *mut u8 {
     STATE.with_borrow_mut(|state| {
@@ -72,10 +72,10 @@ extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// Answers the question, and gives the length of the answer.
+/// Answers the question, and returns the length of the answer in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn ask() -> usize {
-    // A panic ends the worker; the page is told why before that.
+    // A panic ends the worker. Before that, the page is told the reason.
     std::panic::set_hook(Box::new(|panic| {
         let text = json!({"failed": panic.payload_as_str()}).to_string();
         look(text.as_ptr(), text.len());
@@ -86,19 +86,19 @@ extern "C" fn ask() -> usize {
     })
 }
 
-/// Where the answer stands.
+/// Returns the address of the answer.
 #[unsafe(no_mangle)]
 extern "C" fn answer() -> *const u8 {
     STATE.with_borrow(|state| state.answered.json.as_ptr())
 }
 
-/// Where the columns stand.
+/// Returns the address of the columns.
 #[unsafe(no_mangle)]
 extern "C" fn columns() -> *const f64 {
     STATE.with_borrow(|state| state.answered.columns.as_ptr())
 }
 
-/// How many floats these are.
+/// Returns the number of floats in the columns.
 #[unsafe(no_mangle)]
 extern "C" fn floats() -> usize {
     STATE.with_borrow(|state| state.answered.columns.len())

@@ -1,10 +1,10 @@
-//! The border between a browser's tab and the project's libraries: JSON in, JSON out.
+//! The interface between a browser's tab and the project's libraries; both sides exchange JSON.
 //!
-//! In: a subject and a question of `kahan-study`, as JSON. Out: the answer as JSON, with HTML where
-//! `kahan-draw` sets or draws it; of an orbit the columns, too, as floats, since text of a hundred
-//! thousand points would take longer than the points. [`Asker`] answers; `border` is what
-//! the page's worker calls, and the only file with `unsafe`. This crate must not know mathematics,
-//! nor what the page looks like.
+//! In: a subject and a question of `kahan-study`, as JSON. Out: the answer as JSON, with HTML if
+//! `kahan-draw` can show it. For an orbit also the columns as floats, since text of a hundred
+//! thousand points would be slow. [`Asker`] answers. `border` has the functions that the page's
+//! worker calls, and is the only file with `unsafe`. This crate must not know mathematics, nor the
+//! look of the page.
 
 mod ask;
 mod plane;

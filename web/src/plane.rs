@@ -1,5 +1,5 @@
-//! The field in a plane of two variables, for its directions and nullclines, the integrals of its map
-//! there, and the equilibria of the field with their eigenvalues.
+//! Computes the field in a plane of two variables, for arrows and nullclines; the integrals of the
+//! map in this plane; and the equilibria of the field with their eigenvalues.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Orbit, Study, StudyError};
@@ -7,24 +7,25 @@ use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-/// A plane and the points in it.
+/// A plane, and the points in it at which values are computed.
 #[derive(Deserialize)]
 pub(crate) struct Plane {
-    /// The point, a coordinate for each variable, through which the plane goes.
+    /// A point in the plane, with a coordinate for each variable.
     at: Vec<f64>,
-    /// The places of the two variables that vary.
+    /// The indices of the two variables that vary.
     axes: [usize; 2],
-    /// The least and the greatest value of each of the two.
+    /// The smallest and the largest value of each of the two variables.
     window: [[f64; 2]; 2],
-    /// Points in each direction.
+    /// The number of points in each direction.
     points: [usize; 2],
-    /// An orbit that keeps integrals, where their values are wanted.
+    /// An orbit whose preserved integrals are wanted; `None` if none are wanted.
     pub(crate) orbit: Option<Orbit>,
 }
 
-/// Columns of f in both directions, and of each integral, at all points, row by row from the lowest,
-/// and the equilibria: `{"equilibria": [{"at": […], "eigenvalues": [[re, im], …]}, …]}`. Points
-/// without a value of a lift's function have none of the field.
+/// Returns columns and equilibria. The columns hold both components of f, and each integral, at all
+/// points, row by row from the lowest. Equilibria are `{"equilibria": [{"at": […], "eigenvalues":
+/// [[re, im], …]}, …]}`. At a point where a function of a lift is undefined, the field is
+/// undefined, too.
 pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), StudyError> {
     let map = study.map()?.at(0.0);
     let parameters: Vec<f64> = study.values()?.iter().map(Rational::to_f64).collect();
@@ -57,7 +58,8 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
         }
     }
     let mut equilibria: Vec<Equilibrium> = Vec::new();
-    // A lift has equilibria off its relations, which are none of the original equations.
+    // A lifted field has equilibria off its relations; these are not equilibria of the original
+    // equations.
     if study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time) {
         let step = |x: &[f64]| {
             let (mut value, mut derivative) = (vec![0.0; count], vec![0.0; count * count]);
@@ -79,19 +81,20 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
     Ok((json!({"equilibria": found.collect::<Vec<_>>()}), columns.concat()))
 }
 
-/// Equilibria that are told, at most; some fields have whole curves of them.
+/// The largest number of equilibria in an answer, because some fields have whole curves of them.
 const MOST: usize = 12;
-/// Steps of Newton's method.
+/// The largest number of steps of Newton's method.
 const STEPS: usize = 60;
 
 struct Equilibrium {
     at: Vec<f64>,
-    /// Real and imaginary parts of the eigenvalues of f′.
+    /// The real and imaginary parts of the eigenvalues of f′.
     eigenvalues: Vec<[f64; 2]>,
 }
 
 impl Equilibrium {
-    /// The equilibrium that Newton's method finds from a point, where f′ is regular on the way.
+    /// Returns the equilibrium that Newton's method finds from a point; `None` if f′ is singular on
+    /// the way, or if the method does not converge.
     fn near(start: Vec<f64>, step: &impl Fn(&[f64]) -> (DVector<f64>, DMatrix<f64>)) -> Option<Self> {
         let mut x = DVector::from_vec(start);
         for _ in 0..STEPS {

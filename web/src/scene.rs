@@ -1,19 +1,20 @@
-//! What a picture of a field begins with: values of parameters that have none, ε, first points
-//! whose orbits stay, and the two variables in which most of them are wide.
+//! Chooses the begin of a picture of a field: ε, values of parameters that have none, first points
+//! whose orbits stay bounded, and the two variables in which most orbits are wide.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{ShownOrbit, Study, StudyError};
 use serde_json::{Map, Value, json};
 
-/// Orbits that a picture begins with, at most.
+/// The largest number of orbits with which a picture begins.
 const ORBITS: usize = 5;
-/// The share of the picture's area that the box of an orbit has at least.
+/// The smallest share of the picture's area that the box around an orbit must have.
 const SHARE: f64 = 0.25;
-/// First points as multiples of one that stays, in the order in which they are preferred.
+/// The multiples of a suitable first point that are tried as further first points, in order of
+/// preference.
 const MULTIPLES: [(i64, i64); 11] =
     [(3, 4), (1, 2), (5, 4), (3, 2), (7, 8), (9, 8), (2, 1), (1, 4), (-1, 2), (-3, 4), (-1, 1)];
-/// Values of parameters that are tried, one after the other, again from the first where there are
-/// more parameters.
+/// The values of parameters that are tried, one row after the other. If there are more parameters
+/// than values in a row, the row is repeated.
 const VALUES: [&[(i64, i64)]; 4] = [
     &[(1, 1)],
     &[(1, 1), (1, 2), (1, 3), (2, 3), (1, 4)],
@@ -21,14 +22,14 @@ const VALUES: [&[(i64, i64)]; 4] = [
     &[(1, 5), (3, 5), (2, 5), (4, 5)],
 ];
 
-/// Chooses a scene. Costs some dozens of orbits of four thousand steps.
+/// Chooses a scene for a picture. Costs some dozens of orbits of four thousand steps.
 pub(crate) fn scene(study: &Study) -> Result<Value, StudyError> {
     let (values, study, shown) = with_values(study)?;
     let mut stay: Vec<ShownOrbit> = Vec::new();
     if shown.stays {
         stay.push(shown.clone());
         for start in starts(&shown.start) {
-            // A function of a lift may have no value there.
+            // A function of a lift may be undefined at this start.
             let Ok(orbit) = study.shown_orbit(Some(&shown.eps), Some(&start)) else { continue };
             if orbit.stays && orbit.eps == shown.eps {
                 stay.push(orbit);
@@ -40,7 +41,7 @@ pub(crate) fn scene(study: &Study) -> Result<Value, StudyError> {
         chosen =
             std::iter::once(shown.start.clone()).chain(starts(&shown.start).into_iter().take(2)).collect();
     }
-    // A first point that stands in the text itself is the first.
+    // If the text itself gives a first point, this point comes first.
     if let Some(own) = study.start() {
         chosen.retain(|start| *start != own);
         chosen.insert(0, own);
@@ -55,8 +56,9 @@ fn joined(point: &[Rational]) -> String {
     point.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
 }
 
-/// The first values of the parameters without one at which an orbit stays, or the first of all, the
-/// study at these values, and the orbit.
+/// Returns values for the parameters that have none, the study at these values, and an orbit. The
+/// values are the first ones for which an orbit stays bounded; if there are none, the first ones of
+/// all.
 fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit), StudyError> {
     let valued = study.valued();
     let missing = study.parameters().iter().zip(valued).filter(|(_, value)| value.is_none());
@@ -83,11 +85,11 @@ fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit),
     Ok(first.expect("some values were tried"))
 }
 
-/// Coordinates of the first point that is tried before all others.
+/// The coordinates of the first point that is tried before all others.
 const UNITS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 
-/// The orbit of a point of size 1 where that stays and is wide, even if it comes to rest, or else
-/// the library's choice, which goes on moving.
+/// Returns the orbit of a point of size 1 if it stays bounded and is wide, even if it comes to
+/// rest. Otherwise returns the library's choice, an orbit that keeps moving.
 fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
     if let Some(own) = study.start().or_else(|| study.lift_start()) {
         return study.shown_orbit(None, Some(&own));
@@ -105,7 +107,7 @@ fn first_orbit(study: &Study) -> Result<ShownOrbit, StudyError> {
     }
 }
 
-/// First points beside one: multiples of it, and points with one coordinate changed.
+/// Returns further first points: multiples of a given one, and points with one coordinate changed.
 fn starts(start: &[Rational]) -> Vec<Vec<Rational>> {
     let multiples = MULTIPLES.iter().map(|&(above, below)| {
         let times = Rational::new(above, below);
@@ -121,8 +123,8 @@ fn starts(start: &[Rational]) -> Vec<Vec<Rational>> {
     multiples.chain(changed).collect()
 }
 
-/// The pair of variables in which most orbits are wide, none for a field of one variable, and the
-/// first points of these orbits.
+/// Returns the pair of variables in which most orbits are wide, and the first points of these
+/// orbits. For a field of one variable, the pair is empty.
 fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Rational>>) {
     if variables < 2 {
         return (Vec::new(), wide(orbits, &[0]));
@@ -138,8 +140,8 @@ fn plane(orbits: &[ShownOrbit], variables: usize) -> (Vec<usize>, Vec<Vec<Ration
     best
 }
 
-/// The most orbits, and at most [`ORBITS`], whose boxes each have a [`SHARE`] of the box around all
-/// of them.
+/// Returns the first points of as many orbits as possible, at most [`ORBITS`]. The box of each of
+/// these orbits has at least a [`SHARE`] of the box around all of them.
 fn wide(orbits: &[ShownOrbit], axes: &[usize]) -> Vec<Vec<Rational>> {
     let boxes: Vec<Vec<[f64; 2]>> =
         orbits.iter().map(|orbit| axes.iter().map(|&k| orbit.extremes[k]).collect()).collect();

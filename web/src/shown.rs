@@ -1,4 +1,4 @@
-//! Answers as HTML for the page, set and drawn by `kahan-draw`.
+//! Shows answers as HTML for the page, by means of `kahan-draw`.
 
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::{JACOBIAN, LINE, display};
@@ -10,8 +10,8 @@ use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;
 
-/// The field, A, b, the map, the claims that came with the field; or the Jacobian, where it is
-/// asked for. What is shown is LaTeX.
+/// Returns the field, A, b, the map, and the claims that came with the field; if `of_jacobian`,
+/// returns the Jacobian instead. The formulas in `shown` are LaTeX.
 pub(crate) fn formulas(shown: ShownField, of_jacobian: bool) -> String {
     match shown {
         ShownField::Formulas(sheet) if of_jacobian => jacobian(&sheet).into_string(),
@@ -19,7 +19,8 @@ pub(crate) fn formulas(shown: ShownField, of_jacobian: bool) -> String {
     }
 }
 
-/// The Jacobian of the map, or how it is found where an entry is too long.
+/// Returns the Jacobian of the map. If an entry is too long, returns the formula by which it is
+/// computed.
 fn jacobian(sheet: &FormulaSheet) -> Markup {
     html! {
         (display(JACOBIAN, LINE))
@@ -31,17 +32,17 @@ fn jacobian(sheet: &FormulaSheet) -> Markup {
     }
 }
 
-/// The new variables of a lift, the relations and their fates.
+/// Returns the new variables of a lift, the relations, and the behaviour of their errors.
 pub(crate) fn lift(found: &LiftFound) -> String {
     answer::lift(found).into_string()
 }
 
-/// What an answer says on a page.
+/// Returns the HTML that shows an answer on a page.
 pub(crate) fn part(answer: &Answer) -> String {
     answer::html(answer).map_or_else(String::new, Markup::into_string)
 }
 
-/// The heights of an exact orbit as a picture.
+/// Returns a picture of the heights of an exact orbit.
 pub(crate) fn heights(found: &HeightsFound, eps: &Rational) -> String {
     picture::heights(found, eps, &PictureOptions::on(Paper::page(480, 320))).drawing.inline().into_string()
 }

@@ -1,11 +1,12 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages.
 //!
 //! In: arguments. Out: text, JSON or files. `reading` turns arguments into checked systems and
-//! numbers; each module of `commands` asks a library, and returns an `Answer` or a `UsageError`. Only
-//! [`run`] prints, except for rows of long tables, which go to an `OutputStream`. The exit status is 0, 1
-//! for a failed check or a pole, or 2 for wrong usage or input. Mathematics is deliberately absent.
+//! numbers. Each module of `commands` asks a library, and returns an `Answer` or a `UsageError`.
+//! Only [`run`] prints, except for the rows of long tables, which go to an `OutputStream`. The exit
+//! status is 0 for success, 1 for a failed check or a pole, and 2 for wrong usage or input.
+//! Mathematics is deliberately absent.
 
-// Modules from bottom to top: each uses only those above (`tests/tests/layers.rs`).
+// Modules are listed from bottom to top: each uses only modules above it (`tests/tests/layers.rs`).
 
 mod printing;
 
@@ -59,7 +60,7 @@ Examples:
 
 `kahan COMMAND --help` lists options and examples, `kahan help COMMAND` explains them.";
 
-/// Runs the command with these arguments, of which the first is the name of the program. Prints to
+/// Runs the command with these arguments; the first one is the name of the program. Prints to
 /// standard output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(status(arguments))
@@ -78,15 +79,15 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // A term may have been refused because a variable was misspelled; the notes show undeclared
-    // names.
+    // The notes show undeclared names. They help if a term was refused because a variable was
+    // misspelled.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));
     status
 }
 
-/// Returns notes on how the field was read, for commands that take one.
+/// Returns notes on how the field was read; `None` for commands without a field.
 fn notes(matches: &ArgMatches) -> Option<Vec<String>> {
     let (_, matches) = matches.subcommand()?;
     let takes_field = matches.try_contains_id("field").is_ok() && matches.try_contains_id("sites").is_ok();
@@ -95,7 +96,7 @@ fn notes(matches: &ArgMatches) -> Option<Vec<String>> {
     Some(source.notes(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>()))
 }
 
-/// Lists the groups of commands, each command with its description up to a colon.
+/// Lists the commands by groups, each with its description up to the first colon.
 fn grouped(command: &clap::Command) -> String {
     let line = |name: &&str| {
         let about = command.find_subcommand(name)?.get_about()?.to_string();
@@ -107,7 +108,7 @@ fn grouped(command: &clap::Command) -> String {
     GROUPS.iter().map(group).collect()
 }
 
-/// Builds the command line. `--help` fits a screen; `kahan help COMMAND` shows all.
+/// Builds the command line. `--help` prints what fits on a screen; `kahan help COMMAND` prints all.
 fn command() -> clap::Command {
     let cli = Cli::command();
     let groups = grouped(&cli);
@@ -130,7 +131,8 @@ fn command() -> clap::Command {
     })
 }
 
-/// Turns help and version into answers, and each other message of clap into one paragraph.
+/// Turns help and version into answers, and every other message of clap into a refusal of one
+/// paragraph.
 fn usage(error: &clap::Error, command: &str) -> Result<Answer, UsageError> {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
@@ -138,7 +140,7 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, UsageError> {
     }
     let is_end = |line: &str| line.starts_with("Usage:") || line.starts_with("For more");
     let lines = text.lines().map(str::trim).take_while(|line| !is_end(line));
-    // Omit the tip on passing a flag as a value, which does not help here.
+    // Clap's tip on passing a flag as a value does not help here, so it is left out.
     let said = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"));
     let said = joined(said, " ").replace(" tip: ", "; ");
     let said = said.trim_start_matches("error: ");

@@ -1,4 +1,4 @@
-//! The examples of the README and of the book in `docs/`.
+//! Tests the examples in the README and in the book in `docs/`.
 //!
 //! A `console` block is run and must print its text; a `sh` block is only shown. `docs/check` runs
 //! this test with the release binary; `TRYCMD=overwrite docs/check` updates the texts.
@@ -49,7 +49,7 @@ fn the_examples_print_what_stands_in_them() {
     cases.run();
 }
 
-/// Unknown kinds of blocks fail, so that no example is skipped by mistake.
+/// Unknown kinds of blocks fail the test, so that no example is skipped by mistake.
 #[test]
 fn every_block_is_of_a_known_kind() {
     let doctests = read(Path::new("tests/src/readmes.rs"));
@@ -79,7 +79,8 @@ fn every_command_has_its_help_in_the_reference() {
     }
 }
 
-/// Each row has a call and the members of the object that it prints, in order.
+/// Each row of the table has a command, and the members of the object that the command prints, in
+/// order.
 #[test]
 fn the_objects_have_the_members_that_the_reference_lists() {
     let reference = read(Path::new("docs/reference/commands.md"));

@@ -1,8 +1,8 @@
 //! Drawings with axes: points in the plane, orbits in space, and grids of numbers.
 //!
-//! A description ([`Plot`], [`SpacePlot`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or a
-//! file as SVG, PNG or PDF. Lengths are units of the view box; a small box keeps text legible on
-//! telephones.
+//! A description ([`Plot`], [`SpacePlot`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or
+//! a file as SVG, PNG or PDF. Lengths are in units of the view box; a small view box keeps text
+//! legible on telephones.
 
 #[cfg(test)]
 mod colour_vision;
@@ -83,7 +83,7 @@ impl Mark {
         }
     }
 
-    /// Returns the width of lines in a colour; the sixth colour marks references.
+    /// Returns the width of lines in a colour. The sixth colour is for references.
     fn line(self, colour: usize) -> f64 {
         match self {
             Mark::Band => 7.0,
@@ -95,7 +95,8 @@ impl Mark {
         }
     }
 
-    /// Returns the dashes of lines (with round caps), which tell the colours apart in grey print.
+    /// Returns the dash pattern of lines (with round caps), by which colours can be told apart in
+    /// grey print.
     fn dashes(self, colour: usize) -> Option<&'static str> {
         match (self, colour) {
             (Mark::Level, _) => Some("5 4"),
@@ -108,13 +109,14 @@ impl Mark {
 /// Points drawn in one style.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// The label in the legend; empty for none.
+    /// The label in the legend; if empty, the legend omits the series.
     pub label: String,
     /// The colour, 1 to 6.
     pub colour: usize,
     /// The style.
     pub mark: Mark,
-    /// The points (x, y) in units of the axes. Points outside are omitted, and lines are clipped.
+    /// The points (x, y) in units of the axes. Points outside of the axes are omitted, and lines
+    /// are clipped.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -144,13 +146,13 @@ impl Series {
 pub struct Plot {
     /// The description for screen readers.
     pub description: String,
-    /// The sheet to draw on.
+    /// The canvas to draw on.
     pub sheet: Canvas,
     /// The horizontal axis.
     pub x: NumberLine,
     /// The vertical axis.
     pub y: NumberLine,
-    /// The series in drawing order; later ones cover earlier ones.
+    /// The series, in drawing order; later series cover earlier ones.
     pub series: Vec<Series>,
     /// A note after the legend; may be empty.
     pub note: String,
@@ -249,7 +251,8 @@ const TOP: f64 = 12.0;
 const BOTTOM: f64 = 42.0;
 
 impl Frame {
-    /// Returns the largest frame with room for labels, `above` for a legend, `beside` on the right.
+    /// Returns the largest frame that leaves room for labels, for a legend of height `above`, and
+    /// `beside` on the right.
     fn around(sheet: Canvas, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
         let (across, upwards) = sheet.view_box;
         let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
@@ -284,7 +287,7 @@ impl Frame {
         )
     }
 
-    /// Returns the vertical extent for names beside the frame.
+    /// Returns the vertical range that names beside the frame may fill.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }
@@ -308,7 +311,8 @@ impl Frame {
     }
 }
 
-/// Draws the name of an axis, centred at a position as far as its extent permits.
+/// Draws the name of an axis. The name is centred at a position if the range from `from` to `to`
+/// permits this.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
     let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
@@ -318,9 +322,9 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
     Paint::NAMES.group(theme, &text(place, turn, "middle", size, &words))
 }
 
-/// Returns positions and labels of an axis's ticks, as many as fit without overlap.
+/// Returns positions and labels of an axis's ticks; there are as many as fit without overlap.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
-    /// The height of a line, and the gap between labels.
+    /// The height of a line of labels; also the smallest gap between labels.
     const LINE: f64 = 14.0;
     const FREE: f64 = 7.0;
 

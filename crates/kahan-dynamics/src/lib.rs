@@ -4,6 +4,8 @@
 //! [`Setting`] for a [`Scene`]; cycles and their branches ([`periodic`]); a [`Flow`]. Maps from
 //! text, plans and machine code belong to `kahan-runtime`.
 //!
+//! # Example
+//!
 //! ```
 //! use kahan_core::prelude::*;
 //! use kahan_dynamics::prelude::*;
@@ -23,7 +25,8 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// Modules from bottom to top: each imports only from those above (`tests/tests/layers.rs`).
+// Modules are listed from bottom to top: each imports only from modules above it
+// (`tests/tests/layers.rs`).
 mod flow;
 
 pub mod periodic;

@@ -1,4 +1,4 @@
-//! Values survive being written as JSON and read again.
+//! Tests that values do not change if they are written as JSON and read again.
 
 use std::fmt::Debug;
 use std::ops::ControlFlow;

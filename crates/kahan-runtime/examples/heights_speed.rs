@@ -1,4 +1,5 @@
-//! Times the paper's Diophantine tests, with all heights at each step; prints the best of three.
+//! Times the paper's Diophantine tests, which compute all heights at each step. Prints the best of
+//! three times.
 //!
 //! `cargo run --release -p kahan-runtime --example heights_speed`
 

@@ -1,10 +1,10 @@
-//! The error for claims that a field does not make.
+//! The error for requests of claims that a field does not make.
 
 use core::fmt;
 
 use crate::DimensionError;
 
-/// The reason why a claim of a field has no value.
+/// The reason why a claim of a field cannot be evaluated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ClaimError {

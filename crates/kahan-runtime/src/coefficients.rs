@@ -1,4 +1,4 @@
-//! Fields given by their coefficients: arrays c, B and Q of ẋ = c + Bx + Q(x, x).
+//! Fields given by their coefficients: arrays c, B and Q of the field ẋ = c + Bx + Q(x, x).
 
 use std::fmt;
 
@@ -11,7 +11,8 @@ use kahan_core::nalgebra::{Dim, Matrix};
 
 use crate::{Diagnostics, Field, FieldText};
 
-/// The coefficients of a field, from which it is built without a text. Each float is taken exactly.
+/// The coefficients of a field, which define the field without a text. Each float stands for its
+/// exact value.
 ///
 /// ```
 /// use kahan_runtime::Coefficients;
@@ -24,15 +25,17 @@ use crate::{Diagnostics, Field, FieldText};
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     symbols: Symbols,
-    /// For each component its coefficients, each with the monomial as key.
+    /// For each component its coefficients; the key of a coefficient is its monomial.
     components: Vec<Vec<(TermKey, f64)>>,
 }
 
-/// A monomial packed into an integer: two states in increasing order, then a parameter, [`BITS`]
-/// bits each. A single state is the second. Monomials are ordered as a polynomial's terms.
+/// A monomial packed into an integer: two states in increasing order, then a parameter, with
+/// [`BITS`] bits each. A single state takes the second position. Keys are ordered like the terms of
+/// a polynomial.
 type TermKey = u64;
 
-/// The bits of an index in a packed monomial; states and parameters have indices of at most 16.
+/// The number of bits of an index in a packed monomial. Indices of states and parameters need at
+/// most 16 bits.
 const BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
 const NONE: TermKey = (1 << BITS) - 1;
@@ -51,9 +54,9 @@ fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> TermKey {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CoefficientError {
-    /// The field has no component, state or parameter with this index.
+    /// An index is too large: the field has no component, state or parameter with this index.
     OutOfRange {
-        /// `"component"`, `"state"` or `"parameter"`.
+        /// The kind of the index: `"component"`, `"state"` or `"parameter"`.
         what: &'static str,
         /// The index, from 0 on.
         index: usize,
@@ -71,7 +74,7 @@ pub enum CoefficientError {
         array: &'static str,
         /// The array's length.
         found: usize,
-        /// The accepted lengths.
+        /// The lengths that the array may have.
         wanted: Vec<usize>,
     },
 }
@@ -96,7 +99,7 @@ impl fmt::Display for CoefficientError {
 impl std::error::Error for CoefficientError {}
 
 impl Coefficients {
-    /// Returns the field ẋ = 0 in these states and parameters.
+    /// Returns the field ẋ = 0 with these states and parameters.
     ///
     /// # Errors
     /// [`Diagnostics`] for a name that is not allowed, or that occurs twice.
@@ -109,7 +112,7 @@ impl Coefficients {
             states: own(states.into_iter().collect()),
             parameters: own(parameters.into_iter().collect()),
         };
-        // The parser checks names, so parse a field with these names.
+        // The parser checks names, so a small field with these names is parsed.
         let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
         let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
         FieldText::new(equations, "names".to_owned()).unproved_system()?;
@@ -121,7 +124,7 @@ impl Coefficients {
         Coefficients { symbols, components }
     }
 
-    /// Adds a coefficient: of c without states, of B with one state, of Q with two states.
+    /// Adds a coefficient: to c if no state is given, to B for one state, to Q for two states.
     ///
     /// # Errors
     /// [`CoefficientError`] if the value is not finite, or an index is out of range.
@@ -148,7 +151,7 @@ impl Coefficients {
         Ok(())
     }
 
-    /// Returns the field with an equivalent text.
+    /// Returns the field with a text of its equations.
     #[must_use]
     pub fn text(self) -> FieldText {
         FieldText::of_system(self.system(), "field".to_owned())
@@ -159,7 +162,8 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // The sum of two equal halves of a symmetric array is exact, unless it overflows.
+            // In a symmetric array, two equal halves make one coefficient. Their sum is exact,
+            // unless it overflows.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };
@@ -209,9 +213,10 @@ impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for A
 impl Field {
     /// Builds the field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn.
     ///
-    /// Arrays are slices, row by row, or matrices of nalgebra; floats are taken exactly. An empty
-    /// array stands for 0; at least one array has numbers. Q has n³ numbers, or n²(n + 1)/2: then
-    /// each row has the coefficients of xⱼxₖ with k ≤ j, as in operator inference.
+    /// Arrays are slices, row by row, or matrices of nalgebra; each float stands for its exact
+    /// value. An empty array stands for 0, but at least one array must have numbers. Q has n³
+    /// numbers, or n²(n + 1)/2 numbers; in the shorter form each row has the coefficients of xⱼxₖ
+    /// with k ≤ j, as in operator inference.
     ///
     /// # Errors
     /// [`CoefficientError`] for an array of another length, and for a number that is not finite.

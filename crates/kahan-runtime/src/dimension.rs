@@ -13,10 +13,10 @@ pub struct DimensionError {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Argument {
     State,
-    /// The slice for the result.
+    /// The slice into which the result is written.
     Out,
     Carry,
-    /// The slice for points, one after the other.
+    /// The slice that holds points, one after the other.
     Rows,
     Weights,
     Columns,
@@ -26,7 +26,7 @@ pub(crate) enum Argument {
     Parameters,
     Parameter(String),
     Type,
-    /// A step with a guaranteed error bound.
+    /// A step with a guaranteed error bound, for which the dimension is too large.
     Promise,
 }
 
@@ -45,8 +45,8 @@ impl DimensionError {
         self.found
     }
 
-    /// Returns the number of entries needed: for arguments that trajectories may share, the number
-    /// of trajectories; for rows, the length of a row.
+    /// Returns the number of entries that the argument needs. For an argument that trajectories may
+    /// share, this is the number of trajectories; for rows, the length of a row.
     #[must_use]
     pub fn expected(&self) -> usize {
         self.expected

@@ -1,14 +1,14 @@
-//! The reasons why an orbit ends, with the number of steps made.
+//! The reasons why an orbit ends; each holds the number of steps that were made.
 
 /// The reason why an orbit ended, with the number of steps to its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// All requested steps were made.
     Complete,
-    /// The next point is not finite in floats: a pole, or overflow. A nonfinite start ends the
-    /// orbit after 0 steps.
+    /// The next point is not finite in floats, because of a pole or overflow. An orbit with a
+    /// nonfinite start ends after 0 steps.
     Range(u64),
-    /// The next point does not exist in exact numbers: det A = 0.
+    /// In exact numbers the next point does not exist, since det A = 0.
     Pole(u64),
     /// A variable of the last point exceeds the requested bound.
     Escaped(u64),
@@ -16,12 +16,12 @@ pub enum End {
     Reembed(u64),
     /// The time limit was reached.
     Time(u64),
-    /// The observers were done, or the watch stopped the run.
+    /// The observers needed no further points, or the watch stopped the run.
     Stopped(u64),
 }
 
 impl End {
-    /// Returns the name in results.
+    /// Returns the name of the end in results.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -49,7 +49,8 @@ impl End {
         }
     }
 
-    /// Returns the end relative to a start `before` steps earlier.
+    /// Returns the end with `before` added to its number of steps, for steps made before the start
+    /// of the run.
     #[must_use]
     pub fn after(self, before: u64) -> Self {
         match self {
@@ -63,7 +64,8 @@ impl End {
         }
     }
 
-    /// Returns whether the orbit ended early without being stopped; its results are then undefined.
+    /// Returns whether the orbit ended early without being stopped. Results that need all steps are
+    /// then undefined.
     #[must_use]
     pub fn is_early(self) -> bool {
         !matches!(self, Self::Complete | Self::Stopped(_))

@@ -9,7 +9,8 @@ use crate::engine::Engine;
 use crate::parameters::values_of;
 use crate::{Diagnostics, FieldText, Map, ParameterError, ParameterValue};
 
-/// A quadratic vector field with its derived map. Clones share all derived data, across threads.
+/// A quadratic vector field with its derived map. All clones, on all threads, share the derived
+/// data.
 #[derive(Clone, Debug)]
 pub struct Field {
     pub(crate) engine: Arc<Engine>,
@@ -36,15 +37,15 @@ impl Field {
         Self::read(&FieldText::new(text.to_owned(), "field".to_owned()))
     }
 
-    /// Reads a field from a named text, or a part of one, and proves its claims.
+    /// Reads a field from a named text, or from a passage of it, and proves its claims.
     ///
     /// # Errors
-    /// [`Diagnostics`], like [`parse`](Self::parse).
+    /// [`Diagnostics`], as for [`parse`](Self::parse).
     pub fn read(text: &FieldText) -> Result<Self, Diagnostics> {
         text.system().map(|system| Self::of(&system))
     }
 
-    /// Derives the map of a system, whose claims are not proved again.
+    /// Derives the map of a system; does not prove the claims of the system again.
     #[must_use]
     pub fn of(system: &System) -> Self {
         Field { engine: Arc::new(Engine::new(system)) }
@@ -52,7 +53,7 @@ impl Field {
 
     /// Returns the map at values of the parameters: pairs of names and numbers, in any order.
     ///
-    /// Values may be `f64`, `f32`, integers or rationals; each is rounded once for each scalar.
+    /// Values may be `f64`, `f32`, integers or rationals. In each scalar, a value is rounded once.
     ///
     /// # Errors
     /// [`ParameterError`] for a name that is unknown, missing or given twice, for a value that is
@@ -98,13 +99,13 @@ impl Field {
         self.system().field.components.iter().any(|component| !component.denominator().is_one())
     }
 
-    /// Returns the names of the integrals claimed without `when`, in order.
+    /// Returns the names of the integrals that are claimed without a condition `when`, in order.
     #[must_use]
     pub fn integrals(&self) -> &[String] {
         &self.derived().integral_names
     }
 
-    /// Returns the names of the brackets claimed without `when`, in order.
+    /// Returns the names of the brackets that are claimed without a condition `when`, in order.
     pub fn brackets(&self) -> impl ExactSizeIterator<Item = &str> {
         self.derived().brackets.iter().map(|(name, _)| name.as_str())
     }

@@ -1,8 +1,8 @@
 //! One orbit of any map over floats, followed while its points are finite.
 //!
 //! In: a map, a point, a number of steps, and a watch that may stop the run. Out: the last point,
-//! how the orbit ended, and a report: of observers, or the number of rows of points. The loop is
-//! generic over [`Step`], so that chains, run-time and compiled maps share it.
+//! how the orbit ended, and a report, which comes from observers or is the number of rows. The loop
+//! is generic over [`Step`], so that chains, run-time and compiled maps share it.
 
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
@@ -16,7 +16,7 @@ use crate::{DimensionError, End};
 /// The result of following an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Followed<R> {
-    /// The report of the observers, the number of rows filled, or `()`.
+    /// The report of the observers, or the number of rows that were filled, or `()`.
     pub report: R,
     /// The way in which the orbit ended, with the number of steps.
     pub end: End,
@@ -25,8 +25,8 @@ pub struct Followed<R> {
 /// Follows an orbit from `x` while its points are finite.
 ///
 /// All methods replace `x` by the last finite point, so that the next call continues from there.
-/// Points have the bits of single calls of [`Step::advance`]. A nonfinite start ends the run after
-/// no step: [`End::Range`]`(0)`.
+/// Points have the same bits as after single calls of [`Step::advance`]. If the start is not
+/// finite, the run makes no step and ends with [`End::Range`]`(0)`.
 ///
 /// The `watch` receives the number of steps since its last call, and may stop the run by
 /// [`ControlFlow::Break`]. Calls come every 4096 steps in up to eight variables, more often in more
@@ -34,8 +34,8 @@ pub struct Followed<R> {
 /// nothing else interrupts a run.
 ///
 /// Cost: the steps, a test of each point that is shown, and a copy of the point for each call of
-/// the watch. If an orbit leaves the range of floats, the steps since the last call are made up to
-/// three times.
+/// the watch. If an orbit leaves the range of floats, the steps since the last call of the watch
+/// are made up to three times.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -93,8 +93,8 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
 
     /// Writes every `every`-th point after `x` into `rows`, one row after the other.
     ///
-    /// The report is the number of rows filled: all of them if the orbit is complete. Other rows
-    /// are left unchanged. The next call continues from the point of the last row.
+    /// The report is the number of filled rows; if the orbit is complete, all rows are filled. The
+    /// remaining rows stay unchanged. The next call continues from the point of the last row.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension of the map, or the length of
@@ -142,7 +142,7 @@ fn check_state<S: Step>(map: &S, x: &[S::Scalar]) -> Result<(), DimensionError> 
     DimensionError::check(Argument::State, x.len(), map.dimension())
 }
 
-/// Returns the number of steps between two calls of the watch, some milliseconds at most.
+/// Returns the number of steps between two calls of the watch; they take some milliseconds at most.
 pub(crate) fn pause(variables: usize) -> u64 {
     const MOST: u64 = 4096;
     const FEW: u64 = 8;
@@ -160,7 +160,7 @@ fn run<S: Step<Scalar: FloatScalar>>(
         return End::Range(0);
     }
     let (pause, mut workspace) = (pause(x.len()), Workspace::new());
-    // Floats continue past poles, so only finiteness ends the run.
+    // Float steps continue past poles, so only a nonfinite point ends the run.
     let mut advance = |x: &mut [S::Scalar], steps| {
         let _ = map.advance(x, steps, &mut workspace);
     };
@@ -192,10 +192,10 @@ fn run<S: Step<Scalar: FloatScalar>>(
     End::Complete
 }
 
-/// Returns whether all |xᵢ| ≤ size; `false` if one is NaN.
+/// Returns whether |xᵢ| ≤ `size` for all i; `false` if an xᵢ is NaN.
 #[inline]
 pub(crate) fn is_within<T: Scalar>(x: &[T], size: f64) -> bool {
-    // No early exit, so that the loop is vectorized.
+    // The loop has no early exit, so that the compiler vectorizes it.
     x.iter().fold(true, |all, x| all & (x.approximate().abs() <= size))
 }
 
@@ -204,8 +204,8 @@ pub(crate) fn is_finite<T: Scalar>(x: &[T]) -> bool {
     is_within(x, f64::MAX)
 }
 
-/// Replaces `x` by its last finite point, given that `steps` steps leave the range of floats.
-/// Returns the number of steps to that point.
+/// Replaces `x` by the last finite point of its orbit, which leaves the range of floats within
+/// `steps` steps. Returns the number of steps to that point.
 pub(crate) fn advance_while_finite<T: Scalar + Copy>(
     x: &mut [T],
     steps: u64,
@@ -213,7 +213,7 @@ pub(crate) fn advance_while_finite<T: Scalar + Copy>(
 ) -> u64 {
     let mut before = x.to_vec();
     let powers = (0..=steps.checked_ilog2().unwrap_or(0)).rev();
-    // Binary search: nonfinite points stay nonfinite.
+    // A binary search suffices, because nonfinite points stay nonfinite.
     powers.fold(0, |taken, power| {
         before.copy_from_slice(x);
         advance(x, 1 << power);

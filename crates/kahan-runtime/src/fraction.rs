@@ -1,4 +1,4 @@
-//! Quotients of big integers, and ℚ over them as an arithmetic without gcds.
+//! Quotients of big integers, and an arithmetic of such quotients that computes no gcds.
 
 use core::fmt;
 
@@ -12,7 +12,7 @@ use crate::heights::{denominator, numerator, rational};
 /// A quotient of integers with a nonzero divisor, not necessarily in lowest terms.
 ///
 /// [`ExactOrbit`](crate::orbit::ExactOrbit) returns fractions in lowest terms. `Display` writes
-/// `p/q` or `p`, in almost linear time in the number of digits.
+/// `p/q` or `p`; its time is almost linear in the number of digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {
     above: IBig,
@@ -54,8 +54,8 @@ impl From<&Fraction> for Rational {
     }
 }
 
-/// The arithmetic of ℚ on [`Fraction`]s without gcds. Operations exploit equal denominators,
-/// because all coordinates of a projective point share one.
+/// The arithmetic of rational numbers as [`Fraction`]s, without gcds. Operations exploit equal
+/// denominators, because all coordinates of a projective point share one.
 pub(crate) struct Fractions;
 
 impl Arithmetic for Fractions {
@@ -89,7 +89,7 @@ impl Arithmetic for Fractions {
         if self.is_zero(b) {
             return None;
         }
-        // x/W over y/W is x/y.
+        // The quotient of x/W and y/W is x/y.
         if a.below == b.below {
             return Some(Fraction { above: a.above.clone(), below: b.above.clone() });
         }

@@ -6,6 +6,8 @@
 //! scalar ([`Map::as_kahan_map`]), orbits ([`Follow`]), exact orbits and their heights
 //! ([`heights`]), and chains of a family ([`Lattice`]). The crate does not know the catalog.
 //!
+//! # Example
+//!
 //! Run-time maps and chains are [`Step`](kahan_core::Step)s like compiled maps, so that a program
 //! can choose among them:
 //!

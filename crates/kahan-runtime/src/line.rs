@@ -1,7 +1,8 @@
-//! A plan prepared for evaluation over any scalar, with names resolved and nodes as registers.
+//! A plan prepared for evaluation over any scalar; names are resolved, and each node has a
+//! register.
 //!
-//! In: a plan, then constants and a state in registers of the caller. Out: results. Operations,
-//! order, and therefore bits are those of generated code.
+//! In: a plan; for each evaluation, constants and a state in the caller's registers. Out: results.
+//! Operations and their order are those of generated code, and therefore also the bits.
 
 use std::marker::PhantomData;
 
@@ -16,7 +17,7 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 
 /// A straight-line program with several results.
 ///
-/// Registers, in order: the constants (the parameters and ε, or for a kernel the prepared
+/// The registers hold, in order: the constants (parameters and ε, or for a kernel the prepared
 /// constants), the numbers in the plan, the states (of one or two points), and the computed values.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
@@ -24,7 +25,7 @@ pub(crate) struct Line {
     constants: usize,
     /// The number of constants, including the numbers of the plan.
     given: usize,
-    /// The number of states, over all points that the program reads.
+    /// The number of states, counted over all points that the program reads.
     states: usize,
     has_poles: bool,
 }
@@ -104,7 +105,7 @@ impl<V: Scalar> Calls<Reciprocal> for Scalars<V> {
 }
 
 impl Line {
-    /// Prepares a plan of states, parameters and ε; divisions become quotients.
+    /// Prepares a plan whose inputs are states, parameters and ε; divisions become quotients.
     pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
@@ -192,12 +193,12 @@ impl Line {
         self.program.operations.len()
     }
 
-    /// Returns ε, the last of the constants except in kernels.
+    /// Returns ε. Except in kernels, ε is the last of the constants.
     pub(crate) fn eps<V: Clone>(&self, registers: &[V]) -> V {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the program in its registers; `None` at a division by zero without value.
+    /// Runs the program in its registers; `None` if a division by zero has no value in the scalar.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,
@@ -233,7 +234,7 @@ impl Line {
     /// Runs the program once, after resizing the registers.
     ///
     /// # Panics
-    /// At a division by zero without value.
+    /// If a division by zero has no value in the scalar.
     pub(crate) fn values<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],
@@ -264,7 +265,7 @@ impl<'a, V: Clone> Results<'a, V> {
     }
 }
 
-/// Unwraps a value: always present over floats, and over exact scalars where the field is defined.
+/// Unwraps a value. Floats always have a value, and exact scalars have one if the field is defined.
 ///
 /// # Panics
 /// If the value is `None`.

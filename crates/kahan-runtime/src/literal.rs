@@ -4,12 +4,12 @@ use kahan_algebra::rational::Rational;
 use kahan_core::{Constant, Scalar};
 use smallvec::{SmallVec, smallvec};
 
-/// A number of a field's text, in the form that generated code writes for it.
+/// A number in a field's text, in the form that generated code writes for the number.
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
     Short(Constant<'static>),
-    /// The 64-bit limbs in little-endian order, the nearest floats, and the remainder after
-    /// `double`.
+    /// A long number: its 64-bit limbs in little-endian order, the nearest floats, and the
+    /// remainder after the double.
     Long {
         negative: bool,
         numerator: SmallVec<[u64; 2]>,
@@ -58,7 +58,7 @@ impl Literal {
     }
 }
 
-/// Returns the scalar nearest to a number, rounded once, as in generated code.
+/// Returns the scalar nearest to a number. As in generated code, the number is rounded once.
 #[must_use]
 pub fn round<T: Scalar>(value: &Rational) -> T {
     T::constant(&Literal::from(value).as_constant())

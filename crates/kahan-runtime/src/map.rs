@@ -51,8 +51,8 @@ impl Map {
         self.at(eps_from_dt(dt))
     }
 
-    /// Prepares the map of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step: states,
-    /// ε and parameters are `f32` numbers stored as `f64`; each step is computed in `f64` and
+    /// Prepares the map of [`ThroughF64`](kahan_core::ThroughF64) at ε, half the time step. States,
+    /// ε and parameters are `f32` numbers stored as `f64`. Each step is computed in `f64` and
     /// rounded once.
     #[must_use]
     pub fn through_f64(&self, eps: f32) -> MapAt<f64> {
@@ -65,10 +65,10 @@ impl Map {
     }
 
     /// Returns the map as a [`KahanMap`](kahan_core::KahanMap) over any scalar in N variables;
-    /// variables beyond the field's stay constant.
+    /// variables that the field does not have stay constant.
     ///
-    /// Code generic over maps then accepts run-time fields: orbits over `BigRational`, the step
-    /// with an error bound, ensembles of points.
+    /// Code that is generic over maps then accepts run-time fields, such as orbits over
+    /// `BigRational`, the step with an error bound, and ensembles of points.
     ///
     /// # Errors
     /// [`DimensionError`] if N is smaller than the number of variables.
@@ -78,8 +78,9 @@ impl Map {
         Ok(Interpreted::of(&self.field.engine, self.parameters.iter().map(round).collect()))
     }
 
-    /// Writes x̃ to `next`, with the error bound and the bits of [`KahanMap::try_step`]: for a
-    /// float, at most 64 u relative to the largest component, or else an inner error.
+    /// Writes x̃ to `next`, with the bits and the error bound of [`KahanMap::try_step`]. For floats
+    /// with unit roundoff u, the error is at most 64 u relative to the largest component; if this
+    /// cannot be guaranteed, returns the inner error.
     ///
     /// Cost: some ten interpreted steps at an ordinary point, and many more near poles.
     ///
@@ -92,7 +93,7 @@ impl Map {
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // The dimension affects only `f32`, which starts in its own precision in up to four
+        // The dimension matters only for `f32`, which starts in its own precision in up to four
         // variables.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),

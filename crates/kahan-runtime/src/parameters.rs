@@ -55,24 +55,24 @@ pub enum ParameterError {
         /// The field's parameters.
         parameters: Vec<String>,
     },
-    /// Parameters without a value.
+    /// Some parameters have no value.
     Missing(
-        /// The names, in order.
+        /// The names of these parameters, in order.
         Vec<String>,
     ),
-    /// A parameter with two values.
+    /// A parameter is given two values.
     Twice(
-        /// The name.
+        /// The name of the parameter.
         String,
     ),
-    /// A parameter whose value is infinite or NaN.
+    /// The value of a parameter is infinite or NaN.
     NotFinite(
-        /// The name.
+        /// The name of the parameter.
         String,
     ),
-    /// Values at which the field divides by zero.
+    /// The field divides by zero at the values of its parameters.
     Undefined(
-        /// Name and value of each parameter.
+        /// The name and the value of each parameter.
         Vec<(String, Rational)>,
     ),
 }
@@ -130,7 +130,7 @@ where
     }
 }
 
-/// Reads the value of each name with `read`, and returns the results in the order of `names`.
+/// Reads the values with `read`, and returns the results in the order of `names`.
 pub(crate) fn in_order<N, V, R>(
     names: &[String],
     given: impl IntoIterator<Item = (N, V)>,

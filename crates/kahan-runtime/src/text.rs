@@ -1,4 +1,4 @@
-//! A text that contains a field, read as a checked system.
+//! A text that contains a field, which is read as a checked system.
 //!
 //! In: a text in the language of `kahan!` or another common notation for equations. Out: a
 //! [`System`] or [`Family`] with its claims, or [`Diagnostics`].
@@ -20,7 +20,7 @@ use kahan_algebra::{read, read_unproved_text};
 
 use crate::diagnostics::Diagnostics;
 
-/// A field in a text. Clones share the text and its equations, which are read once.
+/// A field in a text. The text is read once; clones share the text and its equations.
 #[derive(Clone, Debug)]
 pub struct FieldText {
     shared: Arc<Shared>,
@@ -28,7 +28,7 @@ pub struct FieldText {
 
 #[derive(Debug)]
 struct Shared {
-    /// Written at first use, for a field made from a system.
+    /// The text. For a field made from a system, the text is written at first use.
     text: OnceLock<String>,
     /// The range of the block in the text; `None` for a field made from a system.
     body: Option<Range<usize>>,
@@ -39,9 +39,9 @@ struct Shared {
 
 #[derive(Debug)]
 struct TextReading {
-    /// The block translated to the language of `kahan!`, if written in another notation.
+    /// The block in the language of `kahan!`, if the text has another notation.
     canonical: Option<String>,
-    /// The parsed block, without its tokens.
+    /// The parsed block; its tokens are not stored.
     reading: Reading,
 }
 
@@ -53,7 +53,7 @@ impl PartialEq for FieldText {
 }
 
 impl FieldText {
-    /// Wraps a whole text; `origin` names it in reports, such as by its file name.
+    /// Wraps a whole text; `origin` names the text in reports, for example by a file name.
     #[must_use]
     pub fn new(text: String, origin: String) -> Self {
         let all = 0..text.len();
@@ -63,7 +63,7 @@ impl FieldText {
     /// Wraps a range of a text; `origin` names the text in reports.
     ///
     /// # Panics
-    /// If `body` does not lie in the text, or cuts a character.
+    /// If `body` is not within the text, or splits a character.
     #[must_use]
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
         // Skip a byte order mark.
@@ -73,8 +73,8 @@ impl FieldText {
         FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
     }
 
-    /// Wraps a system, whose claims are not proved again. The text is written at first use;
-    /// `origin` names it in reports.
+    /// Wraps a system, whose claims are not proved again. The text of the system is written at
+    /// first use; `origin` names the text in reports.
     #[must_use]
     pub fn of_system(system: System, origin: String) -> Self {
         let said = TextReading { canonical: None, reading: Reading::default() };
@@ -94,7 +94,8 @@ impl FieldText {
         })
     }
 
-    /// Returns the tokens of the block; they are not stored, being larger than the text.
+    /// Returns the tokens of the block. They are not stored, because they take more memory than the
+    /// text.
     fn tokens(&self) -> Vec<Token> {
         lenient::read(self.given()).lexed.tokens
     }
@@ -144,7 +145,7 @@ impl FieldText {
     /// Passes the tokens of the block to a reader, and returns its result.
     ///
     /// # Errors
-    /// [`Diagnostics`] with the reader's mistakes, at their places in the text.
+    /// [`Diagnostics`] with the mistakes that the reader found, at their positions in the text.
     pub fn read_by<T>(
         &self,
         reader: impl FnOnce(&[Token]) -> Result<T, Vec<Diagnostic>>,
@@ -166,7 +167,8 @@ impl FieldText {
         self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
-    /// Returns the undeclared names in a block without a header, its parameters, despite mistakes.
+    /// Returns the undeclared names in a block without a header, which are its parameters; works
+    /// even if the block has mistakes.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
         match self.unproved() {
@@ -187,7 +189,8 @@ impl FieldText {
         self.shared.body.clone().map_or(self.whole(), |body| &self.whole()[body])
     }
 
-    /// Returns the field in the language of `kahan!`: the text as given if it is in that language.
+    /// Returns the field in the language of `kahan!`. A text that already is in this language is
+    /// returned as given.
     #[must_use]
     pub fn text(&self) -> &str {
         self.reading().canonical.as_deref().unwrap_or_else(|| self.given())
@@ -211,7 +214,7 @@ impl FieldText {
         &self.reading().reading.notes
     }
 
-    /// Returns the seed of the macro's random proof.
+    /// Returns the random seed with which the macro proves claims.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         kahan_algebra::seed(&self.tokens())

@@ -11,11 +11,12 @@ pub fn available() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// Runs `work` for each index below `count`, roughly in order, each on the next free thread.
+/// Runs `work` for each index below `count`. Indices are taken roughly in order, each by the next
+/// free thread.
 ///
-/// `threads` defaults to the number of hardware threads. One thread or one index runs on the
-/// caller's thread, also on machines without threads; otherwise the caller waits. A panic in `work`
-/// is passed on.
+/// `threads` defaults to the number of hardware threads. With one thread or one index, the work
+/// runs on the caller's thread, which also works on machines without threads. Otherwise the caller
+/// waits. A panic in `work` is passed on.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);
@@ -44,7 +45,7 @@ pub fn map<R: Send>(count: usize, threads: Option<usize>, work: impl Fn(usize) -
     let results = Mutex::new(Vec::with_capacity(count));
     for_each(count, threads, &|index| {
         let result = work(index);
-        // A panic in `work` happens outside of the lock.
+        // A panic in `work` cannot poison the lock, because `work` runs outside of it.
         results.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, result));
     });
     let mut results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);

@@ -1,5 +1,5 @@
-//! Coefficients that depend on ε: compiled against hand-written and run-time maps, compositions,
-//! derivatives, error estimates and exact orbits.
+//! Tests coefficients that depend on ε. Compiled maps are compared with hand-written and run-time
+//! maps; compositions, derivatives, error estimates and exact orbits are tested, too.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -226,7 +226,7 @@ fn orbits_and_columns_have_the_bits_of_steps() {
     assert_eq!(x, last.as_slice());
 }
 
-/// Each stage of a composition has the coefficients at its own ε; the flow has those at ε = 0.
+/// Each stage of a composition uses the coefficients at its own ε; the flow has those at ε = 0.
 #[test]
 fn compositions_keep_their_order() {
     let own = Curved { a: 1.5, b: -0.75 };
@@ -247,7 +247,8 @@ fn compositions_keep_their_order() {
     }
 }
 
-/// Compares tangent vectors, derivatives by ε and gradients with dual numbers in the macro's step.
+/// Compares tangent vectors, derivatives with respect to ε, and gradients with dual numbers in the
+/// macro's step.
 #[test]
 fn derivatives_are_those_of_the_step() {
     let (start, eps, steps) = (vector![0.5, -0.25, 0.125], 0.05, 20);
@@ -289,7 +290,7 @@ fn derivatives_are_those_of_the_step() {
     }
 }
 
-/// The local error has a term from the difference between the coefficients at ε and at 0.
+/// The local error has a term that comes from the difference of the coefficients at ε and at 0.
 #[test]
 fn the_local_error_counts_the_coefficients() {
     let (map, x) = (Advance { a: 2.0 }, 0.75_f64);
@@ -308,7 +309,7 @@ fn a_homogeneous_field_has_no_scaled_orbit() {
     assert!(Advance { a: 2.0 }.orbit(vector![0.5], 0.125).nth(1).is_some());
 }
 
-/// In an exact orbit too, 1/x changes by −2ε(1 + aε²) in each step.
+/// In an exact orbit, too, 1/x changes by −2ε(1 + aε²) in each step.
 #[test]
 fn exact_orbits_are_those_of_the_formula() {
     let field = Field::parse(ADVANCE).unwrap();
@@ -316,6 +317,6 @@ fn exact_orbits_are_those_of_the_formula() {
     let (eps, start) = (Rational::new(1, 3), Rational::new(-2, 5));
     let mut orbit = map.exact_orbit(&eps, &[start]).unwrap();
     (0..10).for_each(|_| assert!(orbit.advance()));
-    // −5/2 − 20·(1/3)·(1 + 1/6) = −185/18
+    // After the steps 1/x is −5/2 − 20·(1/3)·(1 + 1/6) = −185/18.
     assert_eq!(orbit.point(), [Rational::new(-18, 185)]);
 }

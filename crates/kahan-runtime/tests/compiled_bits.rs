@@ -1,4 +1,4 @@
-//! Systems read at run time agree with the macro's code, by bits in floats and exactly over ℚ.
+//! Systems read at run time agree with the macro's code: bit by bit in floats, and exactly over ℚ.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
@@ -172,13 +172,14 @@ fn a_field_of_more_variables_than_the_type_has_is_refused() {
     }
 }
 
-/// Three variables in a larger type: each object has equal bits, and added variables stay constant.
+/// A field of three variables is stored in a larger type. Each object has equal bits, and added
+/// variables stay constant.
 #[test]
 fn variables_that_stand_still_change_nothing() {
     for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {
         stand_still::<f64, 4>(command, &parameters);
         stand_still::<f64, 8>(command, &parameters);
-        // Among eight variables, `f32` would begin in `f64`.
+        // In a type of eight variables, `f32` would begin in `f64`.
         stand_still::<f32, 4>(command, &parameters);
     }
 }
@@ -210,7 +211,7 @@ fn stand_still<T: Pivot + Copy, const N: usize>(command: &str, parameters: &[Big
     }
 }
 
-/// At 1 + εx = 0, E1 has a removable pole; a field read at run time has its value too.
+/// At 1 + εx = 0, E1 has a removable pole; a field read at run time has the map's value there, too.
 #[test]
 fn a_removable_pole_has_its_value() {
     let entry = find("e1").expect("the catalog has E1");
@@ -225,7 +226,7 @@ fn a_removable_pole_has_its_value() {
     }
 }
 
-/// At parameters where the field divides by zero and the reduced map has no value, `try_step`
+/// At parameters where the field divides by zero and the reduced map is undefined, `try_step`
 /// returns an error and does not panic.
 #[test]
 fn a_field_that_divides_by_zero_has_no_step() {

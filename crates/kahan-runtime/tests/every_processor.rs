@@ -1,5 +1,6 @@
 //! Steps and orbits have equal bits on every processor; the expected bits were found on x86-64.
-//! Each turn of Lorenz's orbit doubles a difference, so that one wrong last bit shows.
+//! Each loop of Lorenz's orbit doubles a difference, so that a single wrong last bit becomes
+//! visible.
 #![cfg(not(target_feature = "fma"))]
 
 use kahan_core::prelude::*;
@@ -50,7 +51,7 @@ fn generated_code() {
     assert_eq!(found, GENERATED, "{found:#x?}");
 }
 
-/// For each field the point of a single orbit, then that of columns.
+/// For each field, the bits of the last point of a single orbit, then those of columns.
 const EXPECTED: [&[u64]; 4] = [
     &[
         0xc006_cb97_8df5_bc3e,

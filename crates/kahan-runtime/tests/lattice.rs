@@ -1,6 +1,6 @@
-//! Families read at run time against compiled families, for chains of any length.
+//! Compares families read at run time with compiled families, for chains of any length.
 //!
-//! The allocator of this program counts the allocations of a thread while measuring.
+//! The allocator of this program counts the allocations of a thread while `measure` runs.
 
 use allocation_counter::measure;
 use kahan_core::observe::first_crossing;
@@ -74,7 +74,8 @@ fn start(len: usize) -> Vec<f64> {
     (0..len).map(|k| 1.0 + 0.5 * (0.7 * k as f64).sin()).collect()
 }
 
-/// Steps both on each level of this processor; returns the largest difference of two components.
+/// Steps both chains at each instruction-set level of this processor; returns the largest
+/// difference of two components.
 fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values: &[(&str, &[f64])]) -> f64 {
     let lattice = lattice(text);
     let mut worst = 0.0_f64;
@@ -119,7 +120,8 @@ fn chains_have_the_bits_of_the_macro() {
     }
 }
 
-/// Site 1 is the first interior site; the only entry of its column is in the separator's row.
+/// Site 1 is the first interior site of a part. The only entry in its column is in the separator's
+/// row.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (300, 0.125);
@@ -133,8 +135,8 @@ fn a_singular_part_sends_the_step_to_the_whole() {
     assert_eq!(state, expected);
 }
 
-/// Long chains are cut into segments if compiled, but not at run time for a rare stencil, so
-/// results of size one differ by some units in the last place per step.
+/// Compiled long chains are cut into segments; run-time chains with a rare stencil are not. Results
+/// of size one therefore differ by some units in the last place in each step.
 #[test]
 fn long_chains_of_rare_shapes_are_those_of_the_macro() {
     for sites in [300, 3000] {
@@ -153,7 +155,7 @@ fn what_is_kept_is_what_the_macro_says_is_kept() {
         assert_eq!(chain.integrals(&state).unwrap(), compiled.integrals(&state));
         assert_eq!(chain.hamiltonian(&state).unwrap(), Some(compiled.hamiltonian(&state)));
         let before = chain.modified_energy(&state).unwrap().unwrap();
-        // Terms of size one with a few rounding errors each.
+        // The bound allows terms of size one, with a few rounding errors each.
         let bound = 1e-14 * sites as f64;
         assert!((before - compiled.modified_energy(&state)).abs() <= bound);
         for _ in 0..20 {
@@ -223,12 +225,12 @@ fn mistakes_are_values() {
 
 const NOTHING: [(&str, [f64; 1]); 0] = [];
 
-/// Returns the time at which the first number of a state crosses zero.
+/// Returns the time at which the first entry of a state crosses zero.
 fn zero(map: &dyn Step<Scalar = f64>, start: &[f64]) -> Option<f64> {
     first_crossing(map, start.to_vec(), 10_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// One function accepts a compiled field, a text, a compiled chain and a run-time chain.
+/// One function accepts a compiled field, a field from text, a compiled chain and a run-time chain.
 #[test]
 fn one_function_takes_every_map() {
     kahan! {
@@ -249,17 +251,18 @@ fn one_function_takes_every_map() {
         Box::new(LatticeMap::at(&Springs, eps, 5).unwrap()),
         Box::new(lattice(SPRINGS).at(eps, 5, NOTHING).unwrap()),
     ];
-    // Equal springs with equal starts move like a single spring.
+    // Equal springs that start equally move like a single spring.
     let starts = [[1.0, 0.0].to_vec(), [1.0, 0.0].repeat(5)];
     for (k, map) in maps.iter().enumerate() {
         let time = zero(&**map, &starts[k / 2]).unwrap();
-        // A quarter turn by steps of order two, with a relative error below ε².
+        // The first zero is after a quarter turn. Steps of order two give it with a relative error
+        // below ε².
         let quarter = std::f64::consts::FRAC_PI_2;
         assert!((time - quarter).abs() < eps * eps * quarter, "{k}: {time}");
     }
 }
 
-/// Run-time chains reuse the caller's memory after other chains.
+/// Run-time chains reuse the caller's workspace, even after other chains used it.
 #[test]
 fn a_room_serves_chains_in_turn() {
     let mut workspace = Workspace::new();

@@ -1,5 +1,5 @@
 //! Run-time maps free all their memory when they are dropped. The allocator of this program counts
-//! allocations and deallocations of a thread while measuring.
+//! the allocations and deallocations of a thread while `measure` runs.
 
 use allocation_counter::measure;
 use kahan_algebra::rational::Rational;
@@ -8,7 +8,7 @@ use kahan_core::{Composition, Dd};
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_runtime::{Field, MachineFloat, Map};
 
-/// Numbers with more digits than a ratio of small integers, in the field and as a parameter.
+/// The field and a parameter have numbers with too many digits for a ratio of machine integers.
 const TEXT: &str = "xdot = y + 0.1234567890123456789*x^2; ydot = mu*x*y - x;";
 const MU: &str = "123456789012345678901234567890/98765432109876543210987654321";
 
@@ -29,14 +29,14 @@ fn follow() {
 
 #[test]
 fn maps_that_were_dropped_hold_no_memory() {
-    // First allocate what is made once for the whole program.
+    // First allocate everything that is made once for the whole program.
     follow();
     let counted = measure(|| (0..50).for_each(|_| follow()));
     assert!(counted.count_total > 0, "nothing is counted");
     assert_eq!(counted.bytes_current, 0);
 }
 
-/// Registers are on the stack, and constants are computed once.
+/// Steps of floats allocate nothing: registers are on the stack, and constants are computed once.
 #[test]
 fn steps_of_floats_allocate_nothing() {
     fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {

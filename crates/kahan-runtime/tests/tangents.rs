@@ -1,4 +1,4 @@
-//! Observers of maps read at run time, against those of the macro's maps.
+//! Compares observers of maps read at run time with those of the macro's maps.
 
 use kahan_core::observe::{
     Direction, FirstCrossings, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum, TangentMap,
@@ -33,7 +33,8 @@ fn observed<O: Observer<f64>>(map: &MapAt<f64>, start: &[f64], steps: u64, mut o
     observer.report()
 }
 
-/// The two maps differ in roundings, which a chaotic orbit amplifies; the number of steps is small.
+/// The two maps differ by roundings, which a chaotic orbit amplifies, so the number of steps is
+/// small.
 #[test]
 fn reports_are_those_of_the_macro() {
     let (lorenz, map) = lorenz();
@@ -97,7 +98,7 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
 }
 
-/// Modes of a map read at run time have the bits of its own methods.
+/// Wrappers of a run-time map, such as `Compensated`, have the bits of the map's own methods.
 #[test]
 fn modes_are_maps_of_their_own() {
     let (_, map) = lorenz();
@@ -122,7 +123,7 @@ fn modes_are_maps_of_their_own() {
         let with_vector = Orbit::new(map.tangent(), beside).nth(steps as usize).unwrap();
         assert_eq!(with_vector, [&x[..], &v].concat());
 
-        // A state rounded to `f32` after each step in `f64`.
+        // The state is rounded to `f32` after each step in `f64`.
         let (mut x, mut rounded) = (start, start.map(|entry| entry as f32));
         ThroughF64::of_step(&map).advance(&mut rounded, steps, &mut workspace).unwrap();
         for _ in 0..steps {

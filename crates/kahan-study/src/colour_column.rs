@@ -66,7 +66,8 @@ impl ColourColumn {
             StoredColumn::F64(numbers) => numbers,
             other => unreachable!("what is observed is a number, and not {other:?}"),
         };
-        // An axis over a parameter called `ended` holds numbers, so only columns of words count.
+        // An axis over a parameter called `ended` holds numbers, so a column with this name counts
+        // only if it holds text.
         let is_word = |place: &usize| matches!(table.values[*place], StoredColumn::Text(_));
         let is_end = |place: &usize| is_word(place) && table.columns[*place].name == "ended";
         let place_of_end = (0..table.values.len()).find(is_end).expect("a row an orbit");
@@ -76,7 +77,7 @@ impl ColourColumn {
             unreachable!("how an orbit ended is a word and a count")
         };
         if self.is_of_all() {
-            // Each integral has two columns: the largest drift, then the last.
+            // Each integral has two columns: its largest drift, then its drift at the last point.
             let drifts: Vec<&Vec<f64>> = seen.iter().step_by(2).map(floats).collect();
             let largest = |row: usize| drifts.iter().map(|drifts| drifts[row]).fold(f64::NAN, f64::max);
             return (0..ended.len()).map(largest).collect();
@@ -84,7 +85,8 @@ impl ColourColumn {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit beyond the range of doubles has exceeded the size, unless it has no step.
+            // An orbit that left the range of doubles has also exceeded the size, unless it made no
+            // step.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

@@ -1,8 +1,8 @@
 //! Assigns the columns of a table to states, parameters and ε by name.
 //!
 //! In: the names of a table's columns, and the names of the field. Out: a column for each name, or
-//! an error without its subject: "has no column `y`; …". Shared by files, plans of sweeps and
-//! tables of Python. Reads no numbers.
+//! an error that the caller begins with the table's name: "has no column `y`; …". Files of numbers,
+//! plans of sweeps and Python's tables share this module. This module reads no numbers.
 
 use std::fmt;
 
@@ -38,12 +38,13 @@ pub enum OtherColumns {
 pub struct ColumnIndices {
     /// The column of each state.
     pub states: Vec<usize>,
-    /// The parameters, and `eps`, that have a column, with its index, in the order of the table.
+    /// The index of the column of each parameter, and of `eps`, that has one, in the order of the
+    /// table.
     pub others: Vec<(String, usize)>,
 }
 
-/// A mistake in the columns of a table. Its display is a sentence without its subject, the table,
-/// which the caller adds.
+/// A mistake in the columns of a table. Its display is a sentence without the subject: the caller
+/// puts the table's name in front.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnError {
     /// A state has no column.

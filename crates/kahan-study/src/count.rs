@@ -1,4 +1,4 @@
-//! Progress of work done by one or several threads, reported to a watch.
+//! Counts the work that one or several threads have done, and reports it to a watch.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -15,7 +15,7 @@ pub struct WorkCount<'a> {
 }
 
 impl<'a> WorkCount<'a> {
-    /// Starts a count of `of` units of work, called `what` in reports.
+    /// Starts a count up to `of` pieces of work, which reports call `what`.
     pub fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
         WorkCount { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
     }
@@ -29,13 +29,13 @@ impl<'a> WorkCount<'a> {
         }
     }
 
-    /// Adds finished work; returns `Break` if the watch has ended the work.
+    /// Adds finished work; returns `Break` if the watch has cancelled the work.
     pub fn tell(&self, more: u64) -> ControlFlow<()> {
         self.add(more);
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Returns whether the watch has ended the work; it then gets no more reports.
+    /// Returns whether the watch has cancelled the work; a cancelled work sends no more reports.
     pub fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }

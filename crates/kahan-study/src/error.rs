@@ -35,7 +35,8 @@ pub enum StudyError {
     },
     /// The text has mistakes, or claims that do not hold.
     Field(Diagnostics),
-    /// Sites are given, but the field is no family: its equations are written out.
+    /// A number of sites is given, but the text writes out each equation instead of those of site
+    /// i.
     NoFamily,
     /// A chain of this length has more than [`MOST_VARIABLES`] variables.
     ManySites {
@@ -121,7 +122,7 @@ pub enum StudyError {
     },
     /// The name of an axis is not one that the question allows.
     UnknownAxis {
-        /// The kind of name that is allowed, negated: `no parameter`.
+        /// The kind of name that the question allows, in a negated form, such as `no parameter`.
         what: &'static str,
         /// The field.
         system: String,
@@ -218,7 +219,7 @@ pub enum StudyError {
     },
     /// The options of an orbit contradict each other or the field.
     Orbit(NoOrbit),
-    /// Rows are asked of a question whose answer is not a table; holds the name of the question.
+    /// The question asks for rows, but its answer is not a table; holds the name of the question.
     NoRows(&'static str),
     /// An answer has more cells than [`MOST_CELLS`].
     TooLong {
@@ -239,11 +240,11 @@ pub enum StudyError {
     },
     /// The question measures times, and the watch has no clock.
     NoClock,
-    /// A trade has nothing to measure.
+    /// The requested comparison of settings has nothing to measure.
     Trade {
         /// The field.
         system: String,
-        /// The reason.
+        /// The reason why nothing can be measured.
         why: CannotTrade,
     },
 }
@@ -263,8 +264,8 @@ impl StudyError {
     }
 }
 
-/// Spells a named value of a question in the style of a front end, as `--eps 1/2`. The value is
-/// empty if the message concerns any value.
+/// Spells a named value of a question in the style of a front end, such as `--eps 1/2`. `value` is
+/// empty if the message is about every value.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
 /// Spells a named value in the style of JSON, TOML and Python: the name, then the value.

@@ -1,10 +1,10 @@
-//! Formulas as straight-line programs: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the
-//! variables of a state.
+//! Formulas as straight-line programs. A formula depends on the index i of a site, as `1 +
+//! 1/2*cos(2*pi*i/n)`, or on the variables of a state.
 //!
-//! In: text in the language of `kahan!`, with functions and any exponents. Out: a program with the
-//! operations as written, each common subexpression computed once. A [`Formula`] runs in doubles,
-//! [`Formulas`] in doubles, single precision and fractions. `kahan_algebra` parses; this module
-//! resolves names and functions.
+//! In: text in the language of `kahan!`, with functions and any exponents. Out: a program that
+//! performs the operations as written and computes each common subexpression once. A [`Formula`]
+//! runs in doubles, [`Formulas`] in doubles, single precision and fractions. `kahan_algebra`
+//! parses; this module resolves names and functions.
 
 mod lanes;
 
@@ -92,7 +92,8 @@ impl Calls<Called> for Exact {
     }
 }
 
-/// An operation of a formula; an input is an index of a variable or, after them, of a known number.
+/// An operation of a formula. Input k is variable k if there are that many variables, and otherwise
+/// a known number.
 type Operation = kahan_program::Operation<usize, Rational, Called>;
 
 type Builder = kahan_program::Builder<usize, Rational, Called>;
@@ -101,7 +102,7 @@ type Builder = kahan_program::Builder<usize, Rational, Called>;
 #[derive(Clone, Debug)]
 pub struct Formula {
     program: Program<Vec<Operation>>,
-    /// A workspace in which the inputs of known numbers are loaded.
+    /// A workspace that already holds the values of known numbers.
     known: Vec<f64>,
     /// The variables that occur, each with the index of its value in the workspace.
     variables: Vec<(usize, usize)>,
@@ -124,7 +125,7 @@ impl Formula {
         Formula { program, known, variables }
     }
 
-    /// Returns the value at a site; its index is the only variable.
+    /// Returns the value at a site. The index of the site is the only variable of the formula.
     #[must_use]
     pub fn at(&self, site: usize) -> f64 {
         self.of(&[site as f64])
@@ -158,7 +159,8 @@ impl Formula {
     }
 }
 
-/// Formulas in the same names, computed together; in doubles each has the bits of its [`Formula`].
+/// Several formulas in one list of names, computed together. In doubles, each result has the same
+/// bits as that of the single [`Formula`].
 #[derive(Clone, Debug)]
 pub struct Formulas {
     program: Program<Vec<Operation>>,
@@ -197,7 +199,7 @@ impl Formulas {
 
     /// Computes the formulas at points. `inputs` has a row for each [`needed`](Self::needed) name,
     /// with a value for each point; `outputs` has a row for each point, with a value for each
-    /// formula. Returns `None` if a fraction has no value.
+    /// formula. In exact arithmetic, returns `None` if a formula is undefined at a point.
     ///
     /// # Panics
     /// If a row of `inputs` lacks values.
@@ -340,8 +342,8 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Combines operands from left to right; the flag of an operand selects `inverse` over
-    /// `operator`.
+    /// Combines operands from left to right with `operator`, or with `inverse` where the flag of
+    /// the operand is set.
     fn chain<'a>(
         &self,
         builder: &mut Builder,

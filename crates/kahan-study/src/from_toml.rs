@@ -1,4 +1,4 @@
-//! Questions and subjects in TOML, with the names and values of their JSON.
+//! Reads questions and subjects from TOML, with the names and values that their JSON has.
 
 use std::ops::Range;
 
@@ -53,13 +53,13 @@ impl<'t> TomlDocument<'t> {
     /// Converts the document to a JSON object, in the order of the text.
     ///
     /// # Errors
-    /// A value without a form in JSON, with its line.
+    /// A value that JSON cannot represent, with its line.
     pub fn to_json(&self) -> Result<Map<String, Value>, MistakeAtLine> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line, from 1, of the value at a path of names and indices. Outside of the
-    /// document, returns the line of the last existing value on the path.
+    /// Returns the line, from 1, of the value at a path of names and indices. If the document has
+    /// no value at the path, returns the line of the last value on the way to it.
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);
@@ -67,7 +67,8 @@ impl<'t> TomlDocument<'t> {
     }
 }
 
-/// Returns the span of the last value on a path that begins with a name of `table`.
+/// Returns the byte span of the value at a path that begins with a name of `table`, or of the last
+/// value on the way to it.
 fn in_table(table: &DeTable<'_>, path: &[String]) -> Option<Range<usize>> {
     let (name, rest) = path.split_first()?;
     let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
@@ -91,7 +92,7 @@ fn line_of(text: &str, span: Range<usize>) -> usize {
     1 + before.iter().filter(|&&byte| byte == b'\n').count()
 }
 
-/// The reason why a value has no form in JSON, with its span.
+/// The reason why JSON cannot represent a value, with the value's byte span.
 type NoJson = (Range<usize>, String);
 
 fn of_table(table: &DeTable<'_>) -> Result<Map<String, Value>, NoJson> {

@@ -1,10 +1,12 @@
-//! Questions about a field and its Kahan map, and their answers, as values.
+//! Questions about a field and its Kahan map, and the answers, as values.
 //!
 //! In: a [`Subject`] (a field with parameter values) and a [`Question`]. Out: an [`Answer`] with a
-//! type for each question, which serializes to the command's JSON. A [`Study`] is a subject that
-//! was read and planned once; any thread may ask it questions. Also here: reference trajectories of
-//! the flow ([`mod@reference`]), and error and cost of integrator settings ([`trade`]). Terminals,
+//! type for each question. Answers serialize to the JSON that the command prints. Any thread may
+//! ask questions of a [`Study`], a subject that was read once. Also here: reference trajectories of
+//! the flow ([`mod@reference`]), and measured error and cost of settings ([`trade`]). Terminals,
 //! files, flags and HTML are deliberately absent.
+//!
+//! # Example
 //!
 //! ```
 //! use kahan_study::{Answer, Question, Subject, Systems, Unwatched};

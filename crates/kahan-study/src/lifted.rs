@@ -1,8 +1,8 @@
-//! Lifted fields.
+//! Lifted fields: quadratic fields made from other equations by new variables.
 //!
 //! In: a text with functions, quotients or powers, and the kind of lift. Out: the lift, and the
-//! quadratic system with the formulas that its map preserves. Points are given in the original
-//! variables; the new variables are functions of them.
+//! quadratic system with the formulas that its map preserves. Callers give points in the original
+//! variables; the new variables are functions of the original ones.
 
 use std::collections::HashSet;
 use std::sync::OnceLock;
@@ -33,7 +33,7 @@ pub struct Lifting {
     pub start: Option<Vec<Rational>>,
     /// The names of the coordinates of `start`; empty if they have the order of the variables.
     pub names: Vec<String>,
-    /// Values for comparing lifts, of parameters that have no other value.
+    /// Values of parameters that have no other value, used to compare lifts.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -63,17 +63,18 @@ pub(crate) struct Lifted {
     lifting: Lifting,
     /// The original variables, without `t`.
     original: Vec<String>,
-    /// The variables in answers; `places` holds their indices among all variables.
+    /// The variables that answers show; `places` holds the index of each among all variables.
     shown: Vec<String>,
     places: Vec<usize>,
     /// The index of each lift parameter among the field's parameters.
     parameters: Vec<Option<usize>>,
-    /// The derivatives of the new variables by the original ones, computed on first use.
+    /// The derivatives of the new variables with respect to the original ones, computed on first
+    /// use.
     slopes: OnceLock<Embedding>,
 }
 
 impl Lifted {
-    /// Lifts the field of a text. `values` are given values of parameters.
+    /// Lifts the field of a text; `values` are the given values of parameters.
     pub(crate) fn of(
         given: &FieldText,
         lifting: &Lifting,
@@ -108,7 +109,7 @@ impl Lifted {
         let lift = read.map_err(StudyError::Field)?;
         let states = lift.states.len() - usize::from(lift.has_time);
         let original = lift.states[..states].to_vec();
-        // A quadratic text keeps its claims.
+        // A text that is already quadratic keeps its claims.
         let as_written =
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
@@ -133,7 +134,7 @@ impl Lifted {
         Lifted { shown, places, ..self.clone() }
     }
 
-    /// Selects the values of the lift's parameters from the values of the field's.
+    /// Selects the values of the lift's parameters from the values of all parameters of the field.
     fn own(&self, values: &[f64]) -> Vec<f64> {
         self.parameters.iter().map(|place| place.map_or(f64::NAN, |place| values[place])).collect()
     }
@@ -148,8 +149,8 @@ impl Lifted {
     }
 }
 
-/// Returns the rational constants and the claims of a block as text, one per line, and the names
-/// that they define.
+/// Returns the rational constants and the claims of a block as text, one per line, together with
+/// the names that these lines define.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -190,7 +191,7 @@ fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
             named.insert(name.to_string());
         });
     }
-    // A claim may depend on a constant through another constant.
+    // A claim may use a constant that depends on another constant.
     let constants: Vec<(&str, Expr)> = block
         .constants
         .iter()
@@ -211,7 +212,8 @@ fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     Ok((constants.into_iter().map(constant).chain(claims.into_iter().map(|(_, text)| text)).collect(), names))
 }
 
-/// Builds the text of a lift with the `given` claims added to its own, and the system of this text.
+/// Builds the text of a lift, with the `given` claims added to the lift's claims, and the system of
+/// this text.
 fn quadratic(
     lift: &Lift,
     (given, names_given): (String, Vec<String>),
@@ -247,7 +249,7 @@ fn quadratic(
     Ok((text, System { header: lift.header.clone(), ..system }))
 }
 
-/// The new variables, and a lifted `t`, depend on the original variables.
+/// The new variables, and `t` if it was lifted, are functions of the original variables.
 impl Relations for Lifted {
     fn originals(&self) -> usize {
         self.original.len()
@@ -274,8 +276,8 @@ impl Study {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.original)
     }
 
-    /// Returns the variables in answers: all variables, or for a lifted field the original ones,
-    /// and the new ones if requested.
+    /// Returns the variables that answers show. For a quadratic field these are all variables; for
+    /// a lifted field, the original ones, and on request the new ones.
     #[must_use]
     pub fn shown(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.shown)
@@ -300,7 +302,8 @@ impl Study {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
-    /// Returns the columns that an orbit shows, as indices into n, t, all variables, all integrals.
+    /// Returns the indices of the columns that an orbit shows, out of n, t, all variables and all
+    /// integrals.
     pub(crate) fn columns_shown(&self, columns: usize) -> Vec<usize> {
         let Some(lifted) = self.lifted() else { return (0..columns).collect() };
         let time = self.time_place().map_or(1, |place| 2 + place);
@@ -308,7 +311,7 @@ impl Study {
         [0, time].into_iter().chain(variables).chain(2 + self.variables().len()..columns).collect()
     }
 
-    /// Selects the values of the variables in answers from the values of all variables.
+    /// Selects, from the values of all variables, the values of the variables that answers show.
     #[must_use]
     pub fn project<T: Clone>(&self, point: &[T]) -> Vec<T> {
         match self.lifted() {
@@ -317,8 +320,8 @@ impl Study {
         }
     }
 
-    /// Extends a point to all variables, at these values of the parameters. A point of all
-    /// variables stays unchanged; an undefined value is NaN.
+    /// Extends a point to all variables, at these values of the parameters. A point that already
+    /// has all variables stays unchanged. A new variable that is undefined becomes NaN.
     #[must_use]
     pub fn embed(&self, at: &[f64], values: &[f64]) -> Vec<f64> {
         self.embed_at(at, values, self.time().to_f64())
@@ -333,7 +336,7 @@ impl Study {
         }
     }
 
-    /// Inserts the time into a point of the variables in answers, if `t` was lifted.
+    /// Inserts the time into a point in the variables that answers show, if `t` was lifted.
     fn with_time<T: Clone>(&self, at: &[T], time: T) -> Vec<T> {
         let mut all = at.to_vec();
         if let Some(place) =
@@ -360,7 +363,7 @@ impl Study {
         let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let new = lifted.lift.embed(&floats(&states), &floats(&own));
         let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
-        // In floats, a quotient by 0 may be finite by rounding.
+        // In floats, rounding may turn a quotient by 0 into a finite number.
         let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
         Err(StudyError::NotEmbedded {
             variable: new.name.clone(),
@@ -369,19 +372,20 @@ impl Study {
     }
 }
 
-/// The length of the time interval over which relations are watched, and the default step ε.
+/// The length of the time interval over which errors of relations are measured.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// The number of segments, each with an error, in an eighth of an orbit.
+/// The number of segments in an eighth of an orbit. Each segment has an error.
 const EIGHTH: usize = 50;
-/// The growth of a relation's error, from the first eighth to the last, that counts as a drift.
+/// The growth factor of a relation's error, from the first eighth of an orbit to the last, above
+/// which the error counts as drifting.
 const DRIFT: f64 = 1.5;
 /// The size up to which the error of a relation is taken as rounding.
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {
-    /// Returns the ratio of a relation's errors in the last and the first eighth of the orbit;
-    /// `None` if the orbit ends early.
+    /// Returns the ratio of a relation's error in the last eighth of the orbit to that in the first
+    /// eighth; `None` if the orbit ends early.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);
@@ -397,15 +401,15 @@ impl Study {
         self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
     }
 
-    /// Returns the first point of the orbit along which the lift was chosen: the given one, or
-    /// else the text's.
+    /// Returns the first point of the orbit along which the lift was chosen: the given point, or
+    /// else the first point in the text.
     #[must_use]
     pub fn lift_start(&self) -> Option<Vec<Rational>> {
         self.lifted()?.lifting.start.clone().or_else(|| self.start())
     }
 
-    /// Describes the lift; `None` if the field was not lifted. If a start is known, watches the
-    /// relations along its orbit at `eps`, or at ε = 0.01.
+    /// Describes the lift; `None` if the field was not lifted. If a start is known, measures the
+    /// errors of the relations along its orbit at `eps`, or at ε = 0.01.
     ///
     /// # Errors
     /// Claims that do not hold, or a start of the wrong length.
@@ -474,7 +478,7 @@ pub struct LiftFound {
     pub field: String,
     /// The number of new variables, without `t`.
     pub order: usize,
-    /// Whether the search for fewer new variables was complete and found none.
+    /// Whether a complete search found no lift with fewer new variables.
     pub optimal: bool,
     /// The reason for the choice of this lift.
     pub chosen: String,
@@ -485,12 +489,12 @@ pub struct LiftFound {
     /// Notes for the user.
     #[serde(skip)]
     pub notes: Vec<String>,
-    /// The orbit along which the relations were watched.
+    /// The orbit along which the errors of the relations were measured.
     #[serde(skip)]
     pub watched: Option<WatchedOrbit>,
 }
 
-/// An orbit over 100 units of time along which the relations were watched.
+/// An orbit over 100 units of time, with the errors of the relations along it.
 #[derive(Clone, Debug)]
 pub struct WatchedOrbit {
     /// The first point, in the original variables.
@@ -506,8 +510,8 @@ pub struct WatchedOrbit {
 pub struct NewFound {
     /// The name of the variable.
     pub name: String,
-    /// The variable as a function of the original variables; `None` for the work done since the
-    /// start.
+    /// The variable as a function of the original variables. `None` for the mechanical work done
+    /// since the start, which is not a function of the state.
     pub expression: Option<String>,
     /// The expression in LaTeX.
     #[serde(skip)]
@@ -522,12 +526,12 @@ pub struct NewFound {
 pub struct RelationFound {
     /// A function that is 0 where the relation holds.
     pub relation: String,
-    /// The behaviour along the orbit; `None` if no start was given and no rule preserves the
-    /// relation.
+    /// The behaviour of the error along the orbit; `None` if no start was given and no rule
+    /// preserves the relation.
     pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
-    /// The largest exponent of the linearised errors of all relations along the orbit.
+    /// The largest growth exponent of the linearised errors of all relations along the orbit.
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
     /// The index, among the new variables, of the variable that the relation defines.
@@ -535,7 +539,7 @@ pub struct RelationFound {
     pub defines: Option<usize>,
 }
 
-/// Writes infinite rates as `null`, which JSON has in place of infinity.
+/// Writes an infinite rate as `null`, because JSON has no infinity.
 fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
     rate.filter(|rate| rate.is_finite()).serialize(serializer)
 }
@@ -557,7 +561,8 @@ pub enum RelationFate {
 }
 
 impl RelationFate {
-    /// Combines the result for the linearised error with the measured growth along an orbit.
+    /// Combines two results along an orbit: the behaviour of the linearised error, and the measured
+    /// growth.
     fn of(along: RelationBehaviour, drift: Option<f64>) -> Self {
         match along {
             RelationBehaviour::Kept => RelationFate::Kept,

@@ -1,8 +1,9 @@
-//! Steps of lifted fields that end an orbit where the original equations lose their meaning.
+//! Steps of lifted fields. They end an orbit where the original equations become undefined.
 //!
-//! In: the map of a lifted field at an ε. Out: a [`Step`] that returns NaN if a variable that is
-//! positive by definition, such as a square root, would become negative, or if a requested
-//! symmetric projection onto the relations does not converge. Each step depends only on its point.
+//! In: the map of a lifted field at an ε. Out: a [`Step`]. This step returns NaN in two cases: a
+//! variable that is positive by definition, such as a square root, would become negative; or a
+//! requested symmetric projection onto the relations does not converge. Each step depends only on
+//! its point.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{EmbedScalar, Step, Stopped, Workspace};
@@ -13,7 +14,8 @@ use crate::error::StudyError;
 use crate::question::NoOrbit;
 use crate::study::Study;
 
-/// A step of a lifted field, or of its tangent map, that detects the end of the lift's domain.
+/// A step of a lifted field, or of its tangent map, that detects where the original equations
+/// become undefined.
 pub struct LiftedStep<'a, S: Step> {
     at: S,
     lift: &'a Lift,
@@ -21,8 +23,8 @@ pub struct LiftedStep<'a, S: Step> {
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// Advances a point on the relations by a given step; returns `false` if the projection does not
-/// converge.
+/// Advances a point on the relations by the step in the second argument; returns `false` if the
+/// projection does not converge.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
 /// The reason why a point of a lifted field has no successor.
@@ -34,7 +36,7 @@ pub enum LiftEnds {
     NotReembedded,
 }
 
-/// The growth of a relation's error over a watched orbit that counts as exponential.
+/// The growth factor of a relation's error, over a measured orbit, that counts as exponential.
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
@@ -59,8 +61,8 @@ impl LiftEnds {
 }
 
 impl Study {
-    /// Returns steps that end where a variable loses its sign by definition. Returns `None` if no
-    /// variable has a fixed sign, since the steps of the map then suffice.
+    /// Returns steps that end where a variable loses the sign that its definition gives it. Returns
+    /// `None` if no variable has a fixed sign, since the steps of the map then suffice.
     #[must_use]
     pub fn lifted_step<S: Step + Clone>(&self, at: &S) -> Option<LiftedStep<'_, S>> {
         let lift = self.lift()?;
@@ -77,8 +79,8 @@ impl Study {
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// Warns if errors of relations grow more than 100-fold along the orbit of a start and the lift
-    /// was chosen without an orbit. Costs an orbit over 100 units of time.
+    /// Warns if the lift was chosen without an orbit, and the errors of relations grow more than
+    /// 100-fold along the orbit of this start. Costs an orbit over 100 units of time.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
@@ -137,7 +139,7 @@ impl Study {
 }
 
 impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
-    /// Returns the first new variable that is negative, contrary to its definition.
+    /// Returns the first new variable that is negative although its definition makes it positive.
     fn negative(&self, x: &[T]) -> Option<usize> {
         let new = &x[self.lift.states.len()..];
         self.positive.iter().copied().find(|&place| new[place].approximate() < 0.0)
@@ -151,7 +153,8 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // Signs are checked after the first step, which starts on the relations.
+                // Signs are checked only after the first step, because that step starts on the
+                // relations.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);
@@ -166,7 +169,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         is_there
     }
 
-    /// Returns the reason for which the orbit ends although the map itself has a next point.
+    /// Returns why the lift ends the orbit at `x`, although the map itself has a next point.
     #[must_use]
     pub fn ends(&self, x: &[T]) -> Option<LiftEnds> {
         let mut next = x.to_vec();
@@ -181,7 +184,8 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.negative(x).is_some()
     }
 
-    /// Replaces the end of an orbit with last point `x` by the lift's reason, if there is one.
+    /// Returns how an orbit with last point `x` ended: by the lift if the lift ended it, and
+    /// otherwise `end`.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
         match end {

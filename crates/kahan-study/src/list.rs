@@ -9,9 +9,9 @@ use crate::subject::Catalog;
 /// The systems and the families of a catalog.
 #[derive(Clone, Debug, Serialize)]
 pub struct Listed {
-    /// The systems, whose equations are written out.
+    /// The systems: catalog entries whose equations are written out.
     pub systems: Vec<SystemListed>,
-    /// The families, of any number of sites.
+    /// The families: catalog entries for any number of sites.
     pub families: Vec<FamilyListed>,
 }
 
@@ -29,7 +29,7 @@ pub struct SystemListed {
     pub variables: Vec<String>,
     /// The parameters.
     pub parameters: Vec<String>,
-    /// The names of its claims.
+    /// The names of the system's claims.
     pub claims: Vec<String>,
 }
 
@@ -47,7 +47,7 @@ pub struct FamilyListed {
     pub arrays: Vec<String>,
     /// The parameters. A parameter of each site is written `r[i]`.
     pub parameters: Vec<String>,
-    /// The names of its claims.
+    /// The names of the family's claims.
     pub claims: Vec<String>,
 }
 

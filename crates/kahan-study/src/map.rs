@@ -8,7 +8,7 @@ use kahan_runtime::{MapAt, ParameterError};
 pub enum CannotRun {
     /// The system has too many variables.
     Dimension(UnsupportedDimension),
-    /// The system is undefined at the parameters.
+    /// The system is undefined at the given parameters.
     Parameters(ParameterError),
 }
 
@@ -26,7 +26,7 @@ impl core::error::Error for CannotRun {}
 /// Returns ‖f′(x)‖∞.
 pub(crate) fn rate(at: &MapAt<f64>, x: &[f64]) -> f64 {
     let mut jacobian = vec![0.0; x.len() * x.len()];
-    // Both slices have the lengths of the field, so the call succeeds.
+    // Both slices have the lengths that the field requires, so the call succeeds.
     let _ = at.field_jacobian(x, &mut jacobian);
     let rows = jacobian.chunks(x.len().max(1));
     rows.map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)

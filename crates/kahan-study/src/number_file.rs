@@ -1,6 +1,6 @@
 //! Files of numbers: CSV, split into cells by the crate `csv`, and NumPy arrays (`.npy`).
 //!
-//! In: the bytes of a file. Out: its numbers, exact on request, with shape and column names, or a
+//! In: the bytes of a file. Out: the numbers, exact on request, with shape and column names; or a
 //! first point from each row. File access is deliberately absent. Arrays are parsed here because
 //! `npyz` 0.9.1 multiplies the sizes of a header unchecked and panics on crafted files, and
 //! `ndarray-npy` requires all sizes beforehand.
@@ -69,7 +69,7 @@ impl Numbers<Option<Rational>> {
     /// of pandas.
     ///
     /// # Errors
-    /// A sentence without its subject, the file: "has no rows; …".
+    /// A sentence that the caller begins with the file's name: "has no rows; …".
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;
@@ -113,8 +113,8 @@ impl Numbers<Option<Rational>> {
     }
 }
 
-/// Reads CSV. Rows that begin with `#` are comments; the last comment with a word for each column
-/// holds the names, as in NumPy's files.
+/// Reads CSV. Rows that begin with `#` are comments. As in NumPy's files, the last comment that has
+/// one word for each column holds the names.
 fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
@@ -172,7 +172,8 @@ fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     Ok(numbers)
 }
 
-/// Reads names from a comment, separated by commas or else by spaces, if each column has one.
+/// Reads names from a comment, separated by commas or else by spaces; `None` unless each column has
+/// a name.
 fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     let comment = comment.trim_start_matches('#').trim();
     let between: [Vec<&str>; 2] = [comment.split(',').collect(), comment.split_whitespace().collect()];
@@ -181,8 +182,8 @@ fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     Some(found.into_iter().map(|name| name.trim().trim_matches('"').to_owned()).collect())
 }
 
-/// Returns the line in which a row begins; `csv` does not count empty lines, nor the second
-/// character of a Windows line break.
+/// Returns the line in which a row begins. The crate `csv` counts neither empty lines nor the
+/// second character of a Windows line break.
 fn line(text: &[u8], row: &StringRecord) -> usize {
     let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
     let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
@@ -225,7 +226,7 @@ impl<'a> Array<'a> {
         Ok((0..self.count).map(|index| read(entries[self.place(index)])).collect())
     }
 
-    /// Returns the storage index of the entry at a row-major index.
+    /// Converts a row-major index of an entry into the index at which the entry is stored.
     fn place(&self, mut index: usize) -> usize {
         if !self.is_fortran {
             return index;
@@ -258,7 +259,7 @@ fn array<V: FileNumber>(bytes: &[u8]) -> Result<Numbers<V>, String> {
         "'<f8'" => array.entries(|bytes| V::of_float(f64::from_le_bytes(bytes))),
         "'<f4'" => array.entries(|bytes| V::of_float(f32::from_le_bytes(bytes).into())),
         "'<i4'" => array.entries(|bytes| V::of_float(i32::from_le_bytes(bytes).into())),
-        // Integers beyond 53 bits are rounded like NumPy's `astype(float)`.
+        // Integers of more than 53 bits are rounded, as NumPy's `astype(float)` does.
         "'<i8'" => array.entries(|bytes| V::of_float(i64::from_le_bytes(bytes) as f64)),
         _ => Err("its numbers are no floats; save it with .astype(float)".to_owned()),
     };

@@ -1,7 +1,7 @@
 //! Ranges of exact values, in one grammar for all questions: `1/10:1:400`.
 //!
-//! In: text. Out: equally spaced values, the cells around them for pictures, and text that reads
-//! back as an equal range.
+//! In: text. Out: equally spaced values, and for pictures the cells around them. A range is written
+//! as text that reads back as an equal range.
 
 use std::fmt;
 
@@ -20,7 +20,7 @@ pub struct Axis {
     pub range: Range,
 }
 
-/// Two or more values, upwards or downwards.
+/// Two or more values, ascending or descending.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Range {
     from: Rational,
@@ -28,7 +28,7 @@ pub struct Range {
     spacing: Spacing,
 }
 
-/// The reason why a text is not a range, and a correction, as a sentence.
+/// The reason why a text is not a range, as a sentence that also gives a correction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoRange(String);
 
@@ -53,7 +53,8 @@ pub enum Spacing {
 
 /// The most values of a range read by [`Range::read`].
 const MOST: usize = 100_000;
-/// The most values of an axis of a table: 2⁴⁰ − 1 with indices of 64 bits, 2²⁴ − 1 with 32 bits.
+/// The largest number of values on an axis of a table: 2⁴⁰ − 1 if indices have 64 bits, and 2²⁴ − 1
+/// if they have 32 bits.
 const MANY: usize = usize::MAX >> (usize::BITS / 2 - 8);
 
 impl Range {
@@ -103,19 +104,19 @@ impl Range {
         &self.spacing
     }
 
-    /// Returns the range whose cells have the distinct `values` as midpoints; `None` if the values
-    /// are not equally spaced, or fewer than two.
+    /// Returns the range whose cells have the distinct `values` as midpoints; `None` if there are
+    /// fewer than two values, or they are not equally spaced.
     #[must_use]
     pub fn around(values: &[f64]) -> Option<Self> {
         let mut found = values.to_vec();
         found.sort_unstable_by(f64::total_cmp);
         found.dedup();
-        // Convert each float by its shortest decimal, which is how the values were written.
+        // Convert each float by its shortest decimal, because files contain that decimal.
         let exactly = |value: &f64| Rational::parse(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
         range.check(MANY as u64).ok()?;
-        // A thousandth of a step far exceeds the rounding error of a value.
+        // A thousandth of the distance between values far exceeds the rounding error of a value.
         let near = 1e-3 * range.step().to_f64();
         let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
         let is_spaced = found.iter().zip(range.values()).all(is_near);
@@ -161,7 +162,8 @@ impl Range {
             Spacing::Count(count) | Spacing::Cells(count) => *count,
             Spacing::Step(step) => {
                 let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // The quotient as a float is at most rounded up to the next whole number.
+                // Rounding can carry the float quotient up to the next whole number, but no
+                // further.
                 let near = steps.to_f64() as usize;
                 if Rational::from(near as i64) > steps { near } else { near + 1 }
             }
@@ -201,7 +203,8 @@ impl Range {
         [0, self.count() - 1].map(|index| self.value(index))
     }
 
-    /// Returns the start of the first cell and the end of the last; values are midpoints of cells.
+    /// Returns the start of the first cell and the end of the last cell; the values are the
+    /// midpoints of the cells.
     #[must_use]
     pub fn edges(&self) -> [Rational; 2] {
         let ([first, last], half) = (self.ends(), half(&self.step()));
@@ -271,7 +274,7 @@ mod tests {
         assert_eq!(values(" 1 : -1 : 1e1 ").len(), 10);
         assert_eq!(values("1:-1:+-1"), ["1", "0", "-1"]);
         assert_eq!(values("1:0:/2"), ["3/4", "1/4"]);
-        // One more step would pass the end by less than the precision of a float.
+        // One more value would pass the end, but only by less than the precision of a float.
         assert_eq!(values("0:2.9999999999999999999999:+1").len(), 3);
     }
 

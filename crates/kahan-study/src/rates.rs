@@ -1,9 +1,9 @@
 //! Checks whether steps resolve the fast components of a field.
 //!
-//! In: a field at an ε, and points of an orbit. Out: the largest |2ελ| over the eigenvalues λ of f′
-//! at some points, as a sentence if large. Kahan's map multiplies a component of rate λ
-//! by (1 + ελ)/(1 − ελ), close to exp(2ελ) only for small |2ελ|. From |2ελ| = 2 on, a decaying
-//! component changes sign in each step, and a fast oscillation has a wrong phase.
+//! In: a field at an ε, and points of an orbit. Out: the largest |2ελ|, where λ is an eigenvalue of
+//! f′ at one of some points, and a warning if it is large. Kahan's map multiplies a component of
+//! rate λ by (1 + ελ)/(1 − ελ), close to exp(2ελ) only for small |2ελ|. From |2ελ| = 2 on, a
+//! decaying component changes sign in each step, and a fast oscillation has a wrong phase.
 
 use kahan_runtime::MapAt;
 
@@ -11,16 +11,17 @@ use crate::study::Study;
 
 const MOST_POINTS: u64 = 16;
 
-/// The most points to check if the field has more than [`MANY`] variables.
+/// The largest number of points that are checked if the field has more than [`MANY`] variables.
 const MOST_OF_MANY: u64 = 4;
 
-/// The number of variables above which one matrix costs more than a row of a table.
+/// Above this number of variables, the matrix f′ at one point costs more than a row of a table.
 const MANY: usize = 32;
 
 /// The value of |2ελ| above which a component is not resolved.
 const FAST: f64 = 2.0;
 
-/// Power iteration: products by f′ before the growth is measured, and products measured.
+/// The numbers of products by f′ in a power iteration: first without, then with a measurement of
+/// growth.
 const PRODUCTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.
@@ -28,7 +29,7 @@ pub struct Rates {
     at: MapAt<f64>,
     variables: usize,
     jacobian: Vec<f64>,
-    /// The number of checked points, and the number of points with a fast component.
+    /// The number of checked points, and the number of those with an unresolved component.
     points: [u32; 2],
     largest: f64,
 }
@@ -45,7 +46,7 @@ impl Study {
 }
 
 impl Rates {
-    /// Returns the distance between checked rows, given the number of all rows.
+    /// Returns the distance between checked rows; `rows` is the number of all rows.
     #[must_use]
     pub fn stride(&self, rows: u64) -> u64 {
         let most = if self.variables > MANY { MOST_OF_MANY } else { MOST_POINTS };
@@ -58,7 +59,7 @@ impl Rates {
         self.variables
     }
 
-    /// Checks a point. Costs a matrix f′, and some products by f′ if its norm is large.
+    /// Checks a point. Costs the matrix f′, and some products by f′ if the norm of f′ is large.
     pub fn inspect(&mut self, x: &[f64]) {
         let Self { at, jacobian, points: [count, fast], largest, .. } = self;
         if !x.iter().all(|x| x.is_finite()) || at.field_jacobian(x, jacobian).is_err() {
@@ -66,7 +67,7 @@ impl Rates {
         }
         *count += 1;
         let step = 2.0 * at.eps().abs();
-        // The ∞-norm bounds every eigenvalue.
+        // The ∞-norm of f′ bounds every eigenvalue.
         let bound = jacobian.chunks_exact(x.len()).map(|row| row.iter().map(|entry| entry.abs()).sum());
         if bound.fold(0.0, f64::max) * step > FAST {
             let size = spectral_radius(jacobian, x.len()) * step;
@@ -79,7 +80,7 @@ impl Rates {
     #[must_use]
     pub fn note(&self) -> Option<String> {
         let [count, fast] = self.points;
-        // Two significant digits.
+        // Round to two significant digits.
         let largest = || format!("{:.1e}", self.largest).parse().unwrap_or(self.largest);
         (fast > 0 && 2 * fast >= count).then(|| {
             format!(
@@ -91,9 +92,9 @@ impl Rates {
     }
 }
 
-/// Estimates the spectral radius by power iteration: the mean growth of a vector.
+/// Estimates the spectral radius by power iteration, as the mean growth factor of a vector.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
-    // A generic start is not in an invariant subspace of a symmetric field.
+    // A symmetric field has invariant subspaces; a generic start lies in none of them.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
     let [before, measured] = PRODUCTS;
@@ -124,7 +125,7 @@ mod tests {
     fn the_spectral_radius_is_that_of_the_largest_eigenvalue() {
         let oscillator = [0.0, 1.0, -1e4, 0.0];
         let decay = [-100.0, 100.0, 0.0, -1.0];
-        // Eigenvalues 3 ± 4i and 1.
+        // The matrix has the eigenvalues 3 ± 4i and 1.
         let spiral = [3.0, 4.0, 0.0, -4.0, 3.0, 0.0, 7.0, 0.0, 1.0];
         let found =
             [spectral_radius(&oscillator, 2), spectral_radius(&decay, 2), spectral_radius(&spiral, 3)];

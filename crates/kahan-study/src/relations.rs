@@ -1,4 +1,5 @@
-//! Relations between the variables of a lift: errors along an orbit, and their behaviour in words.
+//! The relations between the variables of a lift: their errors along an orbit, and descriptions of
+//! these errors.
 
 use std::ops::ControlFlow;
 
@@ -17,7 +18,7 @@ use crate::subject::{Catalog, Subject};
 #[derive(Clone, Debug)]
 pub struct RelationErrors {
     /// The largest error of each relation in each of the equal segments of the orbit; infinite if a
-    /// function has no value. A segment that the orbit does not reach has no entry.
+    /// function is undefined at a point. A segment that the orbit does not reach has no entry.
     pub errors: Vec<Vec<f64>>,
     /// The requested steps, or fewer if the orbit ended early.
     pub steps: u64,
@@ -26,7 +27,8 @@ pub struct RelationErrors {
 type PointFunction = Box<dyn Fn(&[f64]) -> f64>;
 
 enum Error {
-    /// The distance of a new variable from its function, over max(1, |function|).
+    /// The difference between a new variable and the function that defines it, divided by max(1,
+    /// |function|).
     Defined(usize),
     /// A function of all variables that vanishes where the relation holds.
     Function(PointFunction),
@@ -46,7 +48,7 @@ impl Error {
 
 impl Study {
     /// Measures the errors of the relations of a lift along an orbit of Kahan's map, in `parts`
-    /// equal segments. A field without a lift has no errors. Costs the steps and, at each step, the
+    /// equal segments. For a field without a lift the list is empty. Each step also costs the
     /// functions of the new variables.
     ///
     /// # Errors
@@ -75,7 +77,7 @@ impl Study {
             let functions = lift.embed(&x[..states], &own);
             for (errors, size) in errors.iter_mut().zip(&sizes) {
                 let error = size.at(x, states, &functions);
-                // With fewer points than segments, some segments contain no point.
+                // If the orbit has fewer points than segments, some segments contain no point.
                 errors.resize(part + 1, errors.last().copied().unwrap_or(error).min(error));
                 errors[part] = error.max(errors[part]);
             }
@@ -100,8 +102,8 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
 }
 
 impl Subject {
-    /// Reads the field like [`study`](Subject::study). A lift without a first point is chosen along
-    /// [`Study::shown_orbit`] if all parameters have values.
+    /// Reads the field like [`study`](Subject::study). If the lift has no first point and all
+    /// parameters have values, chooses the lift along [`Study::shown_orbit`].
     ///
     /// # Errors
     /// The errors of [`study`](Subject::study).
@@ -115,8 +117,8 @@ impl Subject {
         self.clone().lifting(lifting).study(catalog)
     }
 
-    /// Returns whether the equations are not quadratic but in the class that a lift reads. The lift
-    /// may still find no quadratic field within its budget.
+    /// Returns whether the equations are not quadratic, but of a kind that can be lifted. The
+    /// search for a lift may still fail within its budget.
     #[must_use]
     pub fn calls_for_a_lift(&self) -> bool {
         match &self.field {
@@ -157,7 +159,8 @@ impl RelationFound {
         self.verdict_asking("give a first point")
     }
 
-    /// Describes the behaviour; if no first point is known, asks for one by `for_point`.
+    /// Describes the behaviour along the orbit. If no first point is known, asks for one by the
+    /// text `for_point`.
     #[must_use]
     pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));

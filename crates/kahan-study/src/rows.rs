@@ -1,5 +1,5 @@
-//! Tables in blocks of rows, passed to a consumer while they are computed, so that memory is
-//! bounded.
+//! Tables in blocks of rows. Blocks are passed to a consumer while the table is computed, so that
+//! memory is bounded.
 
 use std::fmt::{self, Display, Write};
 use std::ops::{ControlFlow, Range};
@@ -37,8 +37,8 @@ pub fn free_name(others: &[impl AsRef<str>], name: &str) -> String {
 
 macro_rules! kinds {
     ($($(#[$about:meta])* $kind:ident($value:ident: $of:ty) => $cell:expr;)*) => {
-        /// Consecutive values of a column. In floats, an undefined value is NaN, and a coordinate
-        /// of a point at infinity is infinite.
+        /// Consecutive values of a column. Float columns hold NaN for an undefined value, and
+        /// infinity for a coordinate of a point at infinity.
         #[derive(Clone, Copy, Debug)]
         pub enum Values<'a> {
             $($(#[$about])* $kind(&'a [$of]),)*
@@ -194,12 +194,12 @@ impl Serialize for Cell<'_> {
 
 /// A consumer of the rows of a table, block by block.
 pub trait Rows {
-    /// Takes a block of at most some thousand rows: the values of each column, all of one length.
-    /// Returns `Break` to end the work; no block follows.
+    /// Takes a block of at most some thousand rows: the values of each column, all of one length. A
+    /// consumer returns `Break` to end the work; it then gets no further block.
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()>;
 }
 
-/// A table in memory that collects all rows it receives. Serializes as a list of rows.
+/// A table in memory that collects all rows it receives. A table serializes as a list of rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     /// The columns; empty before the first block.
@@ -249,7 +249,7 @@ pub struct Ending {
     pub step: u64,
     /// A sentence on why no next point exists; `None` for a complete or interrupted orbit.
     pub why: Option<String>,
-    /// The name of an option, and an alternative value to try.
+    /// The name of an option, and another value of the option that may help.
     pub instead: Option<[&'static str; 2]>,
     /// A remark about the orbit, unrelated to its end, as a sentence.
     pub note: Option<String>,
@@ -260,7 +260,8 @@ impl Ending {
         Ending { end, step, why: None, instead: None, note: None }
     }
 
-    /// Returns the reason with the alternative to try, spelled by `spelling`.
+    /// Returns the reason why the orbit ended. The reason includes the option that may help,
+    /// spelled by `spelling`.
     #[must_use]
     pub fn in_words(&self, spelling: Spelling) -> Option<String> {
         let instead = self.instead.map(|[name, value]| format!("; try {}", spelling(name, value)));

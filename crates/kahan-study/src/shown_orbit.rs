@@ -1,7 +1,7 @@
-//! Defaults for ε and the first point, so that a picture shows a typical orbit.
+//! Defaults for ε and the first point, chosen so that a picture shows a typical orbit.
 //!
-//! The defaults scale with the units of the field: other units of length or time change them by
-//! powers of two, and leave the picture unchanged.
+//! The defaults follow the units of length and time in which the field is written. A change of
+//! units changes them by powers of two, and leaves the picture unchanged.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -25,29 +25,30 @@ pub struct ShownOrbit {
     pub extremes: Vec<[f64; 2]>,
     /// The largest coordinate of the first point, or the length scale of the field if all are 0.
     pub size: f64,
-    /// Whether the orbit stays bounded for as long as it was followed.
+    /// Whether the orbit stays bounded during the trial.
     pub stays: bool,
 }
 
 const STEPS: u64 = 4000;
-/// The size, in units of the first point's, beyond which an orbit counts as escaped.
+/// The ratio of a point's size to the size of the first point above which an orbit counts as
+/// escaped.
 const REACH: f64 = 1e3;
 /// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
-/// Coordinates of first points: of small height, so that exact orbits are feasible, and different,
-/// so that the point lies on no symmetry axis.
+/// Coordinates of first points. They are small fractions, so that exact orbits are feasible. They
+/// differ, so that the point lies on no symmetry axis.
 const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
-/// Sizes of first points, in units of the field's length scale, in the order of trial.
+/// Sizes of first points, relative to the field's length scale, in the order of trial.
 const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
 
 impl Study {
     /// Returns an orbit to show; chooses ε and the start if they are not given.
     ///
-    /// ε is a power of two, at most a fifth of the bound by the field's rates. The start is the
-    /// first of some small fractions of the length scale whose orbit stays bounded and keeps
-    /// moving. For a lifted field, rates and orbits are those of the original variables: ε is at
-    /// most a tenth of the bound by their frequencies, and is halved while relations have large
-    /// errors. Costs some orbits of 4000 steps.
+    /// ε is a power of two, at most a fifth of the largest step that the field's rates allow. The
+    /// start is the first of some small fractions of the length scale whose orbit stays bounded and
+    /// keeps moving. For a lifted field, rates and orbits are those of the original variables: ε is
+    /// then at most a tenth of the bound, and is halved while relations have large errors. Costs
+    /// some orbits of 4000 steps.
     ///
     /// # Errors
     /// [`StudyError`]: missing values, a point that does not fit, or a field that is undefined at
@@ -74,11 +75,12 @@ impl Study {
                     continue;
                 }
             };
-            // A norm overestimates the rate more than a frequency does.
+            // For a quadratic field the rate is a norm, an overestimate; for a lifted field it is a
+            // frequency.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // The second trial uses the rates along the first orbit. Rates of a lifted field may
-            // change by orders of magnitude, so it may get two more trials.
+            // The second trial uses the rates along the first orbit. The rates of a lifted field
+            // may change by orders of magnitude, so that two more trials may follow.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -122,7 +124,7 @@ impl Study {
     }
 }
 
-/// The map, or the projected step, of a trial orbit, and its rates.
+/// The map, or the projected step, of a trial orbit, together with its rates.
 struct StepsAndRates<'a> {
     at: MapAt<f64>,
     lift: Option<(&'a Lift, Vec<f64>)>,
@@ -157,15 +159,15 @@ impl<'a> StepsAndRates<'a> {
         let Some((lift, own)) = &self.lift else { return 0.0 };
         let (states, new) = x.split_at(lift.states.len());
         let values = lift.embed(states, own).into_iter().zip(new).zip(&lift.new);
-        // The work done since the start has no expression in the states.
+        // The mechanical work since the start is not a function of the state.
         let values = values.filter(|(_, new)| new.expression.is_some());
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// Returns ‖f′‖∞; for a lifted field ‖J²‖∞^(1/2), where w = g(x) are the new variables and
-    /// J = f_x + f_w g′ is the Jacobian of the original equations. For x″ = −ω²x the result is ω.
+    /// Returns ‖f′‖∞. For a lifted field with new variables w = g(x), returns ‖J²‖∞^(1/2), where J
+    /// = f_x + f_w g′ is the Jacobian of the original equations. For x″ = −ω²x the result is ω.
     fn rate(&self, x: &[f64]) -> f64 {
-        /// The step of central differences, about the cube root of the rounding error.
+        /// The step size of central differences, about the cube root of the rounding error.
         const STEP: f64 = 1e-5;
 
         let Some((lift, own)) = &self.lift else { return rate(&self.at, x) };
@@ -197,7 +199,7 @@ impl<'a> StepsAndRates<'a> {
     }
 }
 
-/// A trial orbit with the figures that decide the choice.
+/// A trial orbit with the numbers by which trials are compared.
 struct TrialOrbit {
     shown: ShownOrbit,
     steps: u64,
@@ -209,7 +211,7 @@ struct TrialOrbit {
 impl TrialOrbit {
     fn of(way: &mut StepsAndRates<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
         let mut x = floats(start);
-        // New variables have scales of their own, so only original variables count.
+        // New variables have other scales, so only original variables are compared.
         let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
         let size = x[..original].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size > 0.0 { size } else { length };
@@ -236,7 +238,7 @@ impl TrialOrbit {
         TrialOrbit { shown, steps, moves, rate: steepest, error }
     }
 
-    /// Returns a rank: bounded and moving orbits are best, then bounded ones, then longer ones.
+    /// Ranks the orbit: best are bounded and moving orbits, then bounded ones, then longer ones.
     fn rank(&self) -> (bool, bool, u64) {
         (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }
@@ -254,7 +256,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
 /// balance. For a homogeneous quadratic field, returns the length at which a point moves by its own
-/// size in time ε, or in a unit of time.
+/// size in time ε; if ε is not given, in a unit of time.
 fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
@@ -291,8 +293,8 @@ fn power_below(number: f64) -> Option<f64> {
     (number > 0.0 && power > 0.0 && power.is_finite()).then_some(power)
 }
 
-/// Returns first points to try, in units of `length`: for each size, one with positive coordinates,
-/// then one with alternating signs.
+/// Returns first points to try, with sizes relative to `length`. Each size gives two points: one
+/// with positive coordinates, and one with alternating signs.
 fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     let signs = [[1, 1], [1, -1]];
     let starts = SIZES.iter().flat_map(|size| signs.iter().map(move |signs| (size, signs)));
@@ -304,8 +306,8 @@ fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     starts.map(|(size, signs)| (0..variables).map(|k| coordinate(size, signs[k % 2], k)).collect()).collect()
 }
 
-/// Returns the largest power of two ≤ `bound`, which has few bits in every unit of time. Returns 1
-/// for an infinite bound, and 2⁻³⁰ if no power of two fits.
+/// Returns the largest power of two ≤ `bound`; a power of two stays a short number after a change
+/// of units. Returns 1 for an infinite bound, and 2⁻³⁰ if no power of two is small enough.
 fn round_below(bound: f64) -> Rational {
     const SMALL: f64 = 1.0 / (1_u64 << 30) as f64;
     let eps = power_below(bound).unwrap_or(if bound > 0.0 { 1.0 } else { SMALL });
@@ -327,7 +329,8 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// Chooses an orbit in units of length and time of 2^−k and 2^−j, and converts it back.
+    /// Chooses an orbit with 2^−k as unit of length and 2^−j as unit of time, and converts the
+    /// orbit back.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
         let field = Subject::text(text).study(&Systems).unwrap();

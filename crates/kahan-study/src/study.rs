@@ -1,4 +1,4 @@
-//! A field that was read, as the subject of questions.
+//! A field that was read, about which questions can be asked.
 
 use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
@@ -25,7 +25,8 @@ pub const MOST_VARIABLES: usize = 200;
 pub enum NoStep {
     /// The reduced map has a pole at the point.
     Pole,
-    /// det A = 0 for a map with too many terms to be reduced; the reduced map might have a value.
+    /// det A = 0 for a map that has too many terms to be reduced; the reduced map might be defined
+    /// there.
     Unreduced,
     /// The image is beyond the range of the scalar.
     Range,
@@ -104,7 +105,7 @@ impl Study {
         Study { read, here: Arc::new(MapAtParameters { given, map: OnceLock::new() }) }
     }
 
-    /// Returns a study whose answers include the new variables of a lift.
+    /// Returns a study whose answers show the new variables of a lift.
     #[must_use]
     pub fn showing_all(&self) -> Self {
         let lifted = self.lifted().map(Lifted::showing_all);
@@ -112,7 +113,8 @@ impl Study {
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
     }
 
-    /// Returns the name of the field in answers: of the catalog, of its type, or `field`.
+    /// Returns the name of the field in answers: its name in the catalog, the name of its type, or
+    /// `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.entry().map_or_else(|| self.system().name(), |named| named.name)
@@ -130,27 +132,28 @@ impl Study {
         self.entry().map(|named| named.title)
     }
 
-    /// Returns the catalog's source for a claim.
+    /// Returns the source that the catalog cites for a claim.
     #[must_use]
     pub fn source(&self, claim: &str) -> Option<&'static str> {
         let sources = self.entry()?.sources;
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// Returns the name in the catalog, for a system of the catalog without given parameters.
+    /// Returns the name in the catalog if the field is a system of the catalog and no parameter is
+    /// given.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
     }
 
-    /// Returns the seed with which the macro would prove the claims.
+    /// Returns the random seed with which the macro would prove the claims.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
         self.read.text.seed()
     }
 
-    /// Returns the entry of a system in the catalog; `None` for a family, whose type names its
-    /// chains.
+    /// Returns the entry of a system in the catalog; `None` for a family, because its type is not
+    /// the type of one chain.
     fn entry(&self) -> Option<&Named> {
         self.read.named.as_ref().filter(|named| named.type_name.is_some())
     }
@@ -188,7 +191,8 @@ impl Study {
         self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
-    /// Returns the parameter values for numbers: the given ones, or else those of the text.
+    /// Returns the values of the parameters for numeric work: the given values, or else those of
+    /// the text.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
         let own = |name| named(self.given_text().parameters(), name);
@@ -214,7 +218,7 @@ impl Study {
         &self.read.system
     }
 
-    /// Returns the system with its claims proved like those of the macro; proves them once.
+    /// Returns the system after proving its claims as the macro does. The proof runs only once.
     ///
     /// # Errors
     /// The claims that do not hold.
@@ -235,8 +239,8 @@ impl Study {
     }
 
     /// Returns the study at these parameter values, which replace all earlier ones. Both studies
-    /// share the field with its proofs, plans and compiled code. A lift keeps the values of its
-    /// `Subject`.
+    /// share the field with its proofs, plans and compiled code. A lift keeps the values that its
+    /// `Subject` had.
     ///
     /// # Errors
     /// An unknown name, or a name given twice.
@@ -266,7 +270,7 @@ impl Study {
     }
 
     /// Returns the study at this ε: claims with a condition `when` become unconditional if the
-    /// parameters and ε satisfy it. Plans the field anew if a claim changes.
+    /// parameters and ε satisfy it. If a claim changes, the field is planned again.
     ///
     /// # Errors
     /// Claims that do not hold, or a field that divides by zero.
@@ -307,15 +311,15 @@ impl Study {
         Study::new(Arc::clone(&self.read), given)
     }
 
-    /// Returns the parameters with given values; the others are generic.
+    /// Returns the parameters that have given values; the other parameters are generic.
     #[must_use]
     pub fn fixed(&self) -> Vec<(String, Rational)> {
         let values = self.parameters().iter().zip(self.given());
         values.filter_map(|(name, value)| Some((name.clone(), value.clone()?))).collect()
     }
 
-    /// Returns the system with the given parameters substituted, and the others generic. Claims
-    /// that do not apply at these values are dropped.
+    /// Returns the system with the given parameters substituted; the other parameters stay symbols.
+    /// Claims that do not apply at these values are dropped.
     ///
     /// # Errors
     /// The field divides by zero at the values.
@@ -349,7 +353,8 @@ impl Study {
         self.values_but(|_| false)
     }
 
-    /// Returns the values of the parameters. Parameters for which `varies` holds need no value.
+    /// Returns the values of the parameters. Parameters for which `varies` returns true need no
+    /// value.
     pub(crate) fn values_but(&self, varies: impl Fn(usize) -> bool) -> Result<Vec<Rational>, StudyError> {
         let values = self.valued();
         let missing = (0..values.len()).filter(|k| values[*k].is_none() && !varies(*k));
@@ -403,7 +408,8 @@ impl Study {
         self.read.field.get_or_init(|| Field::of(self.system()))
     }
 
-    /// Returns the component ẋ of the field as a formula; it vanishes at extrema of the variable x.
+    /// Returns the component of the field for a variable x, that is ẋ, as a formula. The formula
+    /// vanishes where x has an extremum.
     ///
     /// # Errors
     /// An unknown variable.
@@ -453,7 +459,7 @@ impl Study {
         }
     }
 
-    /// Describes a point with the parameters and ε; long numbers are cut.
+    /// Describes a point together with the parameters and ε; shortens long numbers.
     #[must_use]
     pub fn place(&self, at: &[impl Display], eps: &Rational) -> String {
         let values = self.valued();
@@ -465,7 +471,7 @@ impl Study {
             .join(", ")
     }
 
-    /// Classifies a point with det A = 0 and no image.
+    /// Explains why a point with det A = 0 has no image.
     pub(crate) fn pole(&self) -> NoStep {
         if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
     }
@@ -489,7 +495,7 @@ fn named(values: &[(String, Rational)], name: &String) -> Option<Rational> {
     values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
 }
 
-/// Formats `x = 1`, `y = 2`, …; long numbers are cut to their first digits.
+/// Formats `x = 1`, `y = 2`, …; shortens long numbers to their first digits.
 pub(crate) fn assigned<N: Display, V: Display>(
     values: impl IntoIterator<Item = (N, V)>,
 ) -> impl Iterator<Item = String> {

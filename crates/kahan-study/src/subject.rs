@@ -79,7 +79,7 @@ impl Subject {
         Self::block(FieldText::new(text.into(), "field".to_owned()))
     }
 
-    /// Reads a field from a named text, or from a part of it.
+    /// Reads a field from a named text, or from a passage of it.
     #[must_use]
     pub fn block(text: FieldText) -> Self {
         Self::of(SubjectSource::Text(text))

@@ -10,8 +10,8 @@ use crate::question::{ClaimShown, FormulaSheet};
 
 /// The notation of Python's SymPy, `1/2*x**2`, which `sympify` reads exactly.
 ///
-/// A keyword of Python gets a `_` appended; the second copy of a state, `x'`, is `x_prime`. SymPy
-/// predefines names such as `E` and `S`. Readers must therefore pass their symbols,
+/// A Python keyword gets a `_` at its end. The second copy of a state, `x'`, is written `x_prime`.
+/// SymPy predefines names such as `E` and `S`. Readers must therefore pass their symbols,
 /// `sympify(formula, locals={"E": Symbol("E")})`, like [`FormulaSheet::script`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
@@ -29,7 +29,7 @@ fn python(text: &str) -> String {
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {
         let name = part.trim_end_matches(|c: char| !c.is_alphanumeric() && c != '_');
         formula += name;
-        // `lambda_` gets another `_`, to differ from the converted `lambda`.
+        // A name `lambda_` also gets a `_`, so that it differs from the name made of `lambda`.
         formula += if KEYWORDS.contains(&name.trim_end_matches('_')) { "_" } else { "" };
         formula += match &part[name.len()..] {
             "^" => "**",
@@ -85,8 +85,8 @@ impl Notation for SymPy {
 
 /// Writes the script of [`FormulaSheet::script`] for a sheet in this notation.
 ///
-/// Names beyond ASCII are not passed to `sympify`: it makes symbols of them anyway, and Python
-/// would normalise `ϕ` to `φ`.
+/// Names with characters beyond ASCII are not passed to `sympify`, which makes symbols of them
+/// anyway. Python would normalise `ϕ` to `φ`.
 pub(crate) fn script(sheet: &FormulaSheet) -> String {
     let symbols = |names: &[String]| {
         let names: Vec<String> = names.iter().map(|name| SymPy.name(name)).collect();
@@ -129,7 +129,7 @@ claims = {{}}
     )
 }
 
-/// Writes a list of Python; the texts hold neither quotes nor backslashes.
+/// Writes a Python list; the texts contain neither quotes nor backslashes.
 fn list(texts: &[String]) -> String {
     let quoted: Vec<String> = texts.iter().map(|text| format!("\"{text}\"")).collect();
     format!("[{}]", quoted.join(", "))

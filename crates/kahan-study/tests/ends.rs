@@ -1,4 +1,4 @@
-//! The end of an orbit, and its step, agree between all questions that follow the orbit.
+//! All questions that follow an orbit agree on how and at which step the orbit ends.
 
 use std::ops::ControlFlow;
 
@@ -9,7 +9,7 @@ use kahan_study::{
 };
 use serde_json::json;
 
-/// A field, a start, ε, steps, and the end.
+/// For each case a field, a start, ε, a number of steps, and the end of the orbit.
 const ENDS: [(&str, &[&str], &str, u64, End); 6] = [
     // 1/x falls by 2ε in each step, so the tenth step is at the pole of the map.
     ("xdot = x^2;", &["1"], "1/20", 11, End::Range(9)),
@@ -70,7 +70,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
             assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
             assert_eq!(json!(observed)["ended"], end.name());
         }
-        // Singly, in a table, and with the last point as the only observable.
+        // Observes the orbit singly, in a table, and with the last point as the only observable.
         for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
             for (count, transient) in [(1, 0), (3, 0), (1, 7), (3, 7), (3, steps - 1)] {
                 let asked = Observe { observe: of.clone(), ..late(transient) };
@@ -89,7 +89,7 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
     }
 }
 
-/// Indicators of a NaN start are NaN, not those of a regular orbit.
+/// Indicators of a NaN start are NaN; they differ from those of a regular orbit.
 #[test]
 fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
@@ -102,7 +102,7 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     assert_eq!(found[0].end, End::Range(0));
     assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
     assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));
-    // Indicators without a step are NaN, too.
+    // Without a step, indicators are NaN, too.
     let pole = Subject::text("xdot = x^2;").study(&Systems).expect("a field");
     let observed =
         Observe::new(number("1/2"), vec![number("1")], 9).ask(&pole, &Unwatched).expect("observations");
@@ -111,7 +111,7 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     assert!(["sali", "fli", "megno"].iter().all(|name| observed[name].is_null()), "{observed}");
 }
 
-/// 3ⁿ > 10⁶ from n = 13 on.
+/// The orbit 3ⁿ exceeds the bound 10⁶ from n = 13 on.
 #[test]
 fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
     let study = Subject::text("xdot = x;").study(&Systems).expect("a field");
@@ -163,8 +163,8 @@ fn a_transient_is_not_observed() {
     }
 }
 
-/// The first exponents agree with the complete spectrum after convergence, for single orbits and in
-/// groups.
+/// After convergence, the first exponents alone agree with the complete spectrum, for single orbits
+/// and for groups.
 #[test]
 fn a_spectrum_may_have_its_first_exponents_alone() {
     let text = "xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;";

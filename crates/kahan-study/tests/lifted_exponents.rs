@@ -42,7 +42,7 @@ const DAMPED: Case = Case {
     field: |_, x, v| (vec![x[1], -x[0].sin() - 0.1 * x[1]], vec![v[1], -x[0].cos() * v[0] - 0.1 * v[1]]),
     at: &[(1, 1), (1, 2)],
 };
-/// Hénon and Heiles's potential plus x⁴/4.
+/// The Hénon–Heiles potential plus x⁴/4.
 const QUARTIC: Case = Case {
     text: "xdot = p; ydot = q; pdot = -x - 2*x*y - x^3; qdot = -y - x^2 + y^2;",
     field: |_, x, v| {
@@ -58,7 +58,7 @@ const QUARTIC: Case = Case {
     },
     at: &[(0, 1), (-3, 20), (13, 25), (0, 1)],
 };
-/// A relaxation oscillation, with one exponent 0 and one negative.
+/// A relaxation oscillation; one exponent is 0, the other is negative.
 const FITZHUGH_NAGUMO: Case = Case {
     text: "vdot = v - v^3/3 - w + 1/2; wdot = (v + 0.7 - 0.8*w)*0.08;",
     field: |_, x, e| {
@@ -145,7 +145,7 @@ fn number(observed: &Observed, of: Observable) -> f64 {
     }
 }
 
-/// Compares exponents over `steps` steps at ε = 1/20 with the reference, within `near`.
+/// Compares exponents over `steps` steps at ε = 1/20 with the reference; they may differ by `near`.
 fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f64) {
     let found = observed(case, Some(LiftCriterion::Automatic), (1, 20), steps);
     let (own, wanted) = (spectrum(&found), reference(case, 0.02, steps as usize * 5));
@@ -163,7 +163,8 @@ fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f6
 
 #[test]
 fn exponents_of_chaotic_motion() {
-    // Chaotic orbits separate after some time, so the means differ slightly.
+    // A chaotic orbit and the reference orbit separate after some time, so their means differ
+    // slightly.
     are_those_of_the_equations(&DRIVEN, 20_000, 0.015, -0.3);
     are_those_of_the_equations(&QUARTIC, 20_000, 0.015, 0.0);
 }
@@ -179,8 +180,9 @@ fn exponents_of_motion_that_is_attracted() {
     }
 }
 
-/// On regular orbits of a conservative system tangent vectors grow linearly. An unpropagated
-/// tangent plane would give exponents of order ε, and e^30 in this time.
+/// On regular orbits of a conservative system, tangent vectors grow linearly. If the plane of
+/// tangent vectors were reset at each step, exponents would be of order ε, and vectors would grow
+/// to e^30.
 #[test]
 fn indicators_of_regular_motion_are_small() {
     let found = observed(&PENDULUM, Some(LiftCriterion::Automatic), (1, 40), 200_000);

@@ -1,5 +1,5 @@
-//! Steps of lifted fields: symmetric projection in every question about orbits, and orbits that end
-//! where a variable would lose the sign it has by definition.
+//! Steps of lifted fields. Every question about orbits supports symmetric projection. An orbit ends
+//! where a variable would lose the sign that its definition gives it.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Step, Workspace};
@@ -51,7 +51,7 @@ fn every_question_about_orbits_projects_the_same_steps() {
             Observe { order, observe: of, reembed: true, ..Observe::new(eps.clone(), at.clone(), 100) };
         let seen = observe.ask(&study, &Unwatched).expect("observations");
         assert_eq!(seen.of(Observable::Last), Some(&ObservedValue::Point(expected.clone())));
-        // The second of two orbits of a chart starts here.
+        // The axis has two values; the second orbit of the chart starts at this point.
         let axis = AxisOver::from(Axis { name: "x".to_owned(), range: Range::read("1/2:1:2").unwrap() });
         let mut table = Table::default();
         let over = Question::Over(Over::new(Question::Observe(observe), vec![axis]));
@@ -72,7 +72,7 @@ fn every_question_about_orbits_projects_the_same_steps() {
     assert_eq!(found.points[0].last(), Some(&expected[0]));
 }
 
-/// On the relations, crossings v = 0 lie on the pendulum's energy level to order 2.
+/// On the relations, the crossings v = 0 deviate from the pendulum's energy level by O(ε²).
 #[test]
 fn sections_refine_crossings_on_projected_steps() {
     let study = lifted(PENDULUM);
@@ -87,7 +87,7 @@ fn sections_refine_crossings_on_projected_steps() {
     }
 }
 
-/// A step depends only on its point, and steps back lead to the start, where y = p = 0.
+/// A step depends only on its point. Steps back lead to the start, where y = p = 0.
 #[test]
 fn projected_steps_are_reversible_and_forget_the_steps_before() {
     let study = lifted(KEPLER);
@@ -156,7 +156,7 @@ fn orbits_end_where_no_step_leads_back() {
     assert!(found.orbit().end == End::Reembed(steps) && found.orbit().why.is_some());
 }
 
-/// h = (1 − t/2)² ends at t = 2, where its root would become negative.
+/// The solution h = (1 − t/2)² ends at t = 2, where the square root of h would become negative.
 #[test]
 fn torricellis_law_ends_where_the_water_does() {
     let study = lifted(TORRICELLI);
@@ -165,7 +165,7 @@ fn torricellis_law_ends_where_the_water_does() {
             let asked =
                 Orbit { scalar, every, order, ..Orbit::new(rational(1, 64), vec![rational(1, 1)], 500) };
             let found = asked.ask(&study, &Unwatched).expect("an orbit");
-            // 64 steps of 1/32 take the time 2, up to a rounding near h = 0.
+            // Up to a rounding near h = 0, 64 steps of 1/32 take the time 2.
             let End::Range(steps) = found.ending.end else { panic!("{:?}", found.ending) };
             assert!((63..=65).contains(&steps), "{scalar:?} {every} {order}: {steps}");
             let why = found.ending.why.expect("a reason");
@@ -188,12 +188,12 @@ fn torricellis_law_ends_where_the_water_does() {
         let section = Section { reembed, ..Section::new(eps, at, 500, "h - 1/2") };
         let section =
             Section { direction: kahan_study::Direction::Both, ..section }.ask(&study, &Unwatched).unwrap();
-        // The level falls through 1/2 once, and does not rise again.
+        // The level h falls through 1/2 once, and does not rise again.
         assert_eq!((section.orbit().end, section.count()), (end, 1));
     }
 }
 
-/// Orbits in groups end at that point, too, and the others go on.
+/// In a group, the orbit that ends at this point ends there too, and the other orbits continue.
 #[test]
 fn orbits_side_by_side_end_alone() {
     let study = lifted(TORRICELLI);
@@ -206,13 +206,14 @@ fn orbits_side_by_side_end_alone() {
         let found = over.ask(&study, &Unwatched).expect("a table");
         let ended = serde_json::to_value(&found).unwrap();
         let text = ended.to_string();
-        // sqrt(h) − 80/64 is negative only for h = 1.
+        // sqrt(h) − 80/64 is negative only for the start h = 1.
         assert_eq!(text.matches("\"range\"").count(), 1, "{text}");
         assert_eq!(text.matches("\"complete\"").count(), 3, "{text}");
     }
 }
 
-/// Variables without a fixed sign end nothing: odd roots, even powers, sums that may vanish.
+/// Variables without a fixed sign, such as odd roots, even powers, and sums that may vanish, end no
+/// orbit.
 #[test]
 fn other_variables_may_change_their_signs() {
     for (text, at) in [
@@ -246,7 +247,7 @@ impl Watch for Clock {
     }
 }
 
-/// Errors are relative to the size of the original variables, at any times of the clock.
+/// Errors are relative to the size of the original variables, whatever times the clock shows.
 #[test]
 fn trades_of_lifted_fields_measure_the_original_variables() {
     let scale = |time: i64| {

@@ -1,5 +1,5 @@
-//! Sections of many orbits: rows, ends and bits of single ones, the order of crossing times, and
-//! diagrams over a parameter.
+//! Sections of many orbits: their rows, ends and bits equal those of single orbits. Also tests the
+//! order of crossing times, and diagrams over a parameter.
 
 use std::ops::ControlFlow;
 
@@ -47,7 +47,7 @@ fn asked(study: &Study, section: &Section) -> SectionFound {
     section.ask(study, &Unwatched).expect("a section")
 }
 
-/// Checks the rows of one orbit of many against its own section.
+/// Checks the rows of one orbit among many against the section of this orbit alone.
 fn is_alone(study: &Study, many: &SectionFound, orbit: usize, own: &SectionFound) {
     let first: u64 = many.orbits[..orbit].iter().map(|one| one.crossings).sum();
     let (one, alone) = (&many.orbits[orbit], own.orbit());
@@ -117,7 +117,7 @@ fn tables_do_not_depend_on_threads() {
     assert_eq!(tables[0].1[49].values, [6.0]);
 }
 
-/// Values of a parameter given for each first point are not combined with other first points.
+/// A parameter value that belongs to one first point is not combined with other first points.
 #[test]
 fn parameters_beside_starts() {
     let study = rossler();
@@ -145,7 +145,7 @@ fn parameters_beside_starts() {
     assert_eq!(said, "c: one value for each of the 2 first points is needed");
 }
 
-/// The error of a crossing time falls by 2^p when ε is halved, for a method of order p.
+/// For a method of order p, the error of a crossing time falls by 2^p if ε is halved.
 #[test]
 fn times_of_crossings_have_the_order_of_the_method() {
     let pendulum = Subject::text("xdot = y; ydot = -x - x^2/2;").study(&Systems).expect("a field");
@@ -164,7 +164,8 @@ fn times_of_crossings_have_the_order_of_the_method() {
     }
 }
 
-/// Rössler's maxima over c: one value for a cycle with one loop, two after the first doubling.
+/// Over c, Rössler's maxima have one value for a cycle with one loop, and two after the first
+/// doubling.
 #[test]
 fn a_diagram_shows_periods_that_double() {
     let study = rossler();
@@ -191,7 +192,7 @@ fn a_diagram_shows_periods_that_double() {
     }
 }
 
-/// With `carry`, an orbit starts at the end of the orbit before it.
+/// With `carry`, an orbit starts at the last point of the previous orbit.
 #[test]
 fn a_carried_orbit_goes_on() {
     let turn = Subject::text("xdot = w*y; ydot = -w*x;").study(&Systems).expect("a field");
@@ -202,7 +203,7 @@ fn a_carried_orbit_goes_on() {
     let carried = asked(&turn, &Section { carry: true, ..plain });
     assert_eq!(anew.count(), 6);
     assert_eq!(carried.point(0), anew.point(0));
-    // The orbit starts on the section, so a whole turn precedes the first crossing.
+    // The orbit starts on the section, so it makes a full turn before the first crossing.
     let [first, next] = [&anew, &carried].map(|found| found.times()[2] * 1.5 / std::f64::consts::TAU);
     assert!((first - 0.75).abs() < 0.01 && (next - 1.0).abs() < 0.02, "{first} {next}");
 }

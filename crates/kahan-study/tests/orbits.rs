@@ -1,4 +1,5 @@
-//! Orbits as tables: rows in blocks and in memory, ranges of rows, bits, methods, and ends.
+//! Orbits as tables: rows in blocks and in memory, ranges of rows, equality of bits, methods, and
+//! ends.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -46,7 +47,8 @@ fn doubles(table: &Table, column: usize) -> &[f64] {
     list
 }
 
-/// Lists orbits in each scalar, with each compatible method, projective and not.
+/// Lists orbits in each scalar, with each compatible method, both with and without projective
+/// steps.
 fn every_sort(steps: u64) -> Vec<Orbit> {
     let mut sorts = Vec::new();
     for scalar in ScalarKind::ALL {
@@ -68,7 +70,7 @@ fn a_range_of_rows_is_the_slice_of_all_of_them() {
         let orbit = Orbit { every: 2, ..plain.clone() };
         let (whole, steps) = (rows(&lv(), &orbit, 0..u64::MAX), rows(&lv(), &plain, 0..u64::MAX));
         assert_eq!(whole, answer(&lv(), &orbit).rows);
-        // Rows are n = 0, 2, 4, 6; the seventh step has no row.
+        // Rows are taken at n = 0, 2, 4 and 6; the seventh step has no row.
         let StoredColumn::Integer(counts) = &whole.values[0] else { panic!("counts") };
         assert_eq!(counts[..], [0, 2, 4, 6]);
         let cells = |table: &Table, row: usize| -> Vec<String> {
@@ -144,7 +146,8 @@ impl Watch for Impatient {
     }
 }
 
-/// Rows after a transient are rows of the whole orbit, with its step numbers and times.
+/// Rows after a transient are rows of the whole orbit, with the step numbers and times of that
+/// orbit.
 #[test]
 fn a_transient_is_not_shown() {
     for plain in every_sort(9) {
@@ -166,7 +169,8 @@ fn a_transient_is_not_shown() {
         let part = rows(&lv(), &late, 1..3);
         assert_eq!(cells(&part, 0), cells(&whole, 5), "{late:?}");
     }
-    // x' = x^2 from 1 ends in its transient: no row is shown, and the end has its true step.
+    // The orbit of x' = x^2 from 1 ends in its transient: no row is shown, and the end has its true
+    // step.
     let study = Subject::text("xdot = x^2;").study(&Systems).unwrap();
     let orbit = Orbit { transient: 20, ..Orbit::new(rational(1, 20), vec![rational(1, 1)], 5) };
     let found = orbit.ask(&study, &Unwatched).unwrap();
@@ -189,8 +193,8 @@ fn a_watch_that_breaks_leaves_what_is_known() {
     }
 }
 
-/// ẋ = x over a time step of 1: the factor is 2 by Euler, 65/24 by Runge–Kutta, e by the flow, 3 by
-/// Kahan.
+/// For ẋ = x over a time step of 1, the growth factor is 2 by Euler's method, 65/24 by Runge–Kutta,
+/// e by the flow, and 3 by Kahan's map.
 #[test]
 fn each_method_is_what_it_is_called() {
     let growth = study(Subject::text("xdot = x;"));
@@ -226,7 +230,7 @@ fn the_flow_ends_where_it_escapes() {
     let why = found.ending.why.expect("a sentence");
     assert!(why.contains("escapes to infinity") && why.contains("x = 14.1"), "{why}");
     for (t, x) in doubles(&found.rows, 1).iter().zip(doubles(&found.rows, 2)) {
-        // Near its pole tan amplifies the rounding of t.
+        // Near its pole, tan amplifies the rounding error of t.
         assert!((x - t.tan()).abs() <= 1e-15 * (1.0 + x * x), "{t}: {x}");
     }
     assert_eq!(doubles(&found.rows, 1).len(), 16);
@@ -291,7 +295,7 @@ fn every_method_shows_the_integrals_that_it_keeps() {
     let orbit = Orbit::new(rational(1, 20), at, 50);
     let (own, drift) = columns(orbit.clone());
     assert!(own != 7.0 && drift < 1e-13, "{own}, {drift}");
-    // x z + y² is 7; the flow preserves it, and a composition nearly does.
+    // x z + y² is 7. The flow preserves this integral, and a composition nearly does.
     let (flow, drift) = columns(Orbit { method: Method::Flow, ..orbit.clone() });
     assert!(flow == 7.0 && drift < 1e-13, "{flow}, {drift}");
     for other in [Orbit { order: 8, ..orbit.clone() }, Orbit { method: Method::Rk4, ..orbit.clone() }] {
@@ -326,14 +330,14 @@ fn components_that_steps_do_not_resolve_are_noted() {
             answer(study, &Orbit { scalar, ..orbit }).ending.note
         })
     };
-    // |2ελ| is 20, 1.98 and 0.2. Exact orbits are meant to have long steps, and get no note.
+    // 2ελ| is 20, 1.98 and 0.2. Exact orbits have long steps on purpose, and get no warning.
     for (scalar, note) in ScalarKind::ALL.into_iter().zip(at(&decay, rational(1, 10))) {
         let is_noted = note.is_some_and(|note| note.contains("up to 20 for an eigenvalue"));
         assert_eq!(is_noted, scalar != ScalarKind::Exact, "{scalar:?}");
     }
     assert_eq!(at(&decay, rational(99, 10_000)), [const { None }; 4]);
     assert_eq!(at(&oscillator, rational(1, 10)), [const { None }; 4]);
-    // The phase of this oscillation is wrong.
+    // Steps this long give the oscillation a wrong phase.
     assert!(at(&oscillator, rational(3, 2))[1..].iter().all(Option::is_some));
     let noted = Orbit::new(rational(1, 10), vec![Rational::zero(), Rational::one()], 3);
     assert!(json!(answer(&decay, &noted))["note"].is_string());

@@ -1,4 +1,5 @@
-//! Questions over axes: numbering, rows, and independence of threads and neighbours.
+//! Questions over axes: the numbers of cells, the rows, and the independence of rows from threads
+//! and neighbours.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -19,8 +20,8 @@ fn over(object: Value) -> Over {
     over
 }
 
-/// Mixes drawn starts, two orders, both scalars, a parameter with the value 0 that the field
-/// divides by, and points from which orbits overflow.
+/// Returns a question that mixes drawn starts, two orders and both scalars. At one value, 0, of its
+/// parameter the field divides by zero; from some points orbits overflow.
 fn mixed() -> (Study, Over) {
     let field = "xdot = y/r; ydot = x^2 + r;";
     let over = over(json!({
@@ -43,7 +44,7 @@ impl Rows for Few {
     }
 }
 
-/// A watch with a number of threads that stops after a number of checks.
+/// A watch that sets the number of threads, and stops after a number of checks.
 struct Hands {
     threads: usize,
     looks: AtomicU64,
@@ -74,7 +75,7 @@ fn rows(study: &Study, over: &Over, range: Range<u64>, watch: &dyn Watch) -> (Ta
     (table, end)
 }
 
-/// Returns the bits of values, because NaN differs from itself.
+/// Returns the bits of the values, because NaN differs from itself.
 fn bits(table: &Table, cells: Range<usize>) -> Vec<Vec<u64>> {
     let column = |kept: &StoredColumn| match kept {
         StoredColumn::F64(list) => list[cells.clone()].iter().map(|value| value.to_bits()).collect(),
@@ -107,7 +108,7 @@ fn a_row_depends_on_its_number_alone() {
     assert_eq!(bits(&found.rows, 0..count as usize), bits(&all, 0..count as usize));
 }
 
-/// In doubles, a cell with an orbit has the numbers of the single question.
+/// In doubles, a cell with an orbit holds the numbers that the single question gives.
 #[test]
 fn a_cell_has_what_the_question_answers_there() {
     let (study, over) = mixed();

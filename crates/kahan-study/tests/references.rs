@@ -1,4 +1,4 @@
-//! Reference trajectories: two independent methods agree, and disagreement is an error.
+//! Reference trajectories: two independent methods agree, and a disagreement is an error.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
@@ -29,8 +29,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     Reference::of(map, &asked, &TrajectoryLimits::default())
 }
 
-/// Each step of the series adds some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32), which these
-/// flows amplify by at most 10⁴.
+/// Each step of the series adds some rounding errors of double-double, u = 2⁻¹⁰⁶ ≈ 1.2e-32. The
+/// flows amplify them by at most 10⁴.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]
@@ -148,7 +148,7 @@ kahan! {
     zdot = 30000000*y^2;
 }
 
-/// ‖f′‖ is 5·10⁶ for a moment; steps that short would number 2·10⁷ over the whole time.
+/// For a moment ‖f′‖ is 5·10⁶. Steps that resolve this rate would number 2·10⁷ over the whole time.
 #[test]
 fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     for allowed in [1e-5, 1e-8, 1e-14] {
@@ -163,8 +163,8 @@ fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     }
 }
 
-/// Composition steps too long for the fast component have errors as large as that component, and
-/// halving them may gain nothing; this must not count as rounding error.
+/// If the steps of a composition are too long for the fast component, errors are as large as this
+/// component. Halving such steps may gain nothing, which must not count as rounding error.
 #[test]
 fn steps_that_are_too_long_are_not_taken_for_roundings() {
     let reference = reference(&Kinetics, "", &[], &["1", "0", "0"], 0.125, 1e-9).expect("a reference");
@@ -172,8 +172,8 @@ fn steps_that_are_too_long_are_not_taken_for_roundings() {
     assert!(certificate.difference <= 1e-9, "{certificate:?}");
 }
 
-/// (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²). Near the fixed point that it
-/// leads to, every error grows like exp(2√7 t), so 32 digits last until t ≈ 13.
+/// The point (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²), which leads to a
+/// fixed point. Near this point errors grow like exp(2√7 t), so 32 digits last until t ≈ 13.
 #[test]
 fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     let refusal = reference(&E6, "e6", &[], &["1", "2", "3"], 20.0, 1e-11).expect_err("too sensitive");
@@ -183,7 +183,8 @@ fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     reference(&E6, "e6", &[], &["1", "2", "3"], 5.0, 1e-11).expect("a shorter horizon");
 }
 
-/// At a fixed point all terms of the series after x₀ are 0, and its radius is infinite.
+/// At a fixed point, all terms of the series except x₀ are 0, and the radius of convergence is
+/// infinite.
 #[test]
 fn a_solution_that_rests_has_a_reference() {
     let reference = reference(&LotkaVolterra, "lv", &[], &["1", "1"], 100.0, 1e-20).expect("a reference");

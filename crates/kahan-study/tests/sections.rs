@@ -1,6 +1,6 @@
-//! Crossings and jumps of random fields, planes and starts, against dense samples of each step.
+//! Crossings and jumps of random fields, planes and starts agree with dense samples of each step.
 //!
-//! All 2000 of them: `cargo test -p kahan-study --test sections -- --ignored`
+//! This command runs all 2000 of them: `cargo test -p kahan-study --test sections -- --ignored`
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -9,17 +9,18 @@ use kahan_runtime::MapAt;
 use kahan_study::{Direction, Plane, Section, Study, Subject, Systems, Unwatched};
 
 const STEPS: u64 = 80;
-/// The largest value of the formula at a crossing, relative to its larger size at the ends of the
-/// step.
+/// The largest value of the formula at a crossing, divided by the larger of its values at the ends
+/// of the step.
 const SMALL: f64 = 1.0 / (1 << 17) as f64;
-/// The number of samples of a step, and of each subinterval with a sign change.
+/// The number of samples of a step. A subinterval with a sign change is sampled by this number
+/// again.
 const SAMPLES: usize = 128;
 
 #[derive(Debug, Default)]
 struct Tally {
     crossings: usize,
     jumps: u64,
-    /// Steps whose samples show that the function is continuous and passes through 0.
+    /// The number of steps whose samples show that the function is continuous and passes through 0.
     smooth: usize,
 }
 
@@ -84,8 +85,8 @@ fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
 }
 
 /// Returns whether samples show that the function is continuous along a step and passes through 0.
-/// Samples must change little relative to the function's size at the ends, repeatedly refined
-/// around the sign change, and variables must stay near their sizes at the ends.
+/// The samples are refined repeatedly around the sign change. They must change little, relative to
+/// the function's size at the ends, and variables must stay near their sizes at the ends.
 fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2]) -> bool {
     let (mut workspace, eps) = (Workspace::new(), *Step::eps(at));
     let size = ends.map(|x| height(x).abs()).into_iter().fold(0.0, f64::max);
@@ -95,7 +96,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     };
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
-        // A smooth function changes by 1/128 of this from level to level.
+        // From level to level, a smooth function changes by 1/128 of this bound.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {

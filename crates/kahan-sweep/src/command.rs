@@ -1,4 +1,4 @@
-//! The command `kahan-sweep`: arguments in, text and an exit status out.
+//! The command `kahan-sweep`: takes arguments, and returns text and an exit status.
 
 use std::ffi::OsString;
 use std::fs;
@@ -101,10 +101,10 @@ Examples:
   kahan-sweep --read results/results.parquet --columns x,sali > rows.csv
   kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
 
-/// The standard output or the error message, with the exit status.
+/// The text for standard output, or else the error message; both come with the exit status.
 type CommandResult = Result<(String, u8), (String, u8)>;
 
-/// Returns a message about wrong usage, whose exit status is 2.
+/// Returns a message about wrong usage, together with the exit status 2.
 fn usage(why: impl Into<String>) -> (String, u8) {
     (why.into(), 2)
 }
@@ -168,7 +168,7 @@ impl Cli {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
         match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
-            // A broken pipe means that the reader needs no more.
+            // A broken pipe means that the reader needs no more rows, so it is not an error.
             Err(NoTable::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
                 Err((format!("the rows cannot be written: {error}"), 1))
             }
@@ -199,7 +199,7 @@ impl Cli {
         (text, u8::from(!is_whole))
     }
 
-    /// Returns the shard, and the number of processes of the sweep on this machine.
+    /// Returns the shard to compute, and the number of the sweep's processes on this machine.
     fn shard(&self) -> Result<(Shard, usize), String> {
         let said = self.shard.as_deref();
         if let Some(text) = said.filter(|text| *text != "auto") {
@@ -208,7 +208,8 @@ impl Cli {
         }
         match detect(&|name| std::env::var(name))? {
             Some(RecognisedLauncher { shard, sentence, beside }) => {
-                // One write, because launchers interleave the output of their tasks.
+                // The sentence is written at once, because launchers interleave the output of their
+                // tasks.
                 eprint!("{}", sentence + "\n");
                 Ok((shard, beside))
             }
@@ -228,7 +229,7 @@ impl Cli {
         let rows: u64 = shard.parts(plan).map(|part| plan.part(part)).map(|rows| rows.end - rows.start).sum();
         let stop = Arc::new(AtomicBool::new(false));
         for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-            // The second signal ends the process at once.
+            // A second signal ends the process at once.
             let _ = signal_hook::flag::register_conditional_shutdown(signal, 130, Arc::clone(&stop));
             let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
         }

@@ -10,7 +10,7 @@ use crate::plan::Plan;
 #[derive(Clone, Debug)]
 pub(crate) struct Estimate<'a> {
     plan: &'a Plan,
-    /// The size of the merged file; the parts need the same space again.
+    /// The size of the merged file in bytes. The parts need this space again.
     bytes: f64,
     core_seconds: f64,
     cores: usize,
@@ -27,8 +27,8 @@ impl<'a> Estimate<'a> {
         let points = plan.points();
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
-        // The sample is spread by an odd stride, as points may differ in cost. Neighbours may share
-        // SIMD lanes, so each measurement takes as many of them as time permits.
+        // Points may differ in cost, so the sample is spread by an odd stride. Neighbouring points
+        // may share SIMD lanes, so each measurement takes as many of them as time permits.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {

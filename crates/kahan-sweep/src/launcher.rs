@@ -8,16 +8,17 @@ use crate::run::Shard;
 pub(crate) struct RecognisedLauncher {
     pub(crate) shard: Shard,
     pub(crate) sentence: String,
-    /// The number of the sweep's processes on this machine, if known, else 1.
+    /// The number of the sweep's processes on this machine; 1 if unknown.
     pub(crate) beside: usize,
 }
 
-/// The variable for the number of shards, for launchers that do not provide it.
+/// The environment variable for the number of shards, for launchers that do not provide it.
 const SHARDS: &str = "KAHAN_SHARDS";
-/// The variable for the index of this shard from 0, for unknown launchers.
+/// The environment variable for the index of this shard, counted from 0, for unknown launchers.
 const INDEX: &str = "KAHAN_SHARD_INDEX";
 
-/// Launchers of task arrays: name, then the variables of task, first, last and stride.
+/// Launchers of task arrays. Each has a name, and environment variables for the task, the first
+/// task, the last task and the stride.
 const ARRAYS: [(&str, [&str; 4]); 5] = [
     (
         "Slurm",
@@ -29,14 +30,15 @@ const ARRAYS: [(&str, [&str; 4]); 5] = [
     ("Kubernetes", ["JOB_COMPLETION_INDEX", "", "", ""]),
 ];
 
-/// Launchers of ranks from 0: name, variable of the rank, variable of their number.
+/// Launchers that number processes from 0. Each has a name, and environment variables for the
+/// number (rank) of the process and for the count of processes.
 const RANKS: [(&str, &str, &str); 3] = [
     ("Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
     ("MPI", "PMI_RANK", "PMI_SIZE"),
     ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
 ];
 
-/// One level of launching: task `index` of `of`.
+/// One level of nested launchers: task `index` out of `of` tasks.
 #[derive(Clone, Debug)]
 struct LaunchLevel {
     launcher: &'static str,
@@ -45,9 +47,9 @@ struct LaunchLevel {
     of: u64,
 }
 
-/// Reads the environment; `None` without a known launcher. Tasks of an array may start ranks, for
-/// instance by MPI: each rank of each task is then a shard. Fails with a sentence if information is
-/// missing.
+/// Reads the environment; `None` if no launcher is known. Tasks of an array may start numbered
+/// processes (ranks), for instance by MPI; then each rank of each task is a shard. Fails with a
+/// sentence if information is missing.
 pub(crate) fn detect(
     get: &dyn Fn(&str) -> Result<String, VarError>,
 ) -> Result<Option<RecognisedLauncher>, String> {
@@ -63,7 +65,7 @@ pub(crate) fn detect(
     if places.is_empty() {
         return Ok(None);
     }
-    // Nested levels form a mixed-radix number; the innermost varies fastest.
+    // Nested levels form a mixed-radix number, in which the innermost level varies fastest.
     let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
         index: index * place.of + place.index,
         of: of * place.of,
@@ -81,9 +83,9 @@ fn task(
     (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
     number: &dyn Fn(&str) -> Option<u64>,
 ) -> Option<Result<LaunchLevel, String>> {
-    // Outside of arrays, Grid Engine sets `undefined` and LSF sets 0.
+    // Outside of task arrays, Grid Engine sets the variable to `undefined`, and LSF sets it to 0.
     let id = number(task).filter(|id| *launcher != "LSF" || *id > 0)?;
-    // Kubernetes counts from 0; PBS and LSF count from 1.
+    // Kubernetes counts tasks from 0; PBS and LSF count them from 1.
     let usual = if *launcher == "Kubernetes" { 0 } else { 1 };
     let (first, step) = (number(first).unwrap_or(usual), number(step).unwrap_or(1).max(1));
     let count = number(last).filter(|last| *last >= first).map(|last| (last - first) / step + 1);
@@ -97,7 +99,8 @@ fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<
             return Some(LaunchLevel::new(launcher, rank, Some(index), number(size)));
         }
     }
-    // Slurm comes last, because MPI may start its ranks through one Slurm task on each machine.
+    // Slurm is tried last, because MPI may start its processes through one Slurm task on each
+    // machine.
     let size = number("SLURM_NTASKS").filter(|size| is_step_of_slurm && *size > 1)?;
     Some(LaunchLevel::new("Slurm", "SLURM_PROCID", Some(number("SLURM_PROCID")?), Some(size)))
 }
@@ -154,13 +157,13 @@ mod tests {
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// Ranks started by tasks of an array cover all shards once.
+    /// If tasks of an array start ranks, the ranks of all tasks cover each shard once.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();
         for task in ["2", "4", "6"] {
             for rank in ["0", "1"] {
-                // Ranks inherit the variables of the process that started them.
+                // The ranks inherit the environment variables of the process that started them.
                 let started = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "0"), ("SLURM_NTASKS", "2")];
                 let array = [
                     ("SLURM_ARRAY_TASK_ID", task),

@@ -1,9 +1,10 @@
-//! Sweeps: Kahan's maps for many initial states, parameters and ε, on any number of machines.
+//! Sweeps: runs of Kahan's maps for many initial states, parameters and ε, on any number of
+//! machines.
 //!
 //! In: a plan in TOML ([`Plan`], a question over axes). Out: one Parquet file, whose bytes depend
-//! only on the plan. Its rows are computed in parts, fixed ranges of indices, which are then
-//! merged. Finding, sharing and restarting machines is left to schedulers, which start this program
-//! with a shard's number.
+//! only on the plan. The rows are computed in parts, which are fixed ranges of indices, and then
+//! merged. Schedulers find, share and restart machines; they start this program with the number of
+//! a shard.
 
 mod command;
 mod estimate;

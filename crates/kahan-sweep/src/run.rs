@@ -1,4 +1,4 @@
-//! Computing a shard: its parts one after another, each on all threads.
+//! Computes a shard. Its parts are computed one after another, each on all threads.
 
 use std::io;
 use std::ops::{ControlFlow, Range};
@@ -13,10 +13,10 @@ use kahan_study::{Progress, Table, Watch};
 use crate::files::{Journal, Part, UnusablePart};
 use crate::plan::Plan;
 
-/// The parts of one process: `index`, `index + of`, `index + 2 of`, ….
+/// The parts that one process computes: `index`, `index + of`, `index + 2 of`, ….
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Shard {
-    /// Counted from 0.
+    /// The index of the shard, counted from 0.
     pub(crate) index: u64,
     pub(crate) of: u64,
 }
@@ -36,28 +36,28 @@ pub(crate) enum RunEnd {
     Interrupted,
 }
 
-/// The interval between journal entries, and the longest time for which a thread computes in one
-/// go.
+/// The interval between journal entries. A thread never computes for longer than this without
+/// handing over its rows.
 const NOTED: Duration = Duration::from_secs(8);
 
-/// The reason why locks are never poisoned.
+/// The message of `expect` on locks, which are never poisoned.
 const PANIC: &str = "a thread that panics ends the process";
 
 pub(crate) struct Run<'a> {
     pub(crate) plan: &'a Plan,
     pub(crate) folder: &'a Path,
     pub(crate) threads: Option<usize>,
-    /// Set when the process is told to stop.
+    /// A flag that is set when the process is told to stop.
     pub(crate) stop: &'a AtomicBool,
-    /// Receives the number of newly finished rows.
+    /// A function that receives the number of newly finished rows.
     pub(crate) progress: &'a (dyn Fn(u64) + Sync),
-    /// Receives messages for the user.
+    /// A function that receives messages for the user.
     pub(crate) say: &'a (dyn Fn(&str) + Sync),
 }
 
 impl Run<'_> {
-    /// Computes the missing parts of a shard; fails for foreign parts and a disk that refuses
-    /// writes.
+    /// Computes the missing parts of a shard. Fails if a part belongs to another plan, or if the
+    /// disk refuses writes.
     pub(crate) fn shard(&self, shard: Shard) -> Result<RunEnd, String> {
         for index in shard.parts(self.plan) {
             let part = Part::of(self.plan, index, self.folder);
@@ -66,7 +66,8 @@ impl Run<'_> {
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
-                    // Another process may have finished a part of which this one had a journal.
+                    // This process may have a journal of a part that another process has finished
+                    // in the meantime.
                     part.tidy();
                     continue;
                 }
@@ -90,7 +91,7 @@ impl Run<'_> {
         let indices = self.plan.part(part.index);
         let done = known(Journal::noted(part), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
-        // Several chunks for each thread balance the load at the end of a part.
+        // Each thread gets several chunks, which balances the load at the end of a part.
         let threads = self.threads.unwrap_or(1) as u64;
         let rows = indices.end - indices.start;
         let [least, most] = self.plan.at_once();
@@ -114,7 +115,7 @@ impl Run<'_> {
         Ok(RunEnd::Done)
     }
 
-    /// Computes a range of rows piece by piece, and hands each piece over.
+    /// Computes a range of rows piece by piece, and hands each finished piece over.
     fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
@@ -136,7 +137,7 @@ impl Run<'_> {
     }
 }
 
-/// The work of a thread until it hands over its rows.
+/// The work of a thread from its begin until it hands over its rows.
 struct ThreadTurn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
@@ -145,8 +146,8 @@ struct ThreadTurn<'a> {
 }
 
 impl Watch for ThreadTurn<'_> {
-    /// Stops at once on request. After the time limit, stops at the end of a block of rows, because
-    /// an unfinished block would be lost.
+    /// Returns whether the thread must stop. On request it stops at once. After the time limit it
+    /// stops at the end of a block of rows, because an unfinished block would be lost.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
         let is_over = are_made && self.begun.elapsed() > NOTED;
@@ -159,18 +160,19 @@ impl Watch for ThreadTurn<'_> {
 }
 
 struct Work {
-    /// Tables with their first rows, unordered.
+    /// The finished tables in any order, each with the number of its first row.
     done: Vec<(u64, Table)>,
-    /// The number of tables, at the end of `done`, that are missing from the journal.
+    /// The number of tables, at the end of `done`, that are not in the journal yet.
     unnoted: usize,
     journal: Journal,
     noted: Instant,
-    /// Whether the last journal entry failed.
+    /// Whether writing the last journal entry failed.
     has_failed: bool,
 }
 
 impl Work {
-    /// Adds rows and updates the journal when due; returns only the first of successive errors.
+    /// Adds rows, and updates the journal when it is due. Returns only the first of several
+    /// successive errors.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;
@@ -192,7 +194,7 @@ impl Work {
     }
 }
 
-/// Returns the recorded tables in order, without overlaps.
+/// Returns the recorded tables in the order of their rows, without overlaps.
 fn known(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)> {
     noted.sort_by_key(|(first, _)| *first);
     let mut next = indices.start;

@@ -1,4 +1,4 @@
-//! Job descriptions for Slurm and Kubernetes, from templates.
+//! Writes job descriptions for Slurm and Kubernetes from templates.
 
 use std::path::Path;
 
@@ -20,10 +20,10 @@ pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
     filled(include_str!("scripts/kubernetes.yaml"), &places)
 }
 
-/// Replaces each `@name@` of a template by its text, in one pass.
+/// Replaces each `@name@` in a template by its text, in one pass.
 fn filled(template: &str, places: &[(&str, String)]) -> String {
     let parts = template.split('@').enumerate().map(|(part, text)| {
-        // Every second piece is a name.
+        // Between `@` signs, every second piece is a name.
         let filled = places.iter().find(|(name, _)| part % 2 == 1 && *name == text);
         filled.map_or(text, |(_, value)| value)
     });
@@ -36,7 +36,7 @@ fn quoted(path: &Path) -> String {
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        // A newline would end the comment that contains the path.
+        // A newline in the path would end the comment that contains the path.
         format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
     }
 }

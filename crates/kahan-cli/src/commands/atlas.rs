@@ -1,4 +1,4 @@
-//! `kahan atlas`: the paper as one page.
+//! The command `kahan atlas`, which writes the paper as one page.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -46,7 +46,7 @@ impl Atlas {
     }
 }
 
-/// The file DIR/index.html while it is made; it appears whole or not at all.
+/// The file DIR/index.html while it is made. It appears as a whole or not at all.
 pub(super) struct Index {
     path: PathBuf,
     since: Instant,
@@ -68,19 +68,19 @@ impl Index {
         }
         fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
         let path = folder.join("index.html");
-        // Dropping the sink at once leaves no file behind if the work is interrupted.
+        // The stream is dropped at once, so that no file remains if the work is interrupted.
         drop(OutputStream::file(&path, "--out")?);
         Ok(Index { path, since })
     }
 
-    /// Returns the date, without the time of day, and the seconds so far.
+    /// Returns the date, without the time of day, and the seconds that the work has taken.
     pub(super) fn making(&self) -> PageCreation {
         let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = now.split('T').next().unwrap_or_default().to_owned();
         PageCreation { date, seconds: self.since.elapsed().as_secs_f64() }
     }
 
-    /// Writes the page. Returns an answer with its path, `holds`, its size and the time.
+    /// Writes the page. Returns an answer with the page's path, `holds`, the size and the time.
     pub(super) fn put(self, text: &str, holds: &str, decimals: usize) -> Result<Answer, UsageError> {
         OutputStream::file(&self.path, "--out")?.put(text)?;
         let (path, size) = (self.path.display(), text.len() as f64 / 1e6);

@@ -1,5 +1,5 @@
-//! `kahan chart`: an observable of orbits over one coordinate or parameter as a curve, over two in
-//! colours.
+//! The command `kahan chart`. Over one coordinate or parameter it draws an observable of orbits as
+//! a curve; over two, in colours.
 
 mod rows;
 
@@ -48,7 +48,7 @@ use rows::Rows;
 Examples:
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
-// Rows contain ε, and --over may give it.
+// Rows contain ε, and --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Chart {
     #[command(flatten)]
@@ -102,7 +102,7 @@ pub(crate) struct Chart {
     json: bool,
 }
 
-/// Options of orbits, which --from excludes.
+/// The options that describe orbits; --from excludes them.
 const OF_ORBITS: [&str; 12] = [
     "system",
     "field",
@@ -118,7 +118,7 @@ const OF_ORBITS: [&str; 12] = [
     "reembed",
 ];
 
-/// Parses a colour: an observable with one value, or a column, which help does not list.
+/// Parses a colour: an observable with one value, or a column. The help does not list columns.
 #[derive(Clone, Copy)]
 struct Colours;
 
@@ -131,7 +131,8 @@ impl TypedValueParser for Colours {
         arg: Option<&Arg>,
         value: &OsStr,
     ) -> Result<ColourColumn, clap::Error> {
-        // `ColourColumn::named` accepts all listed names, so `listed` only refuses the others here.
+        // `ColourColumn::named` accepts all listed names, so here `listed` only words the refusal
+        // of other names.
         let refused = |()| {
             listed().parse_ref(cmd, arg, value).map(|of| ColourColumn::named(of.name()).expect("listed"))
         };

@@ -1,4 +1,4 @@
-//! Command lines of questions, as pages show them under each figure.
+//! Command lines that ask questions; pages show them under each figure.
 
 use std::fmt;
 
@@ -10,7 +10,8 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, UsageError};
 
-/// A command that asks a question; arguments and questions determine each other.
+/// A command that asks a question. Its arguments determine the question, and the question
+/// determines them.
 pub(crate) trait QuestionCommand: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 
@@ -44,7 +45,7 @@ impl CommandLine {
             let argument = command.get_arguments().find(|argument| argument.get_id() == name)?;
             let usual: Vec<&str> =
                 argument.get_default_values().iter().filter_map(|of| of.to_str()).collect();
-            // Without a delimiter, the option is repeated for each value.
+            // If the option has no delimiter, it is repeated for each value.
             let takes_all = argument.get_value_delimiter().is_some();
             let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
             let values = match value {
@@ -177,7 +178,7 @@ mod tests {
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];
-        // With eps on an axis, the question has its first value.
+        // If eps is on an axis, the question holds the first value of the axis.
         let asked =
             Observe { observe: of, escape: Some(12.5), transient: 9, eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();

@@ -1,4 +1,4 @@
-//! `kahan completions`: scripts that complete the command's words in a shell.
+//! The command `kahan completions`, which prints scripts that complete words in a shell.
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Command};
@@ -31,8 +31,8 @@ impl Completions {
     }
 }
 
-/// Adds the names of systems as values of SYSTEM, for completion only: the refusals of the command
-/// itself say more than a list.
+/// Adds the names of systems as values of SYSTEM, for completion only. For a wrong name, the
+/// command's own refusal says more than clap's list of names.
 fn naming_systems(command: Command) -> Command {
     let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
@@ -46,7 +46,7 @@ fn naming_systems(command: Command) -> Command {
     })
 }
 
-/// Returns the systems for fish, whose generator omits positional values.
+/// Returns the names of systems for fish, because its generator leaves out positional values.
 fn fish_systems(command: &Command) -> String {
     let takes_system = |one: &&Command| one.get_positionals().any(|argument| argument.get_id() == "system");
     let taking = joined(command.get_subcommands().filter(takes_system).map(Command::get_name), " ");

@@ -1,4 +1,5 @@
-//! `kahan discover`: prints the conserved objects that `kahan-discover` finds from the equations.
+//! The command `kahan discover`, which prints everything that `kahan-discover` finds a map to
+//! preserve.
 
 use std::iter;
 use std::path::PathBuf;
@@ -123,7 +124,7 @@ impl QuestionCommand for Discover {
 
 const SOURCE_WIDTH: usize = 100;
 
-/// Returns the summary, then the claims, which can be copied as a whole.
+/// Returns the summary, then all claims together, so that they can be copied at once.
 fn text(found: &Discovered) -> String {
     let report = &found.report;
     let numbers = numbers(found).rows.into_iter().skip(1);
@@ -140,7 +141,7 @@ fn text(found: &Discovered) -> String {
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// Returns the modified Hamiltonians in compact form, with the meaning of their symbols.
+/// Returns the modified Hamiltonians that have a compact form, with the meaning of their symbols.
 fn modified<'a>(
     found: &Discovered,
     compact: impl Iterator<Item = &'a HamiltonianReport>,
@@ -153,7 +154,7 @@ fn modified<'a>(
     Some(lines)
 }
 
-/// Returns `, when a = 1, eps = 1/2`, or an empty text.
+/// Returns the fixed values as `, when a = 1, eps = 1/2`; empty if none are fixed.
 fn condition(found: &Discovered) -> String {
     let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
     let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();
@@ -168,7 +169,7 @@ fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
     })
 }
 
-/// Returns results that no claim can express, as comments.
+/// Returns the results that claims cannot express, as comments of the block.
 fn comments(found: &Discovered, width: usize) -> String {
     let modified = modified(found, found.report.standalone()).into_iter().flatten();
     let texts = modified.chain(bases(found).flatten());

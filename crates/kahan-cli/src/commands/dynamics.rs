@@ -1,4 +1,4 @@
-//! `kahan dynamics`: observables of an orbit, computed while it runs.
+//! The command `kahan dynamics`, which computes observables of an orbit while the orbit runs.
 
 use clap::Args;
 use kahan_algebra::render::lines;

@@ -1,4 +1,4 @@
-//! `kahan eval`: every object of a system at a point, in exact numbers or floats.
+//! The command `kahan eval`: every object of a system at a point, in exact numbers or floats.
 
 use std::iter;
 
@@ -67,7 +67,7 @@ fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     }
 }
 
-/// Explains that det A = 0 counts as a pole of an unreduced map.
+/// Explains that det A = 0 counts as a pole if the map is not reduced.
 pub(super) fn unreduced(name: &str, place: &str) -> String {
     format!(
         "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of {TERM_BUDGET} \
@@ -113,7 +113,7 @@ fn lines_of(label: &str, value: &Value) -> Vec<String> {
     }
 }
 
-/// Returns a matrix beside its label, or below it if that avoids line breaks.
+/// Returns a matrix beside its label; if a line would then be too long, below the label.
 fn beside_or_below(label: &str, rows: &[Vec<String>], labels: usize) -> Vec<String> {
     let length = |text: &str| text.chars().count();
     let room = screen_width().saturating_sub(labels + 2);

@@ -1,4 +1,5 @@
-//! `kahan extremes`: the accuracy of floats at extreme inputs, judged by exact arithmetic.
+//! The command `kahan extremes`, which judges the accuracy of floats at extreme inputs by exact
+//! arithmetic.
 
 use clap::Args;
 use kahan_judge::{BrokenPromises, Cell, CellKey, Extremes as Question, Judged, usual_subjects};
@@ -168,7 +169,8 @@ fn row((place, cell): (&CellKey, &Cell)) -> Vec<String> {
     ]
 }
 
-/// Formats a count. No failure in n trials bounds the rate by 3/n at 95 %: (1 − 3/n)ⁿ ≈ 1/20.
+/// Formats a number of failures. If n trials have no failure, the rate is below 3/n at 95 %, since
+/// (1 − 3/n)ⁿ ≈ 1/20.
 fn silently_wrong(cell: &Cell) -> String {
     match cell.silently_wrong {
         0 => format!("0, < 3/{} at 95 %", cell.trials),

@@ -1,4 +1,4 @@
-//! `kahan heights`: the Diophantine test along one exact orbit.
+//! The command `kahan heights`, the Diophantine test along one exact orbit.
 
 use std::iter;
 use std::path::PathBuf;
@@ -82,7 +82,8 @@ impl QuestionCommand for Heights {
     }
 }
 
-/// Returns a row for each of `steps`: n, the heights, and the digits of the longest fraction.
+/// Returns a row for each step in `steps`: n, the heights, and the number of digits of the longest
+/// fraction.
 fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
     let row = |step: usize| {
         let heights = &found.survey.heights[step];
@@ -136,14 +137,14 @@ fn complaint(found: &HeightsFound) -> Option<String> {
     })
 }
 
-/// Returns the rows of a table that fits a screen: all rows of a short table, otherwise ever
-/// sparser rows, and the last.
+/// Returns the numbers of the rows that fit on a screen. A short table is shown as a whole; of a
+/// long one, fewer and fewer rows are shown, and the last row.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {
         return (0..count).collect();
     }
-    // 10, 20, …, 100, 200, …: nine rows a decade.
+    // The rows are 10, 20, …, 100, 200, …: nine rows for each decade.
     let decades = iter::successors(Some(10), |row: &usize| Some(row + 10_usize.pow(row.ilog10())));
     (0..10).chain(decades.take_while(|row| *row < count - 1)).chain([count - 1]).collect()
 }

@@ -1,4 +1,4 @@
-//! Arguments on the appearance of a picture, which several commands share.
+//! The options for the look of a picture, which several commands share.
 
 use std::path::Path;
 
@@ -47,14 +47,15 @@ fn pixels(text: &str) -> Result<(u32, u32), String> {
 }
 
 impl ImageOptions {
-    /// Appends the options that lead to this sheet.
+    /// Appends the options that produce this canvas.
     pub(super) fn options(&self, line: CommandLine) -> CommandLine {
         let size = self.size.map(|(width, height)| format!("{width}x{height}"));
         let said = json!({ "size": size, "theme": screen(self.theme), "paper": self.paper });
         line.with_changed_options::<Self>(&said)
     }
 
-    /// Returns the sheet. Without a size it is `usual`, or as wide as a column for print.
+    /// Returns the canvas. If no size is given, it has the size of `usual`, or for print the width
+    /// of a column.
     pub(super) fn sheet(&self, mut usual: Canvas) -> Canvas {
         let theme = if self.paper { Theme::Paper } else { self.theme };
         match self.size {
@@ -83,7 +84,7 @@ impl OutFile {
         Ok(OutFile { sink: OutputStream::file(path, "--out")?, format })
     }
 
-    /// Opens a file for a picture or a table, according to its name.
+    /// Opens a file; its name decides whether it will hold a picture or a table.
     pub(super) fn picture_or_table(path: &Path) -> Result<Self, UsageError> {
         if is_table(path) {
             return Ok(OutFile { sink: OutputStream::file(path, "--out")?, format: None });

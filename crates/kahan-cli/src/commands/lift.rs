@@ -1,4 +1,5 @@
-//! `kahan lift`: a quadratic field that is equivalent to given equations, with its relations.
+//! The command `kahan lift`, which shows an equivalent quadratic field with the relations between
+//! its variables.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `kahan list`: the catalog as a table.
+//! The command `kahan list`, which prints the catalog as a table.
 
 use clap::Args;
 use kahan_study::{Listed, Systems, list};

@@ -1,4 +1,5 @@
-//! The commands, one module each: arguments in, an [`Answer`] or a [`UsageError`] out.
+//! The commands, with one module each. A command takes arguments, and returns an [`Answer`] or a
+//! [`UsageError`].
 
 mod command_line;
 mod image_options;
@@ -11,8 +12,9 @@ use command_line::{CommandLine, QuestionCommand};
 
 /// Declares the commands, each in a module of its name.
 ///
-/// Generates their modules; `GROUPS`, the groups of `kahan --help`; the enum `Command` that clap
-/// reads, with `run`; and `CommandLine::asking`. `$whole` returns the whole command line.
+/// Generates the modules; `GROUPS`, the groups in `kahan --help`; the enum `Command`, which clap
+/// reads, with the method `run`; and `CommandLine::asking`. `$whole` returns the whole command
+/// line.
 macro_rules! commands {
     (|$whole:ident| $($heading:literal: $(
         $(#[$attribute:meta])* $module:ident::$command:ident

@@ -1,5 +1,5 @@
-//! `kahan orbit`: the points of an orbit with their integrals, row by row. Rows are written at
-//! once, so memory does not grow with the length of the orbit.
+//! The command `kahan orbit`, which prints the points of an orbit with their integrals. Each row is
+//! written at once, so memory does not grow with the length of the orbit.
 
 mod over;
 mod rows;
@@ -41,7 +41,7 @@ Examples:
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --over a=1:2:5 --dt 0.02 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
-// --over may give ε.
+// The option --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Orbit {
     #[command(flatten)]
@@ -128,7 +128,7 @@ pub(crate) struct Orbit {
     json: bool,
 }
 
-/// Rows count steps in an `i64`.
+/// The rows of a table count steps in an `i64`.
 const MOST: u64 = i64::MAX as u64;
 
 impl QuestionCommand for Orbit {
@@ -154,7 +154,7 @@ impl QuestionCommand for Orbit {
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
         let study = asked[0].study(&study)?;
-        // Begin all orbits before the first row is written, as one of them may be refused.
+        // All orbits begin before the first row is written, because one of them may be refused.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
         let (names, has_places) = (["start".to_owned()], begun.len() > 1);
@@ -195,7 +195,7 @@ impl Orbit {
         let paces = paces.expect("--every is 1 or more");
         let head = chain.head(paces);
         self.write(json!(head), &[], [(Vec::new(), &mut chain)].into_iter(), |chain, table, watch| {
-            // The file must be complete even if the reader of the table has gone.
+            // The file must be complete, even if the reader of the table has closed the pipe.
             table.continue_without_reader(array.is_some());
             let mut written = Ok(());
             let see = &mut |state: &[f64]| {

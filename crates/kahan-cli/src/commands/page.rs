@@ -1,4 +1,5 @@
-//! `kahan page`: one page about a field. Each figure is shown with the command that draws it.
+//! The command `kahan page`, which writes a page about a field. Each figure is shown with the
+//! command that draws it.
 
 mod figures;
 mod lifted;
@@ -101,7 +102,7 @@ impl Page {
     }
 }
 
-/// Returns the source, with values from the text or the catalog for parameters without a value.
+/// Returns the source, in which missing parameter values come from the text or from the catalog.
 fn with_values(source: &Source, block: &Block, study: &Study) -> Source {
     let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
     let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));
@@ -121,7 +122,7 @@ struct Chapter {
     body: Markup,
 }
 
-/// Computes all chapters in order. `written` is the original text of a lifted field.
+/// Computes all chapters in order. For a lifted field, `written` is the original text.
 fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = ProgressDisplay::stages();

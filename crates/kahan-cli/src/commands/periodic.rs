@@ -1,4 +1,4 @@
-//! `kahan periodic`: cycles of the map, their stability, and their branches.
+//! The command `kahan periodic`: cycles of the map, their stability, and their branches.
 
 use std::path::PathBuf;
 
@@ -49,7 +49,7 @@ Examples:
   kahan periodic --field 'sdot = -2*s*i; idot = 2*s*i - i; rdot = i;' --at 0.9,0.1,0
   kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg
   kahan periodic --field 'xdot=-y-z; ydot=x+y/5; zdot=1/5+x*z-4*z;' --free eps --eps 0.01 --at 1,2,0")]
-// ε may be an axis.
+// The option --over may vary ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Periodic {
     #[command(flatten)]
@@ -93,7 +93,7 @@ pub(crate) struct Periodic {
     json: bool,
 }
 
-/// The longest period, and the most steps of a limit cycle of the flow.
+/// The longest period of a cycle. A limit cycle of the flow may have more steps.
 const LONGEST_PERIOD: usize = 200;
 const MOST_STEPS: usize = 1_000_000;
 
@@ -135,9 +135,9 @@ impl QuestionCommand for Periodic {
 
 const CUT: &str =
     "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
-/// Explains a row without an error estimate.
+/// The note on rows without an error estimate.
 const PLAIN: &str = "finer steps have no such cycle there; take a smaller eps (dt)";
-/// Explains a stability that the printed digits of the multipliers do not show.
+/// The note on a stability that the printed digits of the multipliers do not show.
 const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";
 
 fn text(found: &CycleFound) -> String {
@@ -199,7 +199,7 @@ fn text(found: &CycleFound) -> String {
     paragraphs(groups.filter(|lines| !lines.is_empty()))
 }
 
-/// Formats a number to one digit more than its error, with the error.
+/// Formats a number to one digit more than its error determines, followed by the error.
 fn with_error(found: &Extrapolated) -> String {
     let digits = (1.0 - libm::log10(found.error).floor()).clamp(1.0, 15.0);
     format!("{:.*} ± {:.0e}", digits as usize, found.value, found.error)
@@ -246,7 +246,7 @@ fn points(found: &CycleFound) -> Rows {
     headed(&head, rows)
 }
 
-/// Returns the cells of a row of the branch after its point.
+/// Returns the cells that follow the point in a row of the branch.
 fn tail(found: &CycleFound, point: &BranchPoint, of_flow: Option<&FlowFound>) -> Vec<String> {
     let shown = |x: f64| format!("{x:?}");
     let PeriodicPoint { points, multipliers, .. } = &point.cycle;

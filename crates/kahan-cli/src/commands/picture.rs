@@ -1,5 +1,5 @@
-//! `kahan picture`: parses the arguments of pictures of orbits, orbit diagrams and heights;
-//! [`shown`] computes and draws.
+//! The command `kahan picture`. Parses the arguments of pictures of orbits, orbit diagrams and
+//! heights; [`shown`] computes and draws the pictures.
 
 pub(crate) mod request;
 pub(crate) mod starts;
@@ -131,7 +131,7 @@ pub(crate) struct Picture {
     json: bool,
 }
 
-/// Arguments and options in one list, so that the help fits a screen.
+/// The template of the help. Arguments and options are in one list, so that the help fits a screen.
 const TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 
@@ -148,13 +148,13 @@ enum Kind {
     OrbitsOver,
 }
 
-/// The most first points for each `--at`.
+/// The largest number of first points for each `--at`.
 const MOST_STARTS: usize = 100_000;
 /// The default number of crossings of each orbit, if neither crossings nor steps are given.
 const USUAL_CROSSINGS: u64 = 100;
 
 impl Picture {
-    /// Returns the field, and the picture as a value.
+    /// Returns the field, and the requested picture as a value.
     pub(super) fn read_question(&self) -> Result<(Study, PictureRequest), UsageError> {
         let kind = self.kind()?;
         let study = self.source.proved(self.at.first().map(String::as_str))?;
@@ -279,7 +279,8 @@ impl Picture {
         Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
-    /// Returns formula, direction and number of crossings of the section, if requested.
+    /// Returns formula, direction and number of crossings of the section; `None` if no section is
+    /// requested.
     fn section(&self, study: &Study) -> Result<Option<(String, Direction, Option<u64>)>, UsageError> {
         let (plane, maxima) = (self.plane.as_deref(), self.maxima.as_deref());
         if plane.or(maxima).is_none() {
@@ -330,7 +331,7 @@ impl Picture {
     }
 }
 
-/// Reads NAME=LOW:HIGH.
+/// Reads NAME=LOW:HIGH, the ends of an axis.
 fn read_window(window: &str) -> Result<(String, [Rational; 2]), UsageError> {
     let (name, range) = window.split_once('=').unwrap_or((window, ""));
     let wrong = format!("--window: `{window}` is not NAME=LOW:HIGH with LOW below HIGH, as in {name}=-2:2");

@@ -1,4 +1,5 @@
-//! `kahan poles`: the curves that a map sends to infinity or blows down, and their images.
+//! The command `kahan poles`: the curves that a map contracts or sends to infinity, and their
+//! images.
 
 use clap::Args;
 use kahan_draw::answer::poles;

@@ -1,4 +1,4 @@
-//! `kahan scan`: special values of parameters and of ε.
+//! The command `kahan scan`, which searches for special values of parameters and of ε.
 
 use clap::Args;
 use kahan_discover::scan::{DegreesAndRanks, Proposal};

@@ -1,4 +1,5 @@
-//! `kahan section`: crossings of orbits with a plane, or with the level set of any function.
+//! The command `kahan section`: crossings of orbits with a plane, or with a level set of any
+//! function.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -122,7 +123,7 @@ impl QuestionCommand for Section {
         Ok((study, asked))
     }
 
-    /// Writes the crossings; returns notes as the answer.
+    /// Writes the crossings. Returns notes as the answer.
     fn run(&self) -> Result<Answer, UsageError> {
         let (study, asked) = self.read_question()?;
         if self.json && self.out.is_none() {
@@ -146,8 +147,8 @@ impl QuestionCommand for Section {
     }
 }
 
-/// Returns the formula and the direction of a section; for the maxima of a variable, the derivative
-/// of the variable.
+/// Returns the formula and the direction of a section. For the maxima of a variable, the formula is
+/// the derivative of the variable.
 pub(super) fn section(
     study: &Study,
     plane: Option<&str>,
@@ -159,7 +160,7 @@ pub(super) fn section(
     Ok((rate, Direction::Falling))
 }
 
-/// Returns a note about orbits that end early.
+/// Returns a note about the orbits that end early; `None` if all are complete.
 fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
     let early: Vec<&Crossed> = orbits.iter().filter(|one| one.end.is_early()).collect();
     let (first, system) = (early.first()?, study.name());
@@ -179,7 +180,7 @@ fn complaint(study: &Study, orbits: &[Crossed]) -> Option<String> {
     })
 }
 
-/// A table that is opened at its first rows, so that a refused question leaves no output.
+/// A table that is opened when its first rows arrive, so that a refused question leaves no output.
 struct DeferredTable {
     table: Option<Table>,
     begin: Option<(OutputStream, Map<String, Value>)>,

@@ -1,5 +1,5 @@
-//! `kahan show`: the formulas of a system as text, LaTeX, SymPy or a block of the macro, and the
-//! plan of its code.
+//! The command `kahan show`: the formulas of a system as text, LaTeX, SymPy or a block of the
+//! macro, and the plan of the generated code.
 
 mod plan;
 mod sheet;
@@ -75,7 +75,7 @@ impl QuestionCommand for Show {
             Show { latex: true, .. } => ShowForm::Latex,
             Show { sympy: true, .. } => ShowForm::Sympy,
             Show { plan: true, .. } => ShowForm::Plan,
-            // With --json, the block is one of the formulas.
+            // With --json the answer has all formulas, and the block is one of them.
             Show { as_macro: true, json: false, .. } => ShowForm::Kahan,
             _ => ShowForm::Text,
         };
@@ -113,8 +113,8 @@ impl QuestionCommand for Show {
 }
 
 impl Show {
-    /// Returns the macro's expansion of the block; with parameter values, of the block of
-    /// `--macro`.
+    /// Returns the macro's expansion of the block. If parameters have values, expands the block
+    /// that `--macro` prints.
     fn expanded(&self) -> Result<Answer, UsageError> {
         let study = self.source.proved(None)?;
         let core = "::kahan_core".parse().expect("a path");

@@ -1,4 +1,4 @@
-//! `kahan sweep`: runs the separate program `kahan-sweep`.
+//! The command `kahan sweep`, which runs the separate program `kahan-sweep`.
 
 use std::ffi::OsString;
 

@@ -1,4 +1,5 @@
-//! `kahan trade`: speed against accuracy, and the cheapest setting that meets a tolerance.
+//! The command `kahan trade`: speed against accuracy, and the cheapest setting that meets a
+//! tolerance.
 
 use std::path::PathBuf;
 
@@ -141,7 +142,7 @@ impl QuestionCommand for Trade {
 impl Trade {
     fn asked_of(&self, block: &Block) -> Result<(Study, Question), UsageError> {
         let study = self.source.study_of_block(block, self.at.as_deref())?;
-        // Report a false claim before a missing number.
+        // A false claim is reported before a missing number.
         study.proved()?;
         let asked = Question {
             at: point(self.at.as_deref(), &study)?,
@@ -153,8 +154,8 @@ impl Trade {
         Ok((study, asked))
     }
 
-    /// Returns the command line for the orbit of the choice. `kahan orbit` has no compensated steps
-    /// and no f32 through f64.
+    /// Returns the command line that makes the orbit of the chosen setting. Returns `None` for
+    /// compensated steps and for f32 through f64, because `kahan orbit` has neither.
     fn orbit(&self, traded: &Traded, block: &Block) -> Option<CommandLine> {
         let setting = &traded.choice()?.setting;
         let scheme = setting.scheme();
@@ -173,10 +174,10 @@ impl Trade {
     }
 }
 
-/// The number of steps beyond which a rounded ε shows as a linear drift.
+/// The number of steps above which a rounded ε shows as a linear drift.
 const LONG_RUN: u64 = 100_000;
 
-/// Formats a size with four decimals, or in scientific notation if it is very large or small.
+/// Formats a number with four decimals; a very large or small one in scientific notation.
 fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
@@ -196,7 +197,7 @@ fn text(traded: &Traded, call: Option<&CommandLine>) -> String {
     paragraphs([vec![title], table(&front(traded).rows, 4), lines])
 }
 
-/// Lists the schemes that cannot reach the tolerance, with their smallest errors.
+/// Lists the schemes that cannot reach the tolerance, each with its smallest error.
 fn out_of_reach(traded: &Traded) -> Vec<String> {
     let mut lines = Vec::new();
     for &scheme in &traded.stalled {
@@ -212,7 +213,7 @@ fn out_of_reach(traded: &Traded) -> Vec<String> {
     lines
 }
 
-/// Returns the setting with the smallest error among those that satisfy `is_among`.
+/// Returns the setting with the smallest error among those for which `is_among` holds.
 fn best(traded: &Traded, is_among: impl Fn(&Measured) -> bool) -> Option<&Measured> {
     let among = traded.settings.iter().filter(|measured| is_among(measured));
     among.min_by(|a, b| a.error().total_cmp(&b.error()))

@@ -1,4 +1,4 @@
-//! `kahan verify`: proves the formulas of the paper, or the claims of a field.
+//! The command `kahan verify`, which proves the formulas of the paper, or the claims of a field.
 
 use clap::Args;
 use kahan_study::{Mutations, Study, Verified, Verify as Question};

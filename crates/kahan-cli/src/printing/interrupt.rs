@@ -1,4 +1,4 @@
-//! Removal of unfinished files on SIGINT and SIGTERM; the process ends with status 130 or 143.
+//! Removes unfinished files on SIGINT and SIGTERM, and ends the process with status 130 or 143.
 //!
 //! A signal is sent to the whole process, so the list of unfinished files is global.
 
@@ -18,7 +18,7 @@ pub(super) fn unfinished(
     make: impl FnOnce() -> io::Result<NamedTempFile>,
 ) -> io::Result<(NamedTempFile, UnfinishedFile)> {
     listen()?;
-    // The lock makes signals wait while a file exists but is not in the list.
+    // The lock makes signals wait while a file exists that is not in the list yet.
     let mut list = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
     let file = make()?;
     list.push(file.path().to_path_buf());
@@ -32,7 +32,7 @@ impl Drop for UnfinishedFile {
     }
 }
 
-/// Starts a thread, once, that waits for a signal.
+/// Starts a thread that waits for a signal. Later calls do nothing.
 #[cfg(unix)]
 fn listen() -> io::Result<()> {
     use std::sync::atomic::{AtomicBool, Ordering};
@@ -59,7 +59,7 @@ fn listen() -> io::Result<()> {
     Ok(())
 }
 
-/// Does nothing: other systems end an interrupted process themselves.
+/// Does nothing, because other operating systems end an interrupted process themselves.
 #[cfg(not(unix))]
 fn listen() -> io::Result<()> {
     Ok(())

@@ -1,8 +1,8 @@
 //! Tables, labels and matrices that fit the screen.
 //!
-//! A table breaks between columns at the width of the terminal, or at 80 columns. Formulas break
-//! before a term on a terminal, and not at all in files. Words and numbers are never broken; a
-//! wider one gets a line of its own.
+//! A table that is wider than the terminal, or than 80 columns, breaks between columns. On a
+//! terminal formulas break before a term; in files they do not break. Words and numbers are never
+//! broken; one that is wider than the screen gets a line of its own.
 
 #[cfg(test)]
 mod tests;
@@ -14,7 +14,7 @@ use std::ops::Range;
 use kahan_algebra::render::{columns, lines, widths};
 use kahan_draw::document::Rows;
 
-/// The width of a screen of unknown width.
+/// The assumed width if the width of the screen is unknown.
 const USUAL_WIDTH: usize = 80;
 /// Narrower terminals are treated as this wide.
 const NARROWEST: usize = 20;
@@ -60,9 +60,9 @@ pub(crate) fn headed<H: ToString>(
 
 /// Formats a table whose first row is its heading.
 ///
-/// A table that is too wide breaks headings and cells with sentences. If that is not enough,
-/// further columns follow in tables below, each with the first `keys` columns. If a column does not
-/// fit beside those, each row becomes a list of its cells.
+/// If the table is too wide, headings and cells with sentences are broken. If that is not enough,
+/// further columns follow in tables below; each of these repeats the first `keys` columns. If a
+/// column does not fit beside these columns, each row becomes a list of its cells.
 pub(crate) fn table(rows: &[Vec<String>], keys: usize) -> Vec<String> {
     table_within(rows, keys, screen_width())
 }
@@ -95,23 +95,23 @@ fn below_each_other(groups: impl IntoIterator<Item = Vec<String>>) -> Vec<String
     groups.into_iter().collect::<Vec<_>>().join(&String::new())
 }
 
-/// Joins groups of lines with empty lines, as a text.
+/// Joins groups of lines into a text, with an empty line between two groups.
 pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> String {
     below_each_other(groups).join("\n") + "\n"
 }
 
-/// The width from which a cell counts as a sentence, which may break.
+/// The width above which a cell counts as a sentence, which may be broken.
 const SENTENCE: usize = 24;
 
-/// Returns the width of each column with one word per line in its heading.
+/// Returns the width of each column if its heading has one word on each line.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let heading = heading.iter().enumerate();
     heading.map(|(column, name)| longest_word(name).max(largest(rows, column, length))).collect()
 }
 
-/// Narrows columns, the widest first, to the total `width`. No column gets narrower than `least` or
-/// its longest word; returns `None` if that is not enough.
+/// Narrows columns, the widest first, to the total `width`. A column never gets narrower than its
+/// entry of `least`, or than its longest word. Returns `None` if that is not enough.
 fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> =
@@ -124,7 +124,8 @@ fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<u
     Some(narrower)
 }
 
-/// Groups the columns after the keys so that each group fits; `None` if a column does not fit.
+/// Groups the columns after the first `keys` ones, so that each group fits; `None` if a column does
+/// not fit.
 fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) -> Option<Vec<Range<usize>>> {
     let keys_width = total(&natural[..keys.min(natural.len())]);
     let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;
@@ -135,7 +136,7 @@ fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) ->
         .then(|| side_by_side(others, natural, room))
 }
 
-/// Groups columns that fit side by side, at least one a group.
+/// Groups columns that fit side by side; each group has at least one column.
 fn side_by_side(columns: Range<usize>, widths: &[usize], room: usize) -> Vec<Range<usize>> {
     let mut groups: Vec<Range<usize>> = Vec::new();
     for column in columns {
@@ -147,7 +148,7 @@ fn side_by_side(columns: Range<usize>, widths: &[usize], room: usize) -> Vec<Ran
     groups
 }
 
-/// Formats a row; cells that are wider than their columns take several lines.
+/// Formats a row. A cell that is wider than its column takes several lines.
 fn row_within(row: &[String], widths: &[usize]) -> Vec<String> {
     let cells: Vec<Vec<String>> = row.iter().zip(widths).map(|(cell, &width)| lines(cell, width)).collect();
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
@@ -168,7 +169,8 @@ fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     below_each_other(rows.iter().map(record))
 }
 
-/// Returns a label of `room` columns with a text beside it, or below it if a word is too wide.
+/// Returns a label of width `room` with a text beside it; if a word is too wide, with the text
+/// below it.
 pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
     labelled_within(label, text, room, screen_width())
 }
@@ -188,7 +190,8 @@ pub(crate) fn beside(label: &str, lines: Vec<String>, room: usize) -> Vec<String
     labels.zip(lines).map(|(label, line)| format!("{label:<room$}  {line}").trim_end().to_owned()).collect()
 }
 
-/// Breaks a line after commas into parts of at most `width` characters; further parts are indented.
+/// Breaks a line after commas into parts of at most `width` characters. All parts except the first
+/// are indented.
 pub(crate) fn after_commas(line: &str, width: usize) -> String {
     let mut out = String::with_capacity(line.len() + 16);
     let mut taken = 0;

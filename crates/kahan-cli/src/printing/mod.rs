@@ -1,4 +1,4 @@
-//! Output: answers and refusals, tables and text that fit the screen, and files.
+//! Output: answers and refusals, tables and text that fit on the screen, and files.
 
 mod interrupt;
 pub(crate) mod layout;

@@ -1,4 +1,4 @@
-//! Arrays of NumPy (numpy.lib.format, version 1.0), written row by row.
+//! Writes NumPy arrays (numpy.lib.format, version 1.0) row by row.
 
 use super::output_stream::{OutputStream, WriteError};
 
@@ -25,7 +25,7 @@ impl Npy {
     }
 }
 
-/// Returns the header: 128 bytes for any number of rows.
+/// Returns the header of an array, which has 128 bytes for any number of rows.
 fn header(rows: u64, row: &[usize]) -> Vec<u8> {
     let sizes: String = row.iter().map(|size| format!(", {size}")).collect();
     let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}{sizes}), }}");

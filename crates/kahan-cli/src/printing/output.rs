@@ -1,4 +1,4 @@
-//! Answers and refusals, and how they are printed.
+//! Answers and refusals, and how these are printed.
 
 use std::io::{self, ErrorKind, Write};
 
@@ -16,12 +16,12 @@ pub(crate) struct Answer {
     pub(crate) text: String,
     /// Whether a terminal may break lines at spaces.
     pub(crate) breaks: bool,
-    /// A failed check or a pole, for standard error.
+    /// A message for standard error about a failed check or a pole.
     pub(crate) complaint: Option<String>,
     pub(crate) status: u8,
 }
 
-/// Wrong usage or input: one paragraph for standard error, with exit status 2.
+/// A message about wrong usage or input: one paragraph for standard error, with exit status 2.
 #[derive(Debug)]
 pub(crate) struct UsageError(String);
 
@@ -31,7 +31,8 @@ impl Answer {
         Answer { text, breaks: true, complaint: None, status: 0 }
     }
 
-    /// Returns an answer without output, with the exit status of a program that was run.
+    /// Returns an answer without output; `status` is the exit status of another program that was
+    /// run.
     pub(crate) fn silent(status: u8) -> Self {
         Answer { status, ..Answer::verbatim(String::new()) }
     }
@@ -50,7 +51,7 @@ impl Answer {
         if as_json { Answer::json(found) } else { Answer::text(text(found)) }
     }
 
-    /// Adds a complaint, if any, which makes the exit status 1.
+    /// Adds a complaint if there is one, which makes the exit status 1.
     pub(crate) fn but(self, complaint: Option<String>) -> Self {
         let status = u8::from(complaint.is_some());
         Answer { complaint, status, ..self }
@@ -58,7 +59,8 @@ impl Answer {
 }
 
 impl UsageError {
-    /// Makes a refusal that says what is wrong and what to write instead, without `error:`.
+    /// Makes a refusal that says what is wrong and what to write instead; the message lacks the
+    /// word `error:`.
     pub(crate) fn new(message: impl AsRef<str>) -> Self {
         UsageError(paragraph(message.as_ref()))
     }
@@ -67,7 +69,7 @@ impl UsageError {
         self.0.trim_start_matches("error: ").trim_end()
     }
 
-    /// Makes a refusal of reports that begin with `error:` and end with a line break.
+    /// Makes a refusal from reports that already begin with `error:` and end with a line break.
     pub(crate) fn reports(reports: String) -> Self {
         UsageError(reports)
     }
@@ -81,8 +83,8 @@ pub(crate) fn warn(note: &str) {
     let _ = writeln!(io::stderr(), "note: {note}");
 }
 
-/// Prints a result and returns the exit status. A reader that has gone away (`kahan | head`) is not
-/// an error.
+/// Prints a result and returns the exit status. A closed pipe, as in `kahan | head`, is not an
+/// error.
 pub(crate) fn finish(result: Result<Answer, UsageError>) -> u8 {
     let (text, complaint, status) = match result {
         Ok(Answer { text, breaks, complaint, status }) => {
@@ -108,7 +110,7 @@ pub(crate) fn joined<T: ToString>(items: impl IntoIterator<Item = T>, between: &
     words.join(between)
 }
 
-/// Formats rows of cells without commas as CSV.
+/// Formats rows as CSV; cells contain no commas.
 pub(crate) fn csv(rows: &[Vec<String>]) -> String {
     let mut text = String::new();
     rows.iter().for_each(|row| csv_line(&mut text, row));

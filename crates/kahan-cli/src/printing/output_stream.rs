@@ -1,8 +1,8 @@
 //! Destinations of long output: standard output, or a file that appears whole or not at all.
 //!
-//! A file is written under a temporary name in the same folder and renamed at the end; unfinished
-//! files are removed, also after a signal. Standard output is buffered, and flushed by the first
-//! write 0.1 s after the last flush, so that a reader sees rows early.
+//! A file is written under a temporary name in the same folder, and renamed at the end. Unfinished
+//! files are removed, also after a signal. Standard output is buffered. A write that comes 0.1 s or
+//! more after the last flush flushes it, so that a reader sees rows early.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
@@ -23,9 +23,9 @@ enum Destination {
 
 #[derive(Debug)]
 pub(crate) enum WriteError {
-    /// The reader of standard output has gone away, which is not an error.
+    /// The reader of standard output has closed the pipe, which is not an error.
     ReaderGone,
-    /// An error, as one sentence for the user.
+    /// An error, described by one sentence for the user.
     Failed(String),
 }
 
@@ -38,7 +38,7 @@ impl From<WriteError> for UsageError {
     }
 }
 
-/// The time after a flush after which the next write flushes.
+/// The time since the last flush after which a write flushes again.
 const PATIENCE: Duration = Duration::from_millis(100);
 
 impl OutputStream {
@@ -46,13 +46,14 @@ impl OutputStream {
         OutputStream(Destination::Standard { writer: BufWriter::new(io::stdout()), flushed: Instant::now() })
     }
 
-    /// Opens a file, which appears on [`finish`](Self::finish) and replaces an existing one.
-    /// `option` is the argument that names it, for refusals.
+    /// Opens a file. The file appears on [`finish`](Self::finish), and replaces an existing one.
+    /// Refusals mention `option`, the argument that names the file.
     pub(crate) fn file(path: &Path, option: &str) -> Result<Self, UsageError> {
         let refused = |reason: &str| {
             UsageError::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // The target of a link is replaced, not the link. A device or a directory is not replaced.
+        // If the path is a link, its target is replaced, not the link. A device or a directory is
+        // never replaced.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
@@ -74,7 +75,7 @@ impl OutputStream {
         Ok(OutputStream(Destination::File { writer: BufWriter::new(file), path, unfinished }))
     }
 
-    /// Opens a file for a table; a name without an extension is also accepted.
+    /// Opens a file for a table. The file name may lack an extension.
     pub(crate) fn table(path: &Path) -> Result<Self, UsageError> {
         if path.extension().is_none() || is_table(path) {
             return Self::file(path, "--out");
@@ -117,7 +118,7 @@ impl OutputStream {
         Ok(self.finish()?)
     }
 
-    /// Writes buffered output. A file appears under its name.
+    /// Writes buffered output. A file then appears under its name.
     pub(crate) fn finish(mut self) -> Result<(), WriteError> {
         let flushed =
             if let Destination::Standard { writer, .. } = &mut self.0 { writer.flush() } else { Ok(()) };
@@ -150,7 +151,7 @@ fn cannot_write(place: &str, error: &io::Error) -> WriteError {
     WriteError::Failed(format!("cannot write {place}: {error}"))
 }
 
-/// Makes a temporary file with the usual permissions instead of those for secrets.
+/// Makes a temporary file with the usual permissions; by default, only the user could read it.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".kahan-").suffix(".tmp");

@@ -1,4 +1,4 @@
-//! Pages of formulas: sections of plain text, displays in LaTeX, matrices.
+//! Pages of formulas: sections of plain text, displayed formulas in LaTeX, and matrices.
 
 use kahan_algebra::render::{MatrixText, Notation, lines};
 use kahan_algebra::syntax::ClaimKind;

@@ -1,5 +1,5 @@
-//! Progress of long work on standard error, if that is a terminal, with the clock and the
-//! processors of the machine.
+//! Shows the progress of long work on standard error, if that is a terminal. Also provides the
+//! clock and the number of processors.
 
 use std::io::{IsTerminal, stderr, stdout};
 use std::ops::ControlFlow;
@@ -11,8 +11,8 @@ use kahan_discover::report::MOST_READABLE;
 use kahan_discover::{Finding, Progress, Watch};
 use kahan_runtime::threads;
 
-/// A progress bar or spinner, which shows each finding as soon as it is proved. Dropping removes
-/// it.
+/// A progress bar or spinner that shows each finding as soon as it is proved. Dropping the value
+/// removes the bar.
 pub(crate) struct ProgressDisplay {
     bar: ProgressBar,
     since: Instant,
@@ -22,7 +22,7 @@ pub(crate) struct ProgressDisplay {
 }
 
 impl ProgressDisplay {
-    /// Makes a bar of steps, called `what`, whose number the work reports.
+    /// Makes a bar of steps, called `what`. The work reports how many steps there are.
     pub(crate) fn of(what: &str) -> Self {
         Self::new(0, what)
     }
@@ -32,7 +32,7 @@ impl ProgressDisplay {
         Self::showing(true, || bar(steps, what))
     }
 
-    /// Makes a bar of steps of orbits. It is hidden if rows go to a terminal.
+    /// Makes a bar of the steps of orbits. The bar is hidden if rows are printed on a terminal.
     pub(crate) fn beside_rows(in_file: bool, steps: u64) -> Self {
         Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }
@@ -52,7 +52,7 @@ impl ProgressDisplay {
     }
 
     pub(crate) fn within(self, seconds: f64) -> Self {
-        // A century is as good as no limit, and fits every clock.
+        // A limit of about a century has the effect of no limit, and fits every clock.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
         ProgressDisplay { end: Some(self.since + allowed), ..self }
     }
@@ -90,7 +90,7 @@ impl Watch for ProgressDisplay {
             return ControlFlow::Break(());
         }
         match (self.bar.length(), progress.of) {
-            // A bar counts steps of one kind; stages in between do not move it.
+            // A bar counts steps of one kind; reports on stages in between do not move the bar.
             (Some(length), Some(of)) => {
                 let done = self.done.load(Ordering::Relaxed);
                 self.bar.set_length(length.max(done + of));
@@ -102,7 +102,8 @@ impl Watch for ProgressDisplay {
         ControlFlow::Continue(())
     }
 
-    /// Prints a finding above the bar with the elapsed seconds; a long one by its name and length.
+    /// Prints a finding above the bar, with the elapsed seconds. A long finding is printed by its
+    /// name and length.
     fn found(&self, finding: &Finding) {
         let Finding { kind, name, text } = finding;
         let shown = match text.len() {

@@ -1,4 +1,4 @@
-//! Tables that are written row by row: CSV, or the rows of a JSON object.
+//! Tables that are written row by row, as CSV or as the rows of a JSON object.
 
 use std::ops::ControlFlow;
 
@@ -10,23 +10,24 @@ use super::output_stream::{OutputStream, WriteError};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
-    /// A line of column names, then a line for each row; undefined values are empty. A terminal
-    /// breaks long lines after commas.
+    /// Comma-separated values: a line of column names, then a line for each row. Undefined values
+    /// are empty. A terminal breaks long lines after commas.
     Csv,
-    /// One object: the metadata, `rows`, and members after the rows; undefined values are null.
+    /// One JSON object: the metadata, `rows`, and the members after the rows. Undefined values are
+    /// null.
     Json,
 }
 
 pub(crate) struct Table {
     sink: OutputStream,
     format: Format,
-    /// The first cells of all rows of an orbit, which identify it among several.
+    /// The first cells of all rows of an orbit, which identify the orbit among several.
     place: Vec<StoredColumn>,
     line: String,
     has_rows: bool,
     width: Option<usize>,
     broken: Option<WriteError>,
-    /// Whether rows are computed even without a reader.
+    /// Whether rows are computed even if the reader has closed the pipe.
     outlives_reader: bool,
 }
 
@@ -58,7 +59,7 @@ impl Table {
         Ok(table)
     }
 
-    /// Begins an orbit, all of whose rows start with these cells.
+    /// Begins an orbit; all of its rows start with the cells in `place`.
     pub(crate) fn begin_orbit(&mut self, place: Vec<StoredColumn>) {
         self.place = place;
     }
@@ -88,7 +89,7 @@ impl Table {
         self.broken.take().map_or(Ok(()), Err)
     }
 
-    /// Writes the members after the rows, and closes the sink.
+    /// Writes the members after the rows, and closes the output stream.
     pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), WriteError> {
         if self.format == Format::Json {
             self.sink.write("\n  ]")?;

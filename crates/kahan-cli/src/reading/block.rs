@@ -1,4 +1,4 @@
-//! The block of a field: in the catalog, in a text, or in a file (`--file`, `--block`).
+//! The block of a field, from the catalog, from a text, or from a file (`--file`, `--block`).
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -18,11 +18,12 @@ use super::rust_file::{RustBlock, blocks};
 use crate::printing::{UsageError, joined};
 
 thread_local! {
-    /// Caches the last block, since a command reads its field twice: for notes, and for its answer.
+    /// Caches the last block, because a command reads its field twice: for notes, and for its
+    /// answer.
     static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
-/// Extensions of models that the Python package reads.
+/// File extensions of models that only the Python package reads.
 const MODELS: [&str; 3] = ["xml", "sbml", "ant"];
 
 #[derive(Clone, Debug)]
@@ -39,12 +40,12 @@ impl Block {
         system.or_else(|| lattices::find(name).map(|family| of(None, family.text, family.command)))
     }
 
-    /// Returns the block in a text, which reports call `origin`.
+    /// Returns the block in a text; `origin` names the text in reports.
     pub(crate) fn of_text(text: String, origin: String) -> Self {
         Block::new(None, text, origin)
     }
 
-    /// Takes the first call of `kahan!` in a text, or the whole text.
+    /// Takes the first call of `kahan!` in a text; without a call, takes the whole text.
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
         let body = blocks(&text).into_iter().next().map_or(0..text.len(), |block| block.range);
         Block { entry, ..Block::within(text, body, origin) }
@@ -73,13 +74,14 @@ impl Block {
         Subject::block(self.text.clone())
     }
 
-    /// Returns the undeclared names, which are parameters. A block in Rust has none: there such
-    /// names are variables of the program.
+    /// Returns the undeclared names, which are parameters. A block in Rust has no such parameters,
+    /// because there undeclared names are variables of the program.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
 
-    /// Returns the family of the block. `option` is named in the refusal of a plain system.
+    /// Returns the family of the block. If the block is a plain system, the refusal mentions
+    /// `option`.
     pub(crate) fn family(&self, option: &str) -> Result<Family, UsageError> {
         self.text.family().map_err(|mistakes| UsageError::reports(mistakes.to_string()))?.ok_or_else(|| {
             UsageError::new(format!(
@@ -92,8 +94,8 @@ impl Block {
         self.text.given()
     }
 
-    /// Returns two texts of the block with initial values: as given, and in the language of
-    /// `kahan!`. The given text may have no names for velocities.
+    /// Returns two texts of the block with initial values: the given text, and the text in the
+    /// language of `kahan!`. The given text may lack names for velocities.
     pub(crate) fn beginning_at(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));
@@ -102,8 +104,8 @@ impl Block {
         [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
     }
 
-    /// Returns notes on interpretations of the text, and on values in it that options do not
-    /// override.
+    /// Returns notes on how the text was interpreted, and on values in the text that no option
+    /// overrides.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let is_noted = |name: &str| {
             let named = format!("`{name}` with the value");
@@ -123,7 +125,8 @@ impl Block {
         self.text.notes().iter().cloned().chain(values).collect()
     }
 
-    /// Returns the product of one-letter states that a name may stand for.
+    /// Returns the product of states with one-letter names that a name may stand for, such as `x*y`
+    /// for `xy`.
     pub(super) fn product(&self, name: &str) -> Option<String> {
         let system = self.text.unproved_system().ok()?;
         let letters: Vec<String> = name.chars().map(String::from).collect();
@@ -157,8 +160,8 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), UsageError> {
     }))
 }
 
-/// Returns the range of the field: the whole text, or one call of `kahan!`. If there are several,
-/// `wanted` selects one by name or line.
+/// Returns the range of the field in a text: the whole text, or one call of `kahan!`. If there are
+/// several calls, `wanted` selects one by name or line.
 pub(super) fn select_block(
     text: &str,
     origin: &str,

@@ -1,5 +1,5 @@
-//! A chain with any number of sites: its map and its first state. Values at the sites come from a
-//! formula of the index i, or from a file.
+//! A chain with any number of sites: its map and its first state. The values at the sites come from
+//! a formula of the index i, or from a file.
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
@@ -14,8 +14,8 @@ use super::values::{formula, formulas, named, number};
 use crate::printing::{UsageError, joined};
 
 impl Start {
-    /// Reads the chain that begins as `--start` says. Variables get names if there are at most
-    /// `most_names`.
+    /// Reads the chain with the initial values that `--start` gives. Variables get names if there
+    /// are at most `most_names` of them.
     pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, UsageError> {
         const MOST_SITES: usize = 1 << 28;
 
@@ -62,7 +62,7 @@ impl Start {
     }
 }
 
-/// Reads `--param NAME=V`: one number, or one for each site.
+/// Reads `--param NAME=V`; V stands for one number, or for one number for each site.
 fn parameter<'a>(
     given: &'a str,
     sites: usize,
@@ -72,7 +72,7 @@ fn parameter<'a>(
     let option = format!("--param {name}");
     if is_number_file(value) {
         let Numbers { names, values, .. } = read(value, &option)?;
-        // With several columns, a heading selects the column.
+        // If there are several columns, a heading selects the column.
         let Some(names) = names.filter(|names| names.len() > 1) else { return Ok((name, values)) };
         let wanted = [name.to_owned()];
         let place = ExpectedColumns::new(&wanted, &[], OtherColumns::Ignored).places(&names);
@@ -119,7 +119,7 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Usag
         let rows = values.chunks_exact(names.len());
         values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
-    // A single array may be a list or a column. If a file has several states, the last one counts.
+    // A single array may be a list or a column. If a file has several states, the last one is used.
     let mut state = vec![sites, arrays.len()];
     let mut found = &sizes[..];
     if arrays.len() == 1 {

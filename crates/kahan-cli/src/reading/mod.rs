@@ -1,4 +1,4 @@
-//! Input: arguments and files in, checked systems and numbers out. Mistakes become a
+//! Input: turns arguments and files into checked systems and numbers. Mistakes become a
 //! [`UsageError`](crate::printing::UsageError).
 
 mod block;
@@ -18,5 +18,5 @@ pub(crate) use source::{ONE_WORD, Source, Start, StepLength, Stepping, Transient
 pub(crate) use study::option;
 pub(crate) use values::{axis, named, number, observable, one_of, order, over, scalar, seconds, whole};
 
-/// The largest number of steps of an observed orbit; a double counts them.
+/// The largest number of steps of an observed orbit, because a double counts the steps.
 pub(crate) const MOST_OBSERVED: u64 = 1 << 53;

@@ -17,7 +17,7 @@ use crate::printing::joined;
 /// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The states of a term: none in c, one in B, two in Q.
+/// The indices of the states in a term: none in c, one in B, two in Q.
 type States = [Option<usize>; 2];
 
 /// An array: its shape, and its entries as (row, column, value). A row belongs to a component of
@@ -107,7 +107,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// Takes an array from the files: dense, or sparse in three arrays by rows.
+/// Takes an array from the files; it is dense (one file), or sparse by rows (three files).
 fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {

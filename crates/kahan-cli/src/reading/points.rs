@@ -1,4 +1,4 @@
-//! Points given by `--at`: coordinates with commas, or a file with a row for each point.
+//! Points given by `--at`: coordinates separated by commas, or a file with a row for each point.
 
 use std::fs;
 use std::path::Path;
@@ -16,14 +16,15 @@ pub(crate) fn is_number_file(text: &str) -> bool {
     ending.is_some_and(|ending| ending == "npy" || ending == "csv")
 }
 
-/// Reads a file of numbers. Refusals name `option`.
+/// Reads a file of numbers. Refusals mention `option`.
 pub(super) fn read<V: FileNumber>(path: &str, option: &str) -> Result<Numbers<V>, UsageError> {
     let refused = |why: String| UsageError::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
     Numbers::of(path, &bytes).map_err(refused)
 }
 
-/// Returns the points of `--at`, at least one. The default is the point in the text of the field.
+/// Returns the points of `--at`, at least one. Without `--at`, returns the point in the text of the
+/// field.
 pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, UsageError> {
     let states = study.coordinates();
     let Some(at) = at else {
@@ -39,19 +40,19 @@ pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational
     points.map_err(|why| UsageError::new(format!("--at: the file {at} {why}")))
 }
 
-/// Returns the only point of `--at`. The default is the point in the text of the field.
+/// Returns the only point of `--at`. Without `--at`, returns the point in the text of the field.
 pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, UsageError> {
     only(points(at, study)?, at)
 }
 
-/// Reads the first point of `--at` before the field is known, with names of coordinates if the file
-/// has them. Returns `None` without a point.
+/// Reads the first point of `--at` before the field is known. Also returns the names of the
+/// coordinates if the file has them. Returns `None` if there is no point.
 pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     if is_number_file(at) {
         let rows = read::<Option<Rational>>(at, "--at").ok()?;
         let width = rows.sizes.last().copied().unwrap_or_default();
         let (first, names) = (rows.values.get(..width)?, rows.names.unwrap_or_default());
-        // Columns of words, such as `ended`, are not states.
+        // Columns of text, such as `ended`, are not states.
         let given =
             first.iter().enumerate().filter_map(|(k, value)| Some((value.clone()?, names.get(k).cloned())));
         let (point, names): (Vec<_>, Vec<_>) = given.unzip();

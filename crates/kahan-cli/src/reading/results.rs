@@ -1,4 +1,4 @@
-//! Named columns of numbers in files: results of `kahan sweep`, and tables.
+//! Named columns of numbers from files: results of `kahan sweep`, and tables.
 
 use std::env::consts::EXE_SUFFIX;
 use std::io;
@@ -10,7 +10,8 @@ use kahan_study::number_file::Numbers;
 use super::points::read;
 use crate::printing::UsageError;
 
-/// Returns the program `kahan-sweep`: beside this one, otherwise on the search path.
+/// Returns the program `kahan-sweep`. It is taken from the folder of this program, or else found on
+/// the search path.
 pub(crate) fn sweeper() -> Command {
     let name = format!("kahan-sweep{EXE_SUFFIX}");
     let beside =
@@ -28,7 +29,7 @@ pub(crate) fn not_started(error: &io::Error) -> UsageError {
     })
 }
 
-/// Reads columns by name. A folder stands for the sweep result in it. Refusals name `option`.
+/// Reads columns by name. A folder stands for the sweep result in it. Refusals mention `option`.
 pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<Vec<f64>>, UsageError> {
     let merged = path.join("results.parquet");
     if path.is_dir() && !merged.exists() {

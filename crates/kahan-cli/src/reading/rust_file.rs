@@ -1,8 +1,8 @@
 //! Finds the calls of `kahan!` in a text: their ranges and names.
 //!
 //! The lexer of rustc distinguishes calls from comments and strings. The parsers `proc-macro2` and
-//! `syn` are not used: they reject files with an open bracket, and Markdown with a program, and
-//! `syn` does not look into other macros.
+//! `syn` are not used: they reject files with an unclosed bracket, and Markdown that contains a
+//! program. Moreover, `syn` does not look into other macros.
 
 #[cfg(test)]
 mod tests;
@@ -16,9 +16,9 @@ const MACRO: &str = "kahan";
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RustBlock {
     pub(super) range: Range<usize>,
-    /// The line of `kahan!`, from 1.
+    /// The line on which the call of `kahan!` begins, counted from 1.
     pub(super) line: usize,
-    /// The name of its struct, or of the variable to which it is bound.
+    /// The name of the block's struct, or of the variable to which the block is bound.
     pub(super) name: Option<String>,
 }
 
@@ -29,7 +29,7 @@ struct Piece<'a> {
 }
 
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
-    // Most texts have no call, and may be long.
+    // Most texts are searched only for the word, because they may be long and have no call.
     if !text.contains(MACRO) {
         return Vec::new();
     }
@@ -82,7 +82,8 @@ fn closes(kind: TokenKind) -> bool {
     matches!(kind, TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket)
 }
 
-/// Returns the number of tokens before the closing bracket, or of all if it is missing.
+/// Returns the number of tokens before the closing bracket; if it is missing, the number of all
+/// tokens.
 fn length_inside(pieces: &[Piece<'_>]) -> usize {
     let mut depth = 1;
     let is_last = |piece: &Piece<'_>| {

@@ -1,5 +1,5 @@
-//! Arguments that name a system: in the catalog, on the command line, or in a file; with values of
-//! its parameters.
+//! Arguments that name a system and give values of its parameters. A system is in the catalog, on
+//! the command line, or in a file.
 
 use std::f64::consts::{E, PI};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use super::MOST_OBSERVED;
 use super::block::{Block, read_file, select_block};
 use super::values::{named, number, one_of, whole};
 
-/// Advice for a value that the shell split into several words.
+/// Advice for a value that the shell has split into several words.
 pub(crate) const ONE_WORD: &str = "a value is one word, as in --at 1,0.5,0.3 and --param a=0.4";
 
 /// The system that a command is about.
@@ -96,14 +96,14 @@ pub(crate) struct StepLength {
 }
 
 impl StepLength {
-    /// Returns ε, half the time step, if an option gives it.
+    /// Returns ε, half the time step; `None` if no option gives it.
     pub(crate) fn half(&self) -> Result<Option<Rational>, UsageError> {
         let Some((option, text)) = self.given() else { return Ok(None) };
         let value = number(text, option)?;
         Ok(Some(if option == "--dt" { &value * &Rational::new(1, 2) } else { value }))
     }
 
-    /// Returns the text of --eps if it is a range, as some commands allow.
+    /// Returns the text of --eps if it is a range, which some commands allow.
     pub(crate) fn range(&self) -> Option<&str> {
         self.eps.as_deref().filter(|text| text.contains(':'))
     }
@@ -163,7 +163,7 @@ impl Source {
     }
 
     /// Returns the words that name this source on a command line. Standard input can be read only
-    /// once, so its text replaces it.
+    /// once, so the words contain its text instead.
     pub(crate) fn words(&self, block: &Block) -> Vec<String> {
         let is_input = self.is_input();
         let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
@@ -186,7 +186,7 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// Removes --all, and returns whether it was given; some commands give it a wider meaning.
+    /// Removes --all, and returns whether it was given. Some commands give --all a wider meaning.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
@@ -197,7 +197,8 @@ impl Source {
         self
     }
 
-    /// Returns the kind of lift, if requested. The start and the parameter values guide its choice.
+    /// Returns the kind of lift; `None` if no lift is requested. The start and the parameter values
+    /// guide the choice of a lift.
     pub(super) fn lifting(
         &self,
         start: Option<(Vec<Rational>, Vec<String>)>,
@@ -228,7 +229,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a parameter value, or a `step`, for a name on one of the `axes`.
+    /// Refuses a parameter value, or a `step`, if one of the `axes` has the same name.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), UsageError> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =
@@ -278,8 +279,8 @@ impl Source {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// Returns notes on interpretations of a text, and on undeclared names without a value or
-    /// range. For standard input [`block`](Self::block) prints them.
+    /// Returns notes on how a text was interpreted, and on undeclared names without a value or
+    /// range. For standard input, [`block`](Self::block) prints the notes.
     pub(crate) fn notes(&self, ranges: &[String]) -> Vec<String> {
         let block = if self.is_input() { None } else { self.block().ok().flatten() };
         block.map_or_else(Vec::new, |block| self.notes_on(&block, ranges))
@@ -291,7 +292,7 @@ impl Source {
         block.notes(&given).into_iter().chain(undeclared_in(block, &given)).collect()
     }
 
-    /// Separates parameters given as ranges, such as `xi=-2:2:+1/12`, from the others.
+    /// Separates parameters that are given as ranges, such as `xi=-2:2:+1/12`, from the others.
     pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
         let mut single = self.clone();
         single.parameters.retain(|given| !given.contains(':'));
@@ -308,7 +309,7 @@ impl Source {
         Source { system: None, field: Some(text), file: None, block: None, ..self }
     }
 
-    /// Returns the named block, or refuses if none was named.
+    /// Returns the named block; refuses if none was named.
     pub(crate) fn required_block(&self) -> Result<Block, UsageError> {
         self.block()?.ok_or_else(|| {
             let names = joined(Systems.names().iter().map(|[name, _]| name), ", ");

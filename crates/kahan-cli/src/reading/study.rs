@@ -1,4 +1,4 @@
-//! Arguments to a field, as a `Study`. A [`UsageError`] names the option to change.
+//! Turns arguments into a field, a `Study`. A [`UsageError`] names the option to change.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
@@ -18,7 +18,7 @@ impl Source {
         self.study_of(self.subject()?, at, &[])
     }
 
-    /// Returns the field like `study_at`, and refuses false claims before missing numbers.
+    /// Returns the field as `study_at` does; reports false claims before missing numbers.
     pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, UsageError> {
         self.proved_over(at, &[])
     }
@@ -30,12 +30,13 @@ impl Source {
         Ok(study)
     }
 
-    /// Returns the field of a block that was already read: standard input can be read only once.
+    /// Returns the field of a block that was already read, because standard input can be read only
+    /// once.
     pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// Returns the field for display; a lift without a start is chosen along some orbit.
+    /// Returns the field for display. If no start is given, chooses the lift along some orbit.
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, UsageError> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }
@@ -74,7 +75,8 @@ impl Start {
         Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
-    /// Returns the field, the only start, and ε. Parameters and ε on `axes` have no other values.
+    /// Returns the field, the only start, and ε. A parameter or ε on one of the `axes` has no other
+    /// value.
     pub(crate) fn study_over(
         &self,
         axes: &[Axis],
@@ -83,7 +85,8 @@ impl Start {
         Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
-    /// Returns the field, all starts, and ε. Parameters and ε on `axes` have no other values.
+    /// Returns the field, all starts, and ε. A parameter or ε on one of the `axes` has no other
+    /// value.
     pub(crate) fn starts_over(&self, axes: &[Axis]) -> Result<(Study, Points, Option<Rational>), UsageError> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, &self.step)?;

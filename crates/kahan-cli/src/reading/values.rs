@@ -14,7 +14,7 @@ pub(crate) fn number(text: &str, what: &str) -> Result<Rational, UsageError> {
     numbers::number(text).map_err(|why| UsageError::new(format!("{what}: {why}")))
 }
 
-/// Splits NAME=VALUE; the refusal shows `example`.
+/// Splits NAME=VALUE. The refusal of another form shows `example`.
 pub(crate) fn named<'a>(
     given: &'a str,
     option: &str,
@@ -38,7 +38,7 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
 }
 
-/// Reads the name of one of `known`; `value` returns its name and its help.
+/// Reads a name out of `known`; `value` returns the name and the help of each item.
 pub(crate) fn one_of<T: Copy + Send + Sync + 'static>(
     known: impl IntoIterator<Item = &'static T>,
     value: fn(T) -> PossibleValue,
@@ -75,7 +75,7 @@ pub(crate) fn over(text: &str) -> Result<Axis, UsageError> {
     axis(name.trim(), range, &format!("--over {}", name.trim()))
 }
 
-/// Reads FROM:TO:… of an option, as the range of `name`.
+/// Reads FROM:TO:… as the range of `name`; `option` is the option that gives it.
 pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, UsageError> {
     let range = Range::read(text).map_err(|why| UsageError::new(format!("{option}: {why}")))?;
     Ok(Axis { name: name.to_owned(), range })

@@ -1,4 +1,5 @@
-//! Fields from files of `np.savez`, built byte by byte. Python tests read files made by NumPy.
+//! Fields from files of `np.savez`, which are built byte by byte here. Python's tests read files
+//! that NumPy wrote.
 
 use std::io::Write;
 
@@ -8,7 +9,7 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 
 use crate::running::{answer, kahan, refusal, text};
 
-/// A builder for a file of arrays, with the bytes of each.
+/// A builder for a file of arrays, each given by its bytes.
 struct Npz {
     folder: tempfile::TempDir,
     files: Vec<(String, Vec<u8>)>,
@@ -101,7 +102,7 @@ fn a_file_of_arrays_is_a_field() {
         )
         .with("Q_indptr", "<i8", "(3,)", [0_i64, 0, 3].iter().flat_map(|end| end.to_le_bytes()).collect());
     assert_eq!(sparse.run(true, |path| answer(&["show", "--file", path])), wanted);
-    // Other commands read the file without notes.
+    // Other commands read the file without printing notes.
     let orbit = |source: [&str; 2]| {
         let run =
             kahan(&[&["orbit"][..], &source, &["--eps", "0.01", "--at", "1/2,0", "--steps", "50"]].concat());

@@ -1,4 +1,4 @@
-//! `kahan atlas`: folders that cannot be used, and the help.
+//! Tests the folders that `kahan atlas` cannot use, and its help.
 
 use std::fs;
 use std::path::Path;
@@ -21,7 +21,7 @@ fn a_folder_that_cannot_be_used_is_refused_at_once_and_nothing_is_left_behind() 
     assert!(refused(&file.join("below")).contains("cannot use the folder"));
     assert_eq!(fs::read_to_string(&file).expect("the file"), "kept");
 
-    // A folder has the name of the page, which cannot replace it.
+    // A folder already has the page's file name; the page cannot be written over the folder.
     let taken = folder.path().join("taken");
     fs::create_dir_all(taken.join("index.html")).expect("a folder");
     assert!(refused(&taken).contains("it is a directory"));

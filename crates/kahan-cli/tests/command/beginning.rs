@@ -1,4 +1,4 @@
-//! `kahan` without arguments: how to begin.
+//! Tests that `kahan` without arguments shows how to begin.
 
 use crate::running::{answer, shell, text};
 

@@ -1,4 +1,5 @@
-//! `kahan discover` and `kahan scan`: results that can be proved again, keys of JSON, refusals.
+//! Tests `kahan discover` and `kahan scan`: results are proved again, and JSON keys and refusals
+//! are checked.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::{lexer, read};
@@ -17,7 +18,7 @@ fn texts(value: &Value) -> Vec<String> {
     all.map(|text| text.as_str().expect("a text").to_owned()).collect()
 }
 
-/// Reads a block with more lines, which proves its claims.
+/// Reads a block to which lines are added; the claims of the block are proved.
 fn reading(field: &str, lines: &[String]) -> Checked {
     let reading = read(&lexer::lex(&format!("{field} {}", lines.join(" "))).tokens);
     assert!(reading.diagnostics().is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics());
@@ -92,7 +93,7 @@ fn printed_lines_go_into_a_block_as_they_stand() {
             reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
             lines.len()
         );
-        // New integrals can follow the catalog's claims without equal names. A block has one
+        // New integrals with other names can follow the catalog's claims. A block has at most one
         // density.
         let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
@@ -137,8 +138,8 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
     assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
 }
 
-/// Compares claims for generic parameters with findings. Blocks do not claim integrals that fill a
-/// page, such as the 2440 characters of Clebsch's.
+/// Compares claims for generic parameters with findings. Blocks do not claim integrals that would
+/// fill a page, such as those of Clebsch's system with 2440 characters.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
@@ -147,11 +148,11 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
             let generic = claims.iter().filter(|claim| claim.is_unconditional());
             generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
         };
-        // A fixed degree ends the search early.
+        // With a fixed degree, the search ends early.
         let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
-        // A basis replaces integrals without a short formula.
+        // A basis stands for integrals without a short formula.
         let by_bases =
             found["bases"].as_array().into_iter().flatten().map(|basis| texts(&basis["integrals"]).len());
         let integrals = texts(&found["integrals"]);
@@ -186,7 +187,7 @@ fn what_is_found_is_printed_as_a_block_and_in_latex() {
     assert!(refusal(&["discover", "e6", "--out", "/nowhere/at/all"]).contains("cannot write"));
 }
 
-/// Kirchhoff's rigid body in a fluid: bases stand for three of its four integrals.
+/// For Kirchhoff's rigid body in a fluid, bases stand for three of its four integrals.
 #[test]
 fn bases_are_printed_in_text_and_in_latex() {
     let kirchhoff =
@@ -216,8 +217,8 @@ fn bases_are_printed_in_text_and_in_latex() {
     }
 }
 
-/// A modified Hamiltonian of 6 000 characters: text and LaTeX have its compact form, the block the
-/// formula.
+/// A modified Hamiltonian has 6 000 characters. Text and LaTeX have its compact form; the block has
+/// the formula.
 #[test]
 fn a_long_modified_hamiltonian_is_printed_in_its_compact_form() {
     let chain = "adot = a*(b - c + d - e) + 1; bdot = b*(c - d + e - a) - 2; cdot = c*(d - e + a - b) + 3;
@@ -247,7 +248,7 @@ fn the_lagrange_top_has_four() {
     reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
 }
 
-/// With expanded numerators and denominators the catalog took 10 546 characters.
+/// With expanded numerators and denominators, the catalog took 10 546 characters.
 #[test]
 #[ignore = "the whole catalog: seconds in a release build, minutes in another"]
 fn the_catalog_is_written_in_six_tenths_of_the_characters() {
@@ -266,7 +267,7 @@ fn the_catalog_is_written_in_six_tenths_of_the_characters() {
     assert!(taken * 10 <= 10546 * 6, "{taken}");
 }
 
-/// Rigid bodies in a fluid or in gravity: all four integrals within the default time.
+/// For rigid bodies in a fluid or in gravity, all four integrals are found within the default time.
 #[test]
 #[ignore = "a minute each where the build is slow"]
 fn rigid_bodies_have_four_integrals_in_formulas_and_bases() {
@@ -323,10 +324,10 @@ fn a_scan_names_its_special_points_in_a_table() {
         assert!(starts(&special), "{page}");
     }
     assert!(!starts(&["1/2"]) && page.contains("4 are special of 6 points"), "{page}");
-    // At a = 0 the field is divided by 0.
+    // At a = 0 the field divides by 0.
     let page = answer(&["scan", "--field", "xdot = y/a; ydot = x^2;", "--param", "a=0:1:+1"]);
     assert!(page.lines().any(|line| line.starts_with("0 ") && line.contains("no map")), "{page}");
-    // A parameter with one value is fixed.
+    // A parameter with a single value is fixed.
     let scan = object(&["scan", "e7", "--eps", "1/4:1/2:+1/4", "--param", "xi=1"]);
     assert_eq!((&scan["generic"]["independent_integrals"], &scan["special"]), (&json!(2), &json!([])));
 }

@@ -20,11 +20,11 @@ fn a_circle_is_known_in_closed_form() {
     let wanted = "system steps ended ended_step lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali \
                   rotation drift extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
-    // Each step rotates clockwise, from x to its rate, by 2 atan(ε).
+    // In the plane of x and its rate, each step rotates clockwise by 2 atan(ε).
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
-    // Lengths are preserved up to rounding, over 500 units of time.
+    // The map preserves lengths up to rounding, here over 500 units of time.
     for exponent in found["spectrum"].as_array().expect("a list").iter().chain([&found["lyapunov"]]) {
         assert!(number(exponent).abs() < 1e-13);
     }
@@ -41,7 +41,8 @@ fn linear_fields_have_the_exponents_of_their_multipliers() {
         object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
     let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
     let [first, second] = [0, 1].map(|k| number(&found["spectrum"][k]));
-    // The components of the first vectors along the eigenvectors contribute O(1/t).
+    // The components of the first vectors along the eigenvectors contribute O(1/t) to the
+    // exponents.
     assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
     let sum = exact(fast) + exact(slow);
     assert!((number(&found["mean_log_det"]) - sum).abs() < 1e-12 && (first + second - sum).abs() < 1e-12);
@@ -64,7 +65,7 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     assert_eq!(output.status.code(), Some(1));
     assert!(text(&output.stderr).contains("leaves the range of f64"), "{}", text(&output.stderr));
     let found: Value = serde_json::from_slice(&output.stdout).expect("an object");
-    // 3ⁿ > 10⁶ from n = 13 on.
+    // The orbit 3ⁿ exceeds 10⁶ from n = 13 on.
     assert_eq!(found["escaped"], 13);
     assert_eq!((&found["ended"], &found["ended_step"]), (&"range".into(), &646.into()));
     for exponent in [&found["lyapunov"], &found["spectrum"][0]] {
@@ -72,7 +73,7 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     }
 }
 
-/// An observable has the same value with and without others, also on very short orbits.
+/// An observable has one value, whether others are requested or not, also on very short orbits.
 #[test]
 fn a_name_means_one_thing_whatever_else_is_asked() {
     let lorenz =
@@ -105,7 +106,8 @@ fn tables_name_what_they_show() {
     assert!(table.lines().all(|line| line.chars().count() <= 80));
 }
 
-/// 1/x falls by 2ε a step, through 0. A dense field has no expanded denominator.
+/// In each step 1/x falls by 2ε, and passes through 0. The denominator of a dense field is not
+/// expanded.
 #[test]
 fn steps_over_poles_are_counted_where_they_are_asked_for() {
     let dense = |n: usize| -> String {
@@ -167,13 +169,13 @@ fn sections_are_where_the_formula_vanishes() {
     for (k, point) in points.iter().enumerate() {
         let (x, y) = (number(&point[0]), number(&point[1]));
         assert!((y - x / 2.0).abs() < 1e-14, "{point}");
-        // Successive crossings are half a turn apart, at equal radius.
+        // Successive crossings are half a turn apart, and have equal radius.
         assert!((x.hypot(y) - 2.0).abs() < 1e-12, "{point}");
         assert_eq!(x > 0.0, k % 2 == 1, "{point}");
     }
     let times = found["times"].as_array().expect("a list");
     let period = number(&times[2]) - number(&times[0]);
-    // A full rotation takes π/atan(ε) steps; a fraction θ of a step rotates by 2 atan(θε).
+    // A full turn takes π/atan(ε) steps; a fraction θ of a step rotates by 2 atan(θε).
     assert!((period - 0.1 * PI / 0.05_f64.atan()).abs() < 1e-4, "{period}");
     let few =
         answer(&["section", "e6", "--eps", "0.05", "--at", "1,2,3", "--plane", "H - 3", "--steps", "9"]);
@@ -182,7 +184,8 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(answer(&first).lines().count(), 3);
 }
 
-/// Each orbit has its own crossings, after its start and the values on the axes.
+/// A row of each orbit has the start and the values on the axes, followed by the orbit's own
+/// crossing.
 #[test]
 fn sections_of_many_orbits_are_one_table() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -286,7 +289,7 @@ fn charts_show_what_each_orbit_does() {
         assert!(
             x.is_some_and(|x| [1.0 / 3.0, 1.0, 5.0 / 3.0].iter().any(|middle| (x - middle).abs() < 1e-15))
         );
-        // The exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε) with w² = r.
+        // The exponents of the map are log |(1 + εw)/(1 − εw)|/(2ε), where w² = r.
         let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
@@ -298,7 +301,7 @@ fn charts_show_what_each_orbit_does() {
     turned.sort_by(order);
     rows.sort_by(order);
     assert_eq!(rows, turned);
-    // A chart over one range has the column at x = 1, from --at.
+    // A chart over one range shows the column of cells at x = 1, which --at gives.
     let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.csv"));
     let of_one: Vec<String> = rows
         .iter()
@@ -327,7 +330,7 @@ fn charts_show_what_each_orbit_does() {
         assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
     }
     assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
-    // d = 1 − ε²r has a root below ε = 1/10 for r > 100.
+    // The denominator d = 1 − ε²r has a root below ε = 1/10 if r > 100.
     let poles = cells(&chart(&["r=0:200:/4", "x=1:2:/2"], &["--color", "passed_poles"], &file("s.csv")));
     let count = |r: &Option<f64>| Some(if *r > Some(100.0) { 100.0 } else { 0.0 });
     assert!(poles.iter().all(|[r, _, found]| *found == count(r)), "{poles:?}");
@@ -408,12 +411,12 @@ const ROWS: &str =
 #[test]
 fn charts_show_the_rows_of_a_file() {
     let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
-    // Values are the midpoints of cells, in order; a cell without rows is empty.
+    // The values are the midpoints of the cells, in order. A cell without rows is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
         "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"
     );
-    // Ranges show the means of the numbers in a cell.
+    // With ranges, a cell shows the mean of the numbers in it.
     assert_eq!(
         of(&["--over", "y=0:0.6:/2", "--over", "p", "--column", "order"]),
         "y,p,order\n0.15,1.0,2.6666666666666665\n0.45,1.0,2.0\n0.15,3.0,2.0\n0.45,3.0,\n"
@@ -426,7 +429,7 @@ fn charts_show_the_rows_of_a_file() {
         of(&["--over", "y", "--where", "p=1", "--where", "order=2"]),
         "y,log_sali\n0.1,0.0\n0.2,-4.0\n0.3,-2.0\n"
     );
-    // The table of a chart is drawn like the chart.
+    // The chart of the table is the same drawing as the original chart.
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (table, picture, again) = (file("lv.csv"), file("lv.svg"), file("again.svg"));

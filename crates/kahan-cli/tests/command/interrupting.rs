@@ -69,10 +69,10 @@ fn an_older_file_stays_as_it_was() {
     assert_eq!(fs::read_to_string(&out).expect("the file"), "kept\n");
 }
 
-/// A field on which `discover` and `poles` take long.
+/// A field for which `discover` and `poles` take long.
 const HARD: &str = "xdot = y*z + x*w; ydot = x*z - w^2; zdot = x*y + w*y; wdot = x^2 - y*z + z^2;";
 
-/// Returns calls that take minutes or more, one for each kind of long work.
+/// Returns commands that take minutes or more, one for each kind of long work.
 fn long_calls(folder: &Path) -> Vec<Vec<String>> {
     const LINES: [&str; 24] = [
         "orbit lv --eps 0.1 --at 0.6,1 --steps 1e15 --every 1e14",
@@ -120,7 +120,7 @@ impl Drop for Run {
     }
 }
 
-/// All calls run at once; the signals come while each is working.
+/// All commands run at once, and get their signals while they work.
 #[test]
 fn every_long_call_ends_by_a_signal() {
     let folder = tempfile::tempdir().expect("a folder");

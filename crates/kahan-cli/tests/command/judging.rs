@@ -1,4 +1,4 @@
-//! `kahan extremes`: the cells of its answer.
+//! Tests the cells in the answer of `kahan extremes`.
 
 use serde_json::Value;
 
@@ -11,7 +11,8 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // Fast and stable f32 and f64, f32 through f64, accurate and stable dd; lu for large steps.
+    // Each regime has seven cells: fast and stable steps in f32 and f64, f32 through f64, and
+    // accurate and stable dd. Large steps add three cells for lu.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -27,7 +28,7 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     }
 }
 
-/// The text of E3 is interpreted with the bits of the compiled E3, so the cells are equal.
+/// The text of E3 is interpreted, with the bits of the compiled E3, so the cells are equal.
 #[test]
 fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let cells = |arguments: &[&str]| {
@@ -40,11 +41,12 @@ fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let read = cells(&field);
     assert_eq!(read, cells(&["extremes", "e3"]));
     assert!(read.as_array().is_some_and(|cells| cells.iter().any(|cell| cell["silently_wrong"] != 0)));
-    // A parameter that is drawn and a divisor, and a constant that is not a float.
+    // The field has a parameter that is drawn and also a divisor, and a constant that is not a
+    // float.
     cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
 }
 
-/// The seed determines the fields, and the answer contains them as texts that can be read.
+/// The seed determines the fields. The answer contains them as texts that can be read again.
 #[test]
 fn random_fields_are_drawn_by_the_seed_and_told() {
     let object = |seed: &str| {
@@ -65,7 +67,7 @@ fn random_fields_are_drawn_by_the_seed_and_told() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// Fields beyond the budget of terms are among them.
+/// Some of these fields have a map with too many terms to be reduced.
 #[test]
 fn every_field_of_odd_temper_is_judged() {
     let trials = ["--trials", "8", "--odd-fields", "20", "--odd-trials", "4"];
@@ -75,14 +77,16 @@ fn every_field_of_odd_temper_is_judged() {
     let cells = object["cells"].as_array().expect("a list");
     let stable = cells.iter().filter(|cell| cell["tier"] == "stable");
     let judged: u64 = stable.map(|cell| cell["trials"].as_u64().expect("a count")).sum();
-    // Three scalars with 24 special inputs each; the twentieth field has ten times as many trials.
+    // In three scalars, each field has 24 special inputs besides its trials. The twentieth field
+    // has ten times as many trials.
     assert_eq!(judged, 3 * (8 + 24 + 19 * (4 + 24) + (40 + 24)));
     let broken = object["broken"].as_array().expect("a list");
     assert_eq!(output.status.code(), Some(i32::from(!broken.is_empty())));
     assert!(broken.iter().all(|field| field["text"].as_str().is_some_and(|text| text.contains("dot = "))));
 }
 
-/// h = ±1 cancels the leading terms of det A. Two steps of this sample were once flagged.
+/// For h = ±1 the leading terms of det A cancel. Two steps of this sample were once flagged without
+/// justification.
 #[test]
 fn a_field_whose_leading_terms_cancel_is_not_flagged() {
     let field = "xdot = h*y - x + y*z; ydot = h*x - y - x*z; zdot = -z + x*y;";

@@ -1,4 +1,4 @@
-//! `kahan show --latex`: names, fractions, lines that fit a page, balanced groups.
+//! Tests `kahan show --latex`: names, fractions, lines that fit a page, and balanced groups.
 
 use kahan_judge::random_fields::numbered;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
@@ -14,7 +14,7 @@ fn of_field(field: &str) -> String {
     latex(&["--field", field])
 }
 
-/// Panics unless braces, `\left … \right` and environments are balanced in each display.
+/// Panics unless braces, `\left … \right` and environments are balanced in each displayed formula.
 fn assert_is_whole(page: &str) {
     let mut open: Vec<String> = Vec::new();
     for line in page.lines().filter(|line| !line.starts_with('%')) {
@@ -38,7 +38,7 @@ fn assert_is_whole(page: &str) {
                 _ => {}
             }
             if c == '\\' {
-                // The command includes the name of an environment or an escaped sign.
+                // The taken command includes the name of an environment, or an escaped sign.
                 taken = match &rest[..word] {
                     "\\begin" | "\\end" => rest.find('}').map_or(word, |end| end + 1),
                     "\\" => 1 + rest[1..].chars().next().map_or(0, char::len_utf8),
@@ -51,7 +51,7 @@ fn assert_is_whole(page: &str) {
     assert!(open.is_empty(), "{open:?} stay open");
 }
 
-/// Panics at a factor 1 or a denominator 1.
+/// Panics if a formula has a factor 1 or a denominator 1.
 fn assert_has_no_ones(page: &str) {
     for (at, _) in page.match_indices("1 ") {
         let before = page[..at].chars().next_back().unwrap_or(' ');
@@ -69,7 +69,7 @@ fn assert_has_no_ones(page: &str) {
     assert!(!page.contains("}{1}"), "a fraction over 1: {page}");
 }
 
-/// Panics unless every row of every display fits the page, or is a single term.
+/// Panics unless every row of every displayed formula fits the page, or is a single term.
 fn assert_fits(page: &str) {
     let displays = page.split("\\[").skip(1).filter_map(|rest| rest.split("\\]").next());
     assert!(displays.clone().count() > 0, "no display: {page}");

@@ -1,4 +1,4 @@
-//! The table of limits in the language reference agrees with the command.
+//! Tests that the table of limits in the language reference agrees with the command.
 
 use kahan_runtime::MOST_DIGITS_OF_CYCLES;
 
@@ -22,7 +22,7 @@ fn ring(variables: usize) -> String {
     (0..variables).map(|k| format!("x{k}dot = x{};", (k + 1) % variables)).collect()
 }
 
-/// Beyond each limit the command refuses, and its message has the number of the table.
+/// Beyond each limit the command refuses, and its message contains the number in the table.
 #[test]
 fn every_limit_of_a_question_is_that_of_its_table() {
     let folder = tempfile::tempdir().expect("a folder");

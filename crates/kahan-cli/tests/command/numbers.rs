@@ -140,7 +140,7 @@ fn huge_files_are_quoted_shortened() {
         let beginning: String = field.chars().take(40).collect();
         let mistakes = said.matches("error: ").count();
         assert!(mistakes <= 9, "{beginning}…: {mistakes} mistakes");
-        // Each mistake has its place, line and help.
+        // Each mistake is reported with its position, its line and help.
         assert!(
             said.chars().count() < mistakes * 1_300,
             "{beginning}…: {} characters: {said}",

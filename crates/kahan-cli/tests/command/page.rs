@@ -1,4 +1,5 @@
-//! `kahan page`: a well-formed, self-contained page, whose commands make its figures again.
+//! Tests that `kahan page` writes a well-formed, self-contained page, and that the commands on it
+//! make its figures again.
 
 use std::fs;
 use std::path::Path;
@@ -53,12 +54,12 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
     for line in &lines[1..] {
         let output = shell(line, folder.path());
         let said = text(&output.stderr);
-        // Time may not suffice for a reference trajectory or for a setting that meets the
+        // The time may be too short for a reference trajectory, or for a setting that meets the
         // tolerance.
         let is_short = line.starts_with("kahan trade") && said.contains("more --seconds");
         assert!(output.status.code() == Some(0) || is_short, "{line}: {said}");
     }
-    // Heights depend on the available time.
+    // Only these figures are compared, because heights depend on the available time.
     for id in ["portrait", "time", "section", "chart"] {
         let file = fs::read_to_string(folder.path().join(format!("{id}.svg"))).expect("the file");
         assert!(file.contains(drawing(&page, id)), "{id}");
@@ -108,8 +109,8 @@ fn caption<'a>(page: &'a str, id: &str) -> &'a str {
 #[test]
 fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Two integrals that are not claimed: each orbit runs along a curve. The parameters are named
-    // in another order than in the expanded equations.
+    // The field has two integrals that it does not claim, so each orbit runs along a curve. The
+    // parameters are named in another order than in the expanded equations.
     let field = "xdot = h*y - nu*x + y*z; ydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;";
     for arguments in [
         &["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;"][..],
@@ -150,7 +151,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     let folder = tempfile::tempdir().expect("a folder");
     let grows = page(folder.path(), &["--field", "xdot = x; ydot = x + y;", "--seconds", "0.5"]);
     assert!(grows.contains("This orbit does not stay"));
-    // The solution is a tangent, whose pole ends the reference trajectory.
+    // The solution is a tangent. The reference trajectory ends at the pole of the tangent.
     let escapes = page(folder.path(), &["--field", "xdot = x^2 + 1;", "--seconds", "0.5"]);
     assert!(escapes.contains("Left out: "));
     let there = folder.path().join("index.html");
@@ -162,7 +163,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     assert_eq!(fs::read_to_string(&there).expect("the page"), before);
 }
 
-/// A pendulum with two parameters, one with a value, in the notation of a book.
+/// A pendulum in the notation of a textbook. It has two parameters; one of them has a value.
 const PENDULUM: &str = "x'' = -g*sin(x) - k*x', g = 2";
 
 #[cfg(unix)]
@@ -201,7 +202,8 @@ fn the_lift_of_a_page_is_chosen_along_an_orbit() {
     let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
     let shown = page(folder.path(), &["--field", neuron, "--lift", "--seconds", "0.5"]);
     assert!(shown.contains("decays at the rate -1."), "{shown}");
-    // A given point chooses the lift along its orbit; a quadratic field has no lift to show.
+    // If a point is given, the lift is chosen along its orbit. For a quadratic field, the page
+    // shows no lift.
     let given = page(folder.path(), &["--field", neuron, "--lift", "--at", "2,1/2", "--seconds", "0.5"]);
     assert!(given.contains("the orbit from (2, 1/2)") && given.contains("v(0) = 2; w(0) = 1/2;"), "{given}");
     let plain = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--lift", "--seconds", "0.5"]);

@@ -1,5 +1,5 @@
-//! Checks that every drawn element of an SVG has a colour in an attribute, its own or that of an
-//! ancestor.
+//! Checks that every drawn element of an SVG has a colour in an attribute of its own, or of an
+//! element around it.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -54,7 +54,7 @@ pub(crate) fn painted(svg: &str) -> usize {
         {
             count += 1;
             assert!(paint.is_seen(), "{element:?} has no plain colour");
-            // The default for texts and areas is black.
+            // Without an attribute, texts and areas would be black.
             let is_said = paint.fill.is_some() || element.name().as_ref() == "line";
             assert!(is_said, "{element:?} is filled with black");
         }

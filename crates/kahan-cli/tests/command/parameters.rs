@@ -6,7 +6,7 @@ use crate::running::{answer, kahan, object, refusal, text};
 
 #[test]
 fn are_put_in_before_the_map_is_reduced() {
-    // E9 at ξ = 1 is E3, whose map loses the factor 1 + eps*z.
+    // E9 at ξ = 1 is E3, in whose map the factor 1 + eps*z cancels.
     let special = object(&["show", "e9", "--param", "xi=1", "--json"]);
     let e3 = object(&["show", "e3", "--json"]);
     for key in ["field", "A", "map"] {
@@ -63,7 +63,7 @@ fn that_nothing_declares_are_said_once_by_every_command() {
     let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = k*x[i]*x[i+1]; }"];
     assert_eq!(said(&family), k);
     assert!(refusal(&["show", "--field", "xdot = t*x;"]).contains("write one more equation, `tdot = 1;`"));
-    // A value, a range, a header or a program declares a name.
+    // A value, a range, a header or a Rust program declares a name.
     let lv = "xdot = a*x*(1 - y); ydot = y*(x - 1);";
     let of_lv = ["--field", lv, "--at", "1,2"];
     for arguments in [

@@ -1,4 +1,4 @@
-//! `kahan periodic`: cycles found, proved, continued and refused.
+//! Tests that `kahan periodic` finds, proves, continues and refuses cycles.
 
 use std::fs;
 
@@ -32,7 +32,7 @@ fn multipliers_of_a_linear_field_are_those_of_the_formula() {
         assert!((re - expected).abs() < 1e-14 && im == 0.0, "{multiplier}");
     }
     assert_eq!((&found["stability"], &found["family"]), (&"saddle".into(), &0.into()));
-    // (z − 3/2)(z − 9/11)
+    // The polynomial is (z − 3/2)(z − 9/11).
     let exact = serde_json::json!(
         { "points": [["0", "0"]], "polynomial": "27/22 - 51/22*z + z^2", "stability": "saddle" }
     );
@@ -85,7 +85,7 @@ fn a_branch_goes_round_its_fold() {
         table.starts_with("a,n,x,stability,multiplier1_re,multiplier1_im,change\n1.0,0,1.0,attracting,"),
         "{table}"
     );
-    // The map and the flow have equal fixed points: a = x².
+    // The map and the flow have the same fixed points: a = x².
     for row in table.lines().skip(1) {
         let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();
         assert!((numbers[0] - numbers[2] * numbers[2]).abs() < 1e-10, "{row}");
@@ -94,8 +94,8 @@ fn a_branch_goes_round_its_fold() {
 
 #[test]
 fn what_changes_the_stability_of_the_lorenz_system_is_found() {
-    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, for the flow and
-    // for the map, with multipliers (1 + ελ)/(1 − ελ).
+    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, for the flow as
+    // well as for the map. The multipliers of the map are (1 + ελ)/(1 − ελ).
     let lorenz = ["lorenz", "--param", "s=10", "--param", "b=8/3", "--eps", "1/1000", "--at", "8,8,27"];
     let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
@@ -109,7 +109,7 @@ const HOPF: &str = "Hopf point, a pair of eigenvalues of f' goes through the ima
 #[test]
 fn steady_states_keep_the_totals_of_their_start() {
     let sirs = ["periodic", "--field", "sdot = -2*s*i + r/2; idot = 2*s*i - i; rdot = i - r/2;", "--json"];
-    // s = 1/2, i = r/2, with the total of the start.
+    // The steady state has s = 1/2 and i = r/2, and the total of the start.
     for (start, state) in [
         ("0.5,0.2,0.3", ["1/2", "1/6", "1/3"]),
         ("1,0.5,0.5", ["1/2", "1/2", "1"]),
@@ -119,7 +119,7 @@ fn steady_states_keep_the_totals_of_their_start() {
         assert_eq!(found["exact"]["points"][0], serde_json::json!(state), "{found}");
         assert_eq!((&found["family"], &found["stability"]), (&0.into(), &"attracting".into()), "{found}");
         assert_eq!(found["eigenvalues"].as_array().map(Vec::len), Some(2), "{found}");
-        // In all three variables, the total contributes an eigenvalue 0.
+        // In all three variables, the preserved total adds an eigenvalue 0.
         let free = object(&[&sirs[..], &["--at", start, "--hold", "none"]].concat());
         assert_eq!((&free["family"], &free["stability"]), (&1.into(), &"neutral".into()), "{free}");
         assert_eq!(
@@ -133,7 +133,7 @@ fn steady_states_keep_the_totals_of_their_start() {
 
 #[test]
 fn coefficients_of_what_is_held_may_be_parameters_that_stand_still() {
-    // a*x + y is an integral; if a varies, no integral has constant coefficients.
+    // a*x + y is an integral. If a varies, no integral has constant coefficients.
     let field = ["periodic", "--field", "xdot = y - x; ydot = -a*(y - x);", "--at", "1,0"];
     let held = |more: &[&str]| object(&[&field[..], more, &["--json"]].concat())["held"].clone();
     assert_eq!(held(&["--param", "a=3"]), serde_json::json!(["3*x + y = 3"]));
@@ -152,8 +152,9 @@ fn steady_states_need_no_step_and_have_the_eigenvalues_of_the_field() {
         assert!((eigenvalue / expected + 1.0).abs() < 1e-12, "{found}");
         assert_eq!(found["exact"]["points"], serde_json::json!([["1"]]), "{found}");
     }
-    // Lorenz's atmosphere (1984) at a = 1/4, b = 4. At the Hopf point f = 0, and a₁a₂ = a₃ for the
-    // characteristic polynomial of f'; solved independently, in 40 digits.
+    // Lorenz's model of the atmosphere (1984) at a = 1/4, b = 4. At the Hopf point f = 0, and the
+    // coefficients aᵢ of the characteristic polynomial of f' satisfy a₁a₂ = a₃. The values were
+    // computed independently, in 40 digits.
     let field = "xdot = -y^2 - z^2 - x/4 + F/4; ydot = x*y - 4*x*z - y + G; zdot = 4*x*y + x*z - z;";
     let over = ["--param", "G=1/5", "--at", "1,0,0", "--over", "F=0.8:1.2:21", "--json"];
     let found = object(&[&["periodic", "--field", field], &over[..]].concat());
@@ -188,7 +189,7 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     assert!(answer(&over).contains("neutral"));
 }
 
-/// trace − 2 is 1.5e-10, which rounding errors exceed by a factor of a hundred thousand.
+/// Here trace − 2 is 1.5e-10; rounding errors are a hundred thousand times larger.
 #[test]
 fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     let cycle = |eps: &str, at: &str, period: &str| {
@@ -232,7 +233,7 @@ fn limit_cycles_of_the_flow_are_found_with_their_eps() {
         let steps = number(&found["period"]);
         assert!((2.0 * eps * steps / period - 1.0).abs() < 1e-2, "{flow}");
         assert_eq!(found["stability"], "attracting");
-        // λ² + λ + 6/5 = 0 for the equations of r and z.
+        // The eigenvalues λ of the equations for r and z satisfy λ² + λ + 6/5 = 0.
         let size = flow["multipliers"].as_array().expect("multipliers").iter();
         let size: Vec<f64> = size.map(|one| number(&one[0]).hypot(number(&one[1]))).collect();
         assert!(
@@ -254,7 +255,7 @@ fn limit_cycles_keep_the_totals_of_their_start() {
     assert!((number(&found["flow"]["period"]) - 2.0 * std::f64::consts::PI / 3.0).abs() < 1e-8, "{found}");
     let totals = found["points"].as_array().expect("points").iter().map(|x| number(&x[0]) + number(&x[3]));
     assert!(totals.into_iter().all(|total| (total - 1.5).abs() < 1e-15), "{found}");
-    // Without fixed integrals the cycles form a family, one for each total.
+    // If no integral is held, the cycles form a family, with one cycle for each total.
     let free = kahan(&[&line[..], &["--hold", "none"]].concat());
     assert_eq!(free.status.code(), Some(1));
     assert!(text(&free.stderr).contains("family"), "{}", text(&free.stderr));
@@ -277,7 +278,7 @@ fn changes_of_limit_cycles_are_extrapolated() {
 
 #[test]
 fn limit_cycles_of_lifted_fields_have_no_multipliers_of_relations() {
-    // Period and multiplier: shooting with SciPy's DOP853, tolerance 1e-13.
+    // Period and multiplier come from shooting with SciPy's DOP853 at tolerance 1e-13.
     let field = "xdot = y; ydot = m*(1 - x^2)*y - x;";
     let line = ["periodic", "--field", field, "--param", "m=1", "--lift", "--free", "eps", "--eps", "0.01"];
     let found = object(&[&line[..], &["--at", "2,0", "--json"]].concat());

@@ -1,4 +1,4 @@
-//! `kahan picture`: contents of the files, and refusals.
+//! Tests the contents of the files that `kahan picture` draws, and its refusals.
 
 use std::fs;
 use std::path::Path;
@@ -28,7 +28,7 @@ fn described(arguments: &[&str]) -> Value {
     object(&[&["picture"], arguments, &["--json", "--out", file.to_str().expect("UTF-8")]].concat())
 }
 
-/// Returns the elements of an SVG; panics unless it is well formed.
+/// Returns the elements of an SVG; panics if the SVG is not well formed.
 fn elements(svg: &str) -> Vec<BytesStart<'static>> {
     let mut reader = Reader::from_str(svg);
     let mut found = Vec::new();
@@ -50,7 +50,8 @@ fn words(svg: &str) -> Vec<String> {
     svg.split("<text").skip(1).map(shown).collect()
 }
 
-/// Five crossings at each of nine values: a diagram of a flow, at maxima of a variable too.
+/// A diagram of a flow has five crossings at each of nine values; crossings may be maxima of a
+/// variable.
 #[test]
 fn a_diagram_shows_crossings_over_a_parameter() {
     let rossler = "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - c);";
@@ -65,7 +66,7 @@ fn a_diagram_shows_crossings_over_a_parameter() {
             "{found}"
         );
     }
-    // The default is a hundred crossings.
+    // By default, a hundred crossings are shown.
     let usual = [&orbit[..orbit.len() - 4], &["--over", "c=2:4:2", "--maxima", "x"]].concat();
     assert_eq!(described(&usual)["points"], 200);
 }
@@ -122,7 +123,7 @@ fn the_points_of_a_portrait_are_those_of_the_orbit() {
     let arguments = ["lv", "--eps", "1/10", "--at", "1/2,5/3", "--steps", "3"];
     let window = ["--window", "x=0:4", "--window", "y=0:4", "--size", "480x466"];
     let svg = drawn(&[&arguments[..], &window].concat());
-    // The axes are 425.32 and 412 units long, from (40.68, 424).
+    // The axes are 425.32 and 412 units long, and begin at (40.68, 424).
     let table = answer(&[&["orbit"], &arguments[..]].concat());
     let place = |row: &str| {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();
@@ -141,7 +142,7 @@ fn the_points_of_a_portrait_are_those_of_the_orbit() {
     let rows: Vec<(f64, f64)> = table.lines().skip(1).map(place).collect();
     assert_eq!(dots.len(), rows.len());
     for (dot, row) in dots.iter().zip(&rows) {
-        // Coordinates are written in tenths.
+        // Coordinates in the drawing are rounded to tenths.
         assert!((dot.0 - row.0).abs() <= 0.0501 && (dot.1 - row.1).abs() <= 0.0501, "{dot:?}, {row:?}");
     }
 }
@@ -183,7 +184,7 @@ fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
     let field = "xdot = a - x;";
     let over = ["--field", field, "--over", "a=0:4:+1/2", "--eps", "1/10", "--at", "7", "--steps", "5"];
     let svg = drawn(&[&over[..], &["--window", "x=-1:5", "--transient", "400"]].concat());
-    // Each value of a has one point.
+    // The diagram has one point for each value of a.
     assert_eq!(svg.matches("h0").count(), 9, "{svg}");
     let early = drawn(&[&over[..], &["--transient", "0"]].concat());
     assert!(early.matches("h0").count() > 40, "{early}");
@@ -208,7 +209,7 @@ fn heights_are_straight_lines_of_their_growth() {
 
 #[test]
 fn orbits_that_end_early_and_points_outside_are_counted() {
-    // x̃ = x/(1 − 2εx): 1/2, 1, ∞.
+    // The map is x̃ = x/(1 − 2εx), so the orbit is 1/2, 1, ∞.
     let pole = described(&["--field", "xdot = x^2;", "--eps", "1/2", "--at", "1/2", "--steps", "9"]);
     assert_eq!(pole["points"], 2);
     assert!(
@@ -262,7 +263,8 @@ fn what_cannot_be_drawn_is_refused_and_leaves_no_file() {
 #[test]
 fn a_png_or_a_pdf_is_written_or_it_is_said_how_to_get_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    // In a PNG, width and height follow the first twelve bytes and the name of their chunk.
+    // In a PNG, width and height come after the first twelve bytes and the four letters of the
+    // chunk's name.
     let size = [960_u32.to_be_bytes(), 720_u32.to_be_bytes()].concat();
     let kinds: [(&str, bool, &[u8], &[u8]); 2] = [
         ("png", cfg!(feature = "png"), b"\x89PNG\r\n\x1a\n", &size),
@@ -314,7 +316,8 @@ fn the_pictures_of_the_documentation_have_plain_colours() {
 
 #[test]
 fn an_orbit_that_comes_back_to_the_same_places_is_seen() {
-    // Two integrals: each orbit runs along a closed curve and crosses the plane at one point.
+    // The field has two integrals, so each orbit runs along a closed curve and crosses the plane at
+    // one point.
     let rabinovich =
         ["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;", "--eps", "1/10", "--at", "1,1/2,1/3"];
     let section = ["--at", "1,1/3,1/5", "--plane", "z", "--steps", "20000"];

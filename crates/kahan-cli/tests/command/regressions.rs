@@ -1,4 +1,4 @@
-//! Bugs of the past.
+//! Tests for bugs that were fixed.
 
 use crate::running::{BEYOND_THE_BUDGET, answer, kahan, text};
 

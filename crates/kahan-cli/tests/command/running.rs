@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A field whose closed form exceeds the budget of terms.
+/// A field whose reduced map has too many terms.
 pub(crate) const BEYOND_THE_BUDGET: &str = "
     adot = (a + b + c + d + e)*(a*2 + 1); bdot = (a + b + c + d + e)*(b*2 + 1);
     cdot = (a + b + c + d + e)*(c*2 + 1); ddot = (a + b + c + d + e)*(d*2 + 1);
@@ -15,7 +15,7 @@ pub(crate) fn kahan(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
 }
 
-/// Runs a line that begins with `kahan`, in a folder.
+/// Runs a command line that begins with `kahan`, in a folder.
 #[cfg(unix)]
 pub(crate) fn shell(line: &str, folder: &Path) -> Output {
     let arguments = line.strip_prefix("kahan ").expect("a command");
@@ -28,7 +28,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-/// Returns standard output of a run that succeeds. Standard error may have a note on undeclared
+/// Returns the standard output of a run that succeeds. Standard error may have a note on undeclared
 /// names.
 pub(crate) fn answer(arguments: &[&str]) -> String {
     let output = kahan(arguments);

@@ -1,4 +1,4 @@
-//! `--file`: standard input, and the blocks of a Rust file.
+//! Tests `--file` with standard input, and with the blocks of a Rust file.
 
 use std::io::Write;
 use std::process::{Command, Stdio};

@@ -1,4 +1,4 @@
-//! `kahan sweep` passes its arguments to another program.
+//! Tests that `kahan sweep` passes its arguments to another program.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -7,9 +7,9 @@ use std::process::{Command, Output};
 
 use crate::running::text;
 
-/// Runs the command in a folder, the only place where it finds programs: cargo may put kahan-sweep
-/// beside the command. A link avoids writing a file, which could not run while another test starts
-/// a process.
+/// Runs the command in a folder, the only place where it finds programs, because cargo may put
+/// kahan-sweep beside the command. The folder has a link to the command. A copied file could not
+/// run while another test starts a process.
 fn sweep(programs: &Path, arguments: &[&str]) -> Output {
     let copy = programs.join("kahan");
     let command = env!("CARGO_BIN_EXE_kahan");

@@ -1,10 +1,10 @@
-//! Widths of lines, on a terminal and elsewhere.
+//! Tests the widths of lines, on a terminal and elsewhere.
 
 use crate::running::{answer, kahan, text};
 
 const WIDE: &str = "xdot = y*z; ydot = -x*z; zdot = x*y + u; udot = v*w; vdot = -u*w; wdot = 0*u; \
                     integral a_rather_long_name_of_an_integral = w^2;";
-/// A number of thirty digits, with images of more than a line.
+/// A number of thirty digits; its images take more than a line.
 const LONG: &str = "123456789012345678901234567891/7";
 
 fn tables() -> Vec<(Vec<String>, String)> {
@@ -41,8 +41,8 @@ fn tables() -> Vec<(Vec<String>, String)> {
     done.collect()
 }
 
-/// Returns whether a line is a formula, a statement, a claim, code or a note. Only terminals break
-/// these.
+/// Returns whether a line is a formula, a statement, a claim, code or a note. These lines are
+/// broken on terminals only.
 fn is_formula(line: &str) -> bool {
     let line = line.trim_start();
     let is_named = ["integral ", "density ", "bracket ", "choice", "let orbit", "note ", "random-"];
@@ -64,7 +64,7 @@ fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     }
 }
 
-/// Returns whether a line is a sentence below a table. Only terminals break sentences.
+/// Returns whether a line is a sentence below a table. Sentences are broken on terminals only.
 fn is_sentence(arguments: &[String], line: &str) -> bool {
     let of_discover = arguments[0] == "discover" && line.ends_with('.');
     of_discover
@@ -125,7 +125,7 @@ mod on_a_terminal {
         on_terminal(columns, arguments, |command, screen| command.stdout(screen).stderr(Stdio::piped()))
     }
 
-    /// Returns what a terminal shows of the streams that `connect` gives it.
+    /// Returns what a terminal shows; `connect` attaches the command's streams to the terminal.
     fn on_terminal(
         columns: u16,
         arguments: &[&str],
@@ -141,10 +141,10 @@ mod on_a_terminal {
         let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
         command.args(arguments).stdin(Stdio::null());
         let mut child = connect(&mut command, screen).spawn().expect("the command runs");
-        // The command's copy would keep the terminal open.
+        // The command holds a copy of the terminal, which would keep the terminal open.
         drop(command);
         let mut read = Vec::new();
-        // On Linux reading a terminal without a writer ends with an error.
+        // On Linux, reading from a terminal without a writer ends with an error.
         let _ = File::from(terminal).read_to_end(&mut read);
         assert!(child.wait().expect("it ends").success(), "{arguments:?}");
         String::from_utf8(read).expect("text").replace("\r\n", "\n")

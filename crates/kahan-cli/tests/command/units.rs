@@ -1,10 +1,10 @@
-//! In other units of length and time, every number changes by a power of two.
+//! Tests that in other units of length and time, every number changes by a power of two.
 
 use serde_json::Value;
 
 use crate::running::{answer, object, text};
 
-/// A driven oscillator whose lengths are scaled by 2^−k and times by 2^−j.
+/// A driven oscillator; its lengths are scaled by 2^−k and its times by 2^−j.
 const FIELD: &str = "xdot = nu*y; ydot = nu*(0.1/q - x - 0.2*y + 0.3*q*x^2);";
 const UNITS: [[i32; 2]; 4] = [[40, 0], [-250, 0], [0, 30], [17, -40]];
 
@@ -13,7 +13,7 @@ fn scaled(n: i64, exponent: i32) -> String {
     if exponent < 0 { format!("{n}/{power:.0}") } else { format!("{:.0}", n as f64 * power) }
 }
 
-/// Returns arguments in a unit: the start (3/4, 1/4) and ε = 1/8, scaled.
+/// Returns the arguments in a unit: the start (3/4, 1/4) and ε = 1/8, both scaled.
 fn arguments(command: &str, [k, j]: [i32; 2], more: &[&str]) -> Vec<String> {
     let (start, eps) = (format!("{},{}", scaled(3, -k - 2), scaled(1, -k - 2)), scaled(1, -j - 3));
     let values = [format!("q={}", scaled(1, k)), format!("nu={}", scaled(1, j))];

@@ -1,4 +1,4 @@
-//! `kahan verify`: outcomes, tables, mutations, false claims.
+//! Tests `kahan verify`: outcomes, tables, mutations, and false claims.
 
 use serde_json::Value;
 
@@ -99,7 +99,7 @@ fn no_claim_of_a_field_of_ones_own_survives_every_mutation() {
     assert_eq!(failed(0), "integral H = x^3 + y^2;");
     assert!(failed(3).ends_with(" when a = 0;"), "{}", failed(3));
     assert!(failed(2) != "integral Z = 2*z;" && failed(4) != "density one = 2;");
-    // The claims are refuted; they do not merely name unknown values.
+    // The claims are disproved; they are not refused because of unknown names.
     for (k, original) in [(0, "integral H = x^2 + y^2;"), (2, "integral Z = z;")] {
         let said = text(&kahan(&["verify", "--field", &field.replace(original, failed(k))]).stderr);
         assert!(said.contains("claims failed"), "{}: {said}", failed(k));
@@ -110,7 +110,7 @@ fn no_claim_of_a_field_of_ones_own_survives_every_mutation() {
 
 #[test]
 fn what_cannot_be_made_false_is_said_to_survive() {
-    // Every function is an integral of the identity.
+    // The map is the identity, so every function is an integral.
     let output = kahan(&["verify", "--mutate", "--field", "xdot = 0*y; ydot = 0*x; integral H = x + 2*y;"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(text(&output.stderr).contains("field.H"), "{}", text(&output.stderr));

@@ -1,4 +1,4 @@
-//! HTML and a table for the results of a search: proved formulas, and numbers.
+//! Shows the results of a search as HTML and as a table: proved formulas, and numbers.
 
 use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::render::{Notation, Text};
@@ -50,7 +50,7 @@ pub(super) fn html(found: &Discovered) -> Markup {
     }
 }
 
-/// Returns the numbers of the search, one row for each kind.
+/// Returns the numbers that the search found, with one row for each kind.
 #[must_use]
 pub fn numbers(found: &Discovered) -> Table {
     let report = &found.report;
@@ -72,7 +72,8 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    // Without relations all monomials are independent on an orbit, so the degree says everything.
+    // If there are no relations, all monomials are independent on an orbit, so the degree alone is
+    // shown.
     let hilbert = report.hilbert.as_ref();
     if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
         rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);
@@ -83,7 +84,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
     }
     let structure = &report.structure;
-    // Higher degrees were not searched, so an empty list would be no proof.
+    // Higher degrees were not searched, so an empty list would prove nothing.
     let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
     if !of_flow.is_empty() {
         rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
@@ -104,7 +105,7 @@ pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2
 }
 
 /// Describes which quotients of a basis's coefficients are integrals, and how many points of an
-/// orbit determine them. Each quotient is enclosed by `mark`.
+/// orbit determine the coefficients. `mark` encloses each quotient.
 #[must_use]
 pub fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
     let quotient = |(above, below): (usize, usize)| {

@@ -1,4 +1,4 @@
-//! Answers as HTML for pages, and as tables that text output also prints. Commands and their
+//! Shows answers as HTML for pages, and as tables that text output also prints. Commands and their
 //! arguments are deliberately absent.
 
 mod discovered;
@@ -22,8 +22,8 @@ pub use traded::{choice, front};
 
 const MOST_VARIABLES: usize = 8;
 
-/// Returns the HTML of an answer, or `None` for answers that pages omit or draw by
-/// [`crate::picture`]. Formulas are read from the answer's LaTeX.
+/// Returns the HTML of an answer; `None` for answers that pages omit, or that [`crate::picture`]
+/// draws. Formulas come from the LaTeX in the answer.
 #[must_use]
 pub fn html(answer: &Answer) -> Option<Markup> {
     Some(match answer {

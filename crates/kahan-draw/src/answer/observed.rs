@@ -5,7 +5,7 @@ use kahan_study::{End, Observable, Observed, ObservedValue};
 
 use crate::document::Table;
 
-/// Returns the tables of all requested observables.
+/// Returns a table for each group of requested observables.
 #[must_use]
 pub fn observed(observed: &Observed) -> Vec<Table> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
@@ -132,10 +132,11 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Writes the digits up to the first one that an error of this size changes.
+/// Writes the digits of a value up to the first digit that an error of this size changes.
 fn known(value: f64, error: f64) -> String {
-    let places = -libm::log10(error).floor();
-    // Values without an estimate, or with over eight certain decimals, get eight digits.
+    let places = -error.log10().floor();
+    // Eight digits are written if there is no error estimate, or if more than eight decimals are
+    // certain.
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);
     }

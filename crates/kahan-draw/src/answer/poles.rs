@@ -1,11 +1,12 @@
-//! A table of singularity patterns: curves that the map contracts or sends to infinity, and their
-//! images.
+//! A table of singularity patterns: the curves that the map contracts or sends to infinity, and the
+//! images of these curves.
 
 use kahan_study::PolesFound;
 
 use crate::document::Table;
 
-/// The longest polynomial to write out, in characters; longer ones appear by degree and size.
+/// The largest number of characters of a polynomial that is written out. Of a longer polynomial,
+/// degree and size are shown.
 const LONGEST: usize = 1000;
 
 /// Returns a table with one row for each pattern.

@@ -1,6 +1,6 @@
 //! Sentences about Poincaré sections.
 
-/// Counts the sign changes of `plane` that are jumps instead of crossings; `None` for 0 jumps.
+/// Describes how many sign changes of `plane` are jumps instead of crossings; `None` for 0 jumps.
 #[must_use]
 pub fn jumps(plane: &str, jumps: u64) -> Option<String> {
     let count = match jumps {

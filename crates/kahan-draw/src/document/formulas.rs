@@ -1,4 +1,4 @@
-//! HTML of a field's formulas and claims, from the LaTeX in answers.
+//! Shows a field's formulas and claims as HTML, from the LaTeX in answers.
 
 use kahan_algebra::render::Notation;
 use kahan_algebra::syntax::ClaimKind;
@@ -9,12 +9,12 @@ use maud::{Markup, html};
 use super::math::{LINE, display, displays, inline};
 use super::readable::readable;
 
-/// The formulas of ∂x̃/∂x and its determinant in terms of A, in LaTeX.
+/// The LaTeX formulas that express ∂x̃/∂x and its determinant by A.
 pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
     \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
 
-/// Writes the field, A, b (unless x), det A and the reduced map from a sheet in LaTeX.
+/// Writes the field, A, b (unless b = x), det A and the reduced map from a sheet in LaTeX.
 pub fn formulas(sheet: &FormulaSheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
@@ -42,8 +42,8 @@ pub fn formulas(sheet: &FormulaSheet) -> Markup {
     }
 }
 
-/// Writes a claim about a field with this number of variables: kind, condition, source, formulas,
-/// and further text `besides`.
+/// Writes a claim about a field with this number of variables: its kind, condition, source and
+/// formulas, and then the text `besides`.
 pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let is = |kind: ClaimKind| claim.kind == kind.keyword();
     let (kind, index) = match &claim.name {

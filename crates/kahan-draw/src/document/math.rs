@@ -1,4 +1,4 @@
-//! Formulas from LaTeX to MathML, which browsers render without a script.
+//! Converts formulas from LaTeX to MathML, which browsers render without a script.
 
 use kahan_latex::breaking;
 use maud::{Markup, PreEscaped, html};
@@ -10,11 +10,11 @@ pub fn inline(latex: &str) -> Markup {
     mathml(latex, DisplayMode::Inline)
 }
 
-/// The length of a line in the width of the page, in characters.
+/// The length, in characters, of a line that is as wide as the page.
 pub const LINE: usize = 84;
-/// The length of a line in the column of statements, in characters.
+/// The length, in characters, of a line in the column of statements.
 pub const COLUMN: usize = 56;
-/// The length of a line in a cell of a table of formulas, in characters.
+/// The length, in characters, of a line in a cell of a table of formulas.
 const CELL: usize = 44;
 
 /// Renders a displayed formula with at most `width` characters on a line.
@@ -23,7 +23,7 @@ pub fn display(latex: &str, width: usize) -> Markup {
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
-/// Renders a formula for a cell of a table: in display style, without a box.
+/// Renders a formula for a cell of a table, in display style and without a box.
 pub fn cell(latex: &str) -> Markup {
     inline(&format!("\\displaystyle {}", breaking::boxed(latex, CELL)))
 }
@@ -33,7 +33,8 @@ pub fn displays(formulas: &[String], width: usize) -> Markup {
     html! { @for formula in formulas { (display(formula, width)) } }
 }
 
-/// Converts LaTeX to MathML, or to its source in the class `unset`, which tests search for.
+/// Converts LaTeX to MathML. If this fails, returns the LaTeX in the class `unset`, which tests
+/// search for.
 fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
     let storage = Storage::new();
     let events: Result<Vec<Event<'_>>, _> = Parser::new(latex, &storage).collect();
@@ -43,7 +44,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
         push_mathml(&mut text, events, RenderConfig { display_mode, ..RenderConfig::default() })
     });
     match set {
-        // The library writes `\\mu` as the micro sign, which would stay upright.
+        // The library writes `\\mu` as the micro sign, which browsers would set upright.
         Ok(Ok(())) => PreEscaped(text.replace('\u{b5}', "μ")),
         _ => html! { code.unset { (latex) } },
     }

@@ -1,4 +1,5 @@
-//! Typographic forms of plain text, such as references to the paper and details of results.
+//! Rewrites plain text, such as references to the paper and details of results, with typographic
+//! signs.
 
 use crate::plot::{lowered, raised};
 
@@ -44,14 +45,15 @@ fn digits(text: &str) -> &str {
     &text[..text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())]
 }
 
-/// Reads the power after `^`: digits with an optional sign. Returns it with its length in bytes.
+/// Reads the power after `^`, digits with an optional sign. Returns the power with its length in
+/// bytes.
 fn power(text: &str) -> Option<(String, usize)> {
     let after = text.strip_prefix('-').unwrap_or(text);
     let length = text.len() - after.len() + digits(after).len();
     (!digits(after).is_empty()).then(|| (raised(&text[..length]), length))
 }
 
-/// Reads the index after `_`: digits, or n. Returns it with its length in bytes.
+/// Reads the index after `_`, digits or n. Returns the index with its length in bytes.
 fn index(text: &str) -> Option<(String, usize)> {
     match digits(text) {
         "" => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
@@ -60,14 +62,14 @@ fn index(text: &str) -> Option<(String, usize)> {
     }
 }
 
-/// Returns a minus sign for a hyphen that begins a word or stands between spaces.
+/// Returns a minus sign for a hyphen that begins a word, or that has spaces on both sides.
 fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
     let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | ',' | '='));
     let alone = before == Some(' ') && after.starts_with(' ');
     (alone || opens && after.starts_with(char::is_alphanumeric)).then_some("−")
 }
 
-/// Reads `1e-N` as a power of ten, or a decimal fraction without trailing zeros.
+/// Reads `1e-N` as a power of ten. Reads a decimal fraction without its trailing zeros.
 fn number(text: &str) -> Option<(String, usize)> {
     if let Some(after) = text.strip_prefix("1e-") {
         let exponent = digits(after);
@@ -75,7 +77,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
-    // Numbers of sections have one decimal and stay unchanged.
+    // Section numbers have one decimal, and stay unchanged.
     if whole.is_empty() || decimals.len() < 2 {
         return None;
     }
@@ -84,7 +86,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
 }
 
-/// Rewrites a word that is a Greek name, or `a`, followed by digits as an index.
+/// Rewrites a Greek name, or `a`, with digits after it: the digits become an index.
 fn word(word: &str) -> String {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let letter = match stem {

@@ -2,7 +2,8 @@
 
 use maud::{Markup, Render, html};
 
-/// The cells of a table by rows; first the column headings, then each row after its subject.
+/// The cells of a table, row by row. The first row has the column headings; the first cell of
+/// another row names its subject.
 pub type Rows = Vec<Vec<String>>;
 
 /// A table of an answer. Pages show it with its caption; text output prints the rows only.
@@ -34,7 +35,8 @@ impl Render for Table {
     }
 }
 
-/// Writes a table of formulas with an anchor. The first cell of a row names its subject.
+/// Writes a table of formulas with an anchor. The first cell of each row names the subject of the
+/// row.
 pub fn table_of_formulas(
     id: &str,
     caption: &str,

@@ -1,4 +1,4 @@
-//! Charts of an observable: a curve over one range, or colours over two.
+//! Charts of an observable, as a curve over one range, or as colours over two ranges.
 
 use kahan_latex::symbol;
 use kahan_study::{
@@ -13,22 +13,22 @@ use crate::plot::{Grid, Mark, NumberLine, Plot, Series, TickKind};
 pub struct Chart {
     /// The ranges; the first is the abscissa.
     pub axes: Vec<Axis>,
-    /// The values row by row from below; NaN in empty cells.
+    /// The values, row by row from below; empty cells are NaN.
     pub values: Vec<f64>,
     /// The system, or the file that holds the values.
     pub name: String,
-    /// The name of the column shown.
+    /// The name of the shown column.
     pub column: String,
     /// Whether the values are logarithms to base 10.
     pub is_logarithm: bool,
     /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// The end of each orbit and its number of steps, cell by cell; empty for rows of a file.
+    /// For each cell, how its orbit ended and after how many steps; empty for rows of a file.
     pub ended: Vec<(String, i64)>,
     steps: Option<u64>,
 }
 
-/// Returns the logarithm to base 10; values below the unit roundoff count as `f64::EPSILON`.
+/// Returns the logarithm to base 10. Smaller values than `f64::EPSILON` count as `f64::EPSILON`.
 fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { libm::log10(f64::EPSILON) } else { libm::log10(value) }
 }
@@ -36,8 +36,8 @@ fn logarithm(value: f64) -> f64 {
 impl Chart {
     /// Makes the chart of one column of an [`Observe`](kahan_study::Observe) over one or two
     /// ranges. The question's last axis becomes the abscissa. A cell is empty if its orbit leaves
-    /// the range of doubles or escapes; for `escape`, if the orbit does neither. Panics for another
-    /// question, or an axis that is not a range.
+    /// the range of doubles or escapes. For the column `escape`, a cell is empty if its orbit does
+    /// neither. Panics if the question is another one, or if an axis is not a range.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &ColourColumn) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
@@ -69,7 +69,7 @@ impl Chart {
         Observable::of_column(column).is_some_and(Observable::is_logarithmic)
     }
 
-    /// Returns the scale of a column: the logarithm to base 10, or the identity.
+    /// Returns the function that scales a column: the logarithm to base 10, or the identity.
     #[must_use]
     pub fn scale(column: &str) -> fn(f64) -> f64 {
         if Self::is_logarithmic(column) { logarithm } else { |value| value }
@@ -95,7 +95,8 @@ impl Chart {
         if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
-    /// Describes the axes from end to end for a curve, from edge to edge for a grid.
+    /// Describes the ranges of the axes: between end points for a curve, and between outer cell
+    /// edges for a grid.
     fn description(&self) -> String {
         let through = |axis: &Axis| {
             let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
@@ -107,7 +108,7 @@ impl Chart {
         format!("{} of {} over {}{steps}", self.label(), self.name, axes.join(" and "))
     }
 
-    /// Counts the orbits that ended early, by kind of end.
+    /// Counts the orbits that ended early, for each kind of end.
     #[must_use]
     pub fn ends(&self) -> Vec<(&str, usize)> {
         let count = |name| self.ended.iter().filter(|(ended, _)| ended == name).count();
@@ -124,7 +125,7 @@ impl Chart {
         if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
     }
 
-    /// Describes empty cells, equal values, and values beyond the scale.
+    /// Describes empty cells, values that are all equal, and values beyond the colour scale.
     fn note(&self, scale: Option<&NumberLine>) -> String {
         const ROUNDING: f64 = 1e-13;
 
@@ -166,7 +167,7 @@ pub fn chart(shown: &Chart, look: &PictureOptions) -> Picture {
     let picture = if let [axis] = &shown.axes[..] {
         let places = axis.range.values().map(|value| value.to_f64());
         let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
-        // Dots show values between empty cells.
+        // Lines do not show a value between two empty cells, so dots are drawn, too.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&description, [&*symbol(&axis.name), &*quantity], marked.into());
         let y = NumberLine { marks, ..plot.y };

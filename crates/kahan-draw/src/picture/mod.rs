@@ -1,7 +1,7 @@
 //! Pictures of answers.
 //!
-//! In: answers, or the rows of orbits as they arrive, and the picture's looks. Out: a [`Picture`].
-//! Questions and time limits are deliberately absent.
+//! In: answers, or the rows of orbits as they arrive, and options for the look of the picture. Out:
+//! a [`Picture`]. Questions and time limits are deliberately absent.
 
 mod chart;
 mod heights;
@@ -19,21 +19,22 @@ pub use trade::{trade, trade_canvas};
 
 use crate::plot::{Canvas, Drawing, NumberLine, Plot};
 
-/// The number of colours that series cycle through; the sixth is grey, for references.
+/// The number of colours that successive series use in turn. The sixth colour is grey, for
+/// references.
 const COLOURS: usize = 5;
 
 /// The looks of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureOptions {
-    /// The sheet to draw on.
+    /// The canvas to draw on.
     pub sheet: Canvas,
-    /// The ends of axes by name; other axes show nearly all values.
+    /// The ends of some axes, by name. Other axes show nearly all values.
     pub windows: Vec<(String, [f64; 2])>,
     /// Whether lines join the points of an orbit.
     pub lines: bool,
 }
 
-/// A drawing with statistics of its points.
+/// A drawing, with counts of the points in it.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The drawing.
@@ -42,12 +43,13 @@ pub struct Picture {
     pub points: usize,
     /// The number of points outside the axes.
     pub outside: usize,
-    /// The visible points of each orbit, for portraits and sections.
+    /// For portraits and sections, the numbers of points and of distinguishable positions of each
+    /// orbit.
     pub visits: Vec<OrbitExtent>,
 }
 
 impl PictureOptions {
-    /// Returns the default looks on a sheet.
+    /// Returns the default options on a canvas.
     #[must_use]
     pub fn on(sheet: Canvas) -> Self {
         PictureOptions { sheet, windows: Vec::new(), lines: false }

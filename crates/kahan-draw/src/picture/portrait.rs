@@ -10,34 +10,35 @@ use kahan_study::{Column, Rows, Values};
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, SpacePlot, SpaceSeries};
 
-/// A coordinate of an orbit's points, shown by one axis.
+/// A coordinate of an orbit's points, which one axis shows.
 #[derive(Clone, Debug)]
 pub enum Coordinate {
     /// The time t = 2εn.
     Time,
     /// The variable with this index.
     Variable(usize),
-    /// A formula of the variables and of the integrals that follow them in rows.
+    /// A formula in the variables and in the integrals, which come after the variables in rows.
     Formula {
         /// The text of the formula, or the name of an integral.
         text: String,
         /// The compiled formula.
         formula: Formula,
-        /// The index of `t` among the formula's variables; `None` where a column holds `t`.
+        /// The index of `t` among the formula's variables; `None` if a column of the rows holds
+        /// `t`.
         time: Option<usize>,
     },
 }
 
-/// The points of one orbit in the coordinates of two or three axes. Receives an orbit's rows of
-/// doubles, and stores the coordinates only.
+/// The points of one orbit, in the coordinates of two or three axes. Receives the orbit's rows in
+/// doubles, and stores only the coordinates.
 #[derive(Clone, Debug)]
 pub struct Trace {
     axes: Vec<Coordinate>,
-    /// The coordinates by axes; each column has one entry for each point.
+    /// The coordinates, one column for each axis; a column has one entry for each point.
     columns: Vec<Vec<f64>>,
 }
 
-/// The visible extent of an orbit.
+/// The extent of an orbit in a picture: numbers of points and of distinguishable positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OrbitExtent {
     /// The number of points.
@@ -57,7 +58,8 @@ impl Coordinate {
         }
     }
 
-    /// Returns the value at a point: the time and the values that follow it in a row.
+    /// Returns the coordinate at a point; `point` holds the values that follow the time `t` in a
+    /// row.
     fn value(&self, t: f64, mut point: Vec<f64>) -> f64 {
         match self {
             Coordinate::Time => t,
@@ -101,7 +103,7 @@ impl Trace {
         self.columns[0].len()
     }
 
-    /// Counts the points, and the distinguishable positions of those inside the axes.
+    /// Counts the points, and the distinguishable positions of the points within the axes.
     fn visits(&self, axes: &[NumberLine]) -> OrbitExtent {
         const PARTS: f64 = 200.0;
 
@@ -178,7 +180,8 @@ pub fn portrait(
     Picture { visits, ..picture }
 }
 
-/// Chooses marks by the number of points; orbits with few distinct positions get visible dots.
+/// Chooses marks by the number of points. An orbit with few distinguishable positions gets larger
+/// dots.
 fn marks(visits: &[OrbitExtent], look: &PictureOptions) -> Vec<Mark> {
     const FEW: usize = 24;
     /// Beyond this number of points, lines of the usual width would merge into an area.

@@ -1,12 +1,13 @@
-//! Errors of a lift's relations along an orbit.
+//! Draws the errors of a lift's relations along an orbit.
 
 use kahan_study::{LiftFound, WatchedOrbit};
 
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
-/// Draws the largest error of each relation in each segment of the watched orbit, on a logarithmic
-/// axis. Returns `None` if no orbit was watched. Relations without any error get no line.
+/// Draws the largest error of each relation in each segment of an orbit, on a logarithmic axis.
+/// Returns `None` if errors were measured along no orbit. A relation whose errors are all 0 gets no
+/// line.
 #[must_use]
 pub fn relations(found: &LiftFound, look: &PictureOptions) -> Option<Picture> {
     let WatchedOrbit { eps, errors: seen, .. } = found.watched.as_ref()?;

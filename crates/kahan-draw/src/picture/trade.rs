@@ -1,5 +1,6 @@
-//! The work–precision diagram: price against error. Double and double-double get a line for each
-//! order, other scalars and compensated sums small dots; the Pareto front is drawn below them.
+//! The work–precision diagram, price against error. Double and double-double have a line for each
+//! order; other scalars and compensated sums have small dots. The Pareto front is drawn below the
+//! lines and dots.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
@@ -7,13 +8,13 @@ use kahan_study::trade::{Measured, Traded};
 use super::{Picture, PictureOptions};
 use crate::plot::{Canvas, Mark, NumberLine, Plot, Series, TickKind};
 
-/// Returns the default sheet.
+/// Returns the default canvas.
 #[must_use]
 pub fn trade_canvas() -> Canvas {
     Canvas::page(720, 480)
 }
 
-/// Draws all measured settings except those with useless errors.
+/// Draws all measured settings, except those whose errors are too large to be useful.
 #[must_use]
 pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
     const LARGEST: f64 = 10.0;

@@ -1,10 +1,10 @@
-//! Simulated colour vision deficiency, for tests of the palette, by the matrices of severity 1 of
-//! Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision
-//! deficiency" (2009).
+//! Simulates colour vision deficiency, for tests of the palette. The matrices, for severity 1, are
+//! those of Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color
+//! vision deficiency" (2009).
 
 pub(super) type Linear = [f64; 3];
 
-/// A kind of colour vision, by the cones that are missing.
+/// A kind of colour vision, named by the missing cones.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum ColourVision {
     All,

@@ -37,7 +37,8 @@ pub struct Canvas {
 }
 
 impl Drawing {
-    /// Returns the SVG for a [`document`](crate::document::document), which supplies the style.
+    /// Returns the SVG for use within a [`document`](crate::document::document), which supplies the
+    /// style sheet.
     #[must_use]
     pub fn inline(&self) -> Markup {
         let (width, height) = self.sheet.view_box;
@@ -46,13 +47,13 @@ impl Drawing {
         }
     }
 
-    /// Returns an SVG file with its own style.
+    /// Returns an SVG file that contains its own style sheet.
     #[must_use]
     pub fn svg(&self) -> String {
         let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Fonts of printers; both have letters of equal widths.
+        // Printers have fonts like these two; in both, a letter has the same width.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -66,7 +67,7 @@ impl Drawing {
         svg.into_string() + "\n"
     }
 
-    /// Renders a file. Fails if this build has no renderer for the format, or the renderer fails.
+    /// Renders a file. Fails if this build cannot write the format, or if the renderer fails.
     pub fn file(&self, format: Format) -> Result<Vec<u8>, DrawingFileError> {
         match format {
             Format::Svg => Ok(self.svg().into_bytes()),
@@ -80,14 +81,14 @@ impl Drawing {
     }
 }
 
-/// The reason why a drawing has no file.
+/// The reason why a drawing cannot become a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DrawingFileError {
     /// The file name's extension belongs to no format.
     Ending,
     /// This build has no renderer for the format.
     NotBuilt(Format),
-    /// The renderer failed, with its message.
+    /// The renderer failed; holds its message.
     Renderer(String),
 }
 
@@ -120,8 +121,8 @@ impl fmt::Display for Format {
 }
 
 impl Format {
-    /// Returns the format for a file's extension. Fails if the extension belongs to no format, or
-    /// to one that this build cannot write.
+    /// Returns the format for a file's extension. Fails if no format has this extension, or if this
+    /// build cannot write the format.
     pub fn of(path: &Path) -> Result<Self, DrawingFileError> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let format = [Format::Svg, Format::Png, Format::Pdf];
@@ -133,7 +134,8 @@ impl Format {
         }
     }
 
-    /// Returns the file extension, which is also the format's crate feature; SVG needs no feature.
+    /// Returns the file extension. It is also the name of the crate feature that the format needs;
+    /// SVG needs none.
     #[must_use]
     pub fn feature(self) -> &'static str {
         match self {
@@ -146,11 +148,11 @@ impl Format {
 
 impl Canvas {
     const INCH: f64 = 300.0;
-    /// The size of a picture in pixels that fills a column in print, 86 mm wide.
+    /// The size, in pixels, of a picture that fills a column in print (86 mm wide).
     pub const COLUMN: (u32, u32) = (1016, 762);
 
-    /// Makes the sheet of a file. For screens the view box is small enough for text to be legible
-    /// on telephones. For print, at 300 pixels an inch, text has its size on paper.
+    /// Makes the canvas of a file. On screens the view box is small enough for text to be legible
+    /// on telephones. In print, at 300 pixels per inch, text has its size on paper.
     #[must_use]
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
@@ -162,7 +164,8 @@ impl Canvas {
         Canvas { pixels, view_box: (scale * width, scale * height), theme }
     }
 
-    /// Makes the sheet of a drawing within a page, in units of the view box; as a file, in pixels.
+    /// Makes the canvas of a drawing within a page. Width and height are units of the view box; in
+    /// a file, pixels.
     #[must_use]
     pub fn page(width: u32, height: u32) -> Self {
         Canvas {
@@ -172,7 +175,7 @@ impl Canvas {
         }
     }
 
-    /// Returns width and height for an SVG file: in pixels, or for print in millimetres.
+    /// Returns width and height for an SVG file, in pixels; for print, in millimetres.
     fn lengths(&self) -> [String; 2] {
         const MILLIMETRES: f64 = 25.4;
         [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {

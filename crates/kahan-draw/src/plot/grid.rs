@@ -16,23 +16,23 @@ use super::{Canvas, Drawing, Frame, NumberLine, name, placed};
 pub struct Grid {
     /// The description for screen readers.
     pub description: String,
-    /// The sheet to draw on.
+    /// The canvas to draw on.
     pub sheet: Canvas,
     /// The horizontal axis, from the first cell's left edge to the last cell's right edge.
     pub x: NumberLine,
     /// The vertical axis, from the lowest cell's lower edge to the highest cell's upper edge.
     pub y: NumberLine,
-    /// The axis of the colour bar. Numbers beyond its ends get the colours of the ends.
+    /// The axis of the colour bar. A number beyond an end has the colour of this end.
     pub scale: NumberLine,
     /// The number of cells in a row.
     pub columns: usize,
-    /// The numbers row by row from below; NaN leaves a cell empty.
+    /// The numbers, row by row from below; a NaN leaves its cell empty.
     pub values: Vec<f64>,
     /// A note above the grid; may be empty.
     pub note: String,
 }
 
-/// The number of colours; one further index is transparent, for empty cells.
+/// The number of colours. One further index is transparent, for empty cells.
 const COLOURS: usize = 255;
 const COLUMN: [f64; 2] = [12.0, 26.0];
 const NAME: f64 = 28.0;
@@ -44,7 +44,7 @@ impl Grid {
         let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
         let (numbers, columns) = (self.values.len(), self.columns);
         assert!(rows > 0 && rows * columns == numbers, "{numbers} numbers are no rows of {columns} cells");
-        // Images begin at the upper left.
+        // The numbers begin at the lower left, but images begin at the upper left.
         let cells: Vec<u8> = self.values.chunks(columns).rev().flatten().map(|v| self.index(*v)).collect();
         let note = Legend::of(&[], &self.note, self.sheet);
         let frame = |beside: f64| Frame::around(self.sheet, note.height(), beside, &self.x, &self.y);
@@ -86,9 +86,9 @@ impl Grid {
     }
 }
 
-/// Draws cells, given from the upper left, as an image between left, top, right and bottom. Cells
-/// are enlarged to about 1024 pixels a side, because some programs ignore `image-rendering` and
-/// blur enlarged images.
+/// Draws cells, given from the upper left, as an image; the list holds the image's left, top, right
+/// and bottom. Cells are enlarged to about 1024 pixels a side, because some programs ignore
+/// `image-rendering` and blur enlarged images.
 fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), cells: &[u8]) -> Markup {
     const SIDE: usize = 1024;
 
@@ -97,7 +97,7 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     let pixels = cells.chunks(columns).map(|cells| row(cells).repeat(upwards)).collect::<Vec<_>>().concat();
     let png = png(across * columns, upwards * rows, &pixels)
         .expect("there are cells, and memory takes what is written");
-    // The old name of `href`, the only one that Inkscape reads.
+    // `xlink:href` is the old name of `href`, and the only one that Inkscape reads.
     html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
             preserveAspectRatio="none" style="image-rendering:pixelated"
@@ -112,7 +112,7 @@ fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::Encodi
     let mut encoder = png::Encoder::new(&mut file, columns as u32, rows as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
-    // Enlarged rows repeat, so differences to the row above are zero.
+    // Enlarged rows are repeated, so that differences to the row above are zero.
     encoder.set_filter(png::Filter::Up);
     encoder.set_palette(palette.chain(Rgb::default()).collect::<Vec<u8>>());
     encoder.set_trns([vec![255; COLOURS], vec![0]].concat());

@@ -1,6 +1,6 @@
-//! Labels. Single letters are variables, and set in italic; superscripts and subscripts are
+//! Draws labels. Single letters are variables, set in italic. Superscripts and subscripts are
 //! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Some fonts lack these characters, so
-//! drawings use small digits off the baseline.
+//! drawings use small digits above or below the baseline.
 
 use maud::{Markup, html};
 
@@ -10,7 +10,7 @@ use super::script::{LOWERED, RAISED};
 /// The font size of tick labels and legends; 8.6 points in print.
 pub(super) const SMALL: f64 = 12.0;
 pub(super) const LARGE: f64 = 13.0;
-/// The least font size; 6 points in print.
+/// The smallest font size; 6 points in print.
 const LEAST: f64 = 8.4;
 
 /// Returns the width of a label in DejaVu Sans, one of the wider common fonts.
@@ -30,12 +30,12 @@ fn small(size: f64) -> f64 {
 
 const USUAL: f64 = 0.92;
 
-/// Returns the largest distance of a label's ends from its middle, in any common font.
+/// Returns the largest distance between the middle and the ends of a label, in any common font.
 pub(super) fn reach(words: &str, size: f64) -> f64 {
     (1.0 - USUAL / 2.0) * width(words, size)
 }
 
-/// Shrinks a label to fit into `room`, and shortens it if the font would become too small.
+/// Shrinks a label to the width `room`. If the font would become too small, also shortens the text.
 pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
     let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST);
     let mut shown = words.to_owned();
@@ -55,7 +55,7 @@ enum FontStyle {
 }
 
 impl FontStyle {
-    /// Returns the distance below the baseline, in font sizes.
+    /// Returns the distance below the baseline, as a multiple of the font size.
     fn drop(self) -> f64 {
         match self {
             FontStyle::Raised => -0.35,
@@ -102,7 +102,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
             }
         };
     }
-    // Programs disagree about the end of a label of several parts, but agree about its start.
+    // Programs disagree about the end of a label with several parts, but agree about its start.
     let before = match anchor {
         "start" => 0.0,
         "middle" => 0.5,

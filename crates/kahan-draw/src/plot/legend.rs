@@ -13,12 +13,13 @@ const FREE: f64 = 8.0;
 
 pub(super) struct Legend<'a> {
     sheet: Canvas,
-    /// Position, text, font size and series of each entry; a note has no series.
+    /// The position, the text with its font size, and the series of each entry; a note has no
+    /// series.
     entries: Vec<(Place, (String, f64), Option<&'a Series>)>,
 }
 
 impl<'a> Legend<'a> {
-    /// Makes the legend of all series with a label, followed by the note, if any.
+    /// Makes the legend of all series that have a label; the note, if any, comes last.
     pub(super) fn of(series: &'a [Series], note: &str, sheet: Canvas) -> Self {
         let series = series.iter().filter(|series| !series.label.is_empty());
         let named = series.map(|series| (series.label.as_str(), Some(series)));

@@ -1,12 +1,12 @@
-//! Axes with round ticks. A [`NumberLine`] subtracts a number from values that share leading
-//! digits, and divides very large or small values by a power of ten; its name states both.
+//! Axes with round ticks. If values share leading digits, a [`NumberLine`] subtracts a number from
+//! them; it divides very large or small values by a power of ten. The name of the axis states both.
 
 use super::script::raised;
 
 /// An axis.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// The label; single letters are variables: `t`, `ln n`.
+    /// The label. Single letters in it are variables: `t`, `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,
@@ -23,8 +23,8 @@ pub enum TickKind {
     Round,
     /// Whole numbers, for counts.
     Whole,
-    /// Powers of ten: the values are decimal logarithms. An axis with fewer than two whole numbers
-    /// shows the logarithms instead, and its name says so.
+    /// Powers of ten; the values are decimal logarithms. An axis with fewer than two whole numbers
+    /// shows the logarithms instead, and the name of the axis says so.
     Powers,
 }
 
@@ -42,7 +42,7 @@ impl NumberLine {
     }
 
     /// Makes an axis that shows all finite values, with small margins. Values that differ only by
-    /// rounding errors count as equal.
+    /// rounding errors are treated as equal.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -59,7 +59,8 @@ impl NumberLine {
         NumberLine::new(label, low - room, high + room)
     }
 
-    /// Makes an axis that shows nearly all values, without a few distant ones, as near a pole.
+    /// Makes an axis that shows nearly all values. A few distant values, as near a pole, are left
+    /// out.
     #[must_use]
     pub fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
@@ -93,12 +94,12 @@ impl NumberLine {
         }
     }
 
-    /// Returns the greatest power of ten up to the length of the axis.
+    /// Returns the largest power of ten that is not longer than the axis.
     fn unit(&self) -> f64 {
         libm::exp10(libm::log10(self.high - self.low).floor())
     }
 
-    /// Returns the shift of values that share their leading digits, or 0.
+    /// Returns the number to subtract from values that share their leading digits; otherwise 0.
     fn offset(&self) -> f64 {
         const SHARED: f64 = 1e4;
         let unit = self.unit();
@@ -106,7 +107,8 @@ impl NumberLine {
         if is_far { ((self.low / 2.0 + self.high / 2.0) / unit).round() * unit } else { 0.0 }
     }
 
-    /// Returns the power of ten that tick labels omit; 0 for values of moderate size.
+    /// Returns the exponent of the power of ten by which tick labels are divided; 0 unless values
+    /// are very large or small.
     fn power(&self) -> i32 {
         let offset = self.offset();
         let largest = (self.low - offset).abs().max((self.high - offset).abs());
@@ -120,7 +122,8 @@ impl NumberLine {
     /// Returns four to seven ticks at round values, or fewer if `fits` rejects overlapping labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Consecutive steps differ by factors 2 or 2.5, so one of them gives four to seven ticks.
+        // Successive step sizes differ by factors of 2 or 2.5, so one of them gives four to seven
+        // ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
@@ -130,8 +133,8 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // The sort is stable: four to seven ticks first, coarse before fine, multiples of 2.5 last;
-        // then fewer ticks, most first.
+        // The sort is stable. Choices with four to seven ticks come first, coarse before fine, and
+        // steps of 2.5 last. Then come choices with fewer ticks, those with most ticks first.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
@@ -141,9 +144,9 @@ impl NumberLine {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
-        // Rounds errors such as 0.1 + 0.2 away; a step of 0.25 needs one decimal more than its
-        // size.
-        let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
+        // The decimals remove rounding errors such as that of 0.1 + 0.2. A step of 0.25 needs one
+        // decimal more than its size suggests.
+        let size = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);
             (digits - digits.round()).abs() < 1e-6 * digits
@@ -157,7 +160,7 @@ impl NumberLine {
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
     }
 
-    /// Returns the position of a value, if `low` is at `from` and `high` at `to`.
+    /// Returns the position of a value, if `low` is drawn at `from` and `high` at `to`.
     #[must_use]
     pub fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         from + (value - self.low) / (self.high - self.low) * (to - from)

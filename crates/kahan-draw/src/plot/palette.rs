@@ -1,5 +1,6 @@
-//! Colours of drawings. The six colours of curves can be distinguished in grey print and by readers
-//! who lack one kind of cones. Each has the contrast to the background that text needs.
+//! Colours of drawings. The six colours of curves can be distinguished in grey print, and by
+//! readers who lack one kind of cones. Against the background, each colour has the contrast that
+//! text needs.
 
 use std::fmt::Write as _;
 
@@ -19,7 +20,7 @@ impl Colour {
         Colour { name, light, dark, print }
     }
 
-    /// Makes a colour of curves, whose light variant is dark enough for print.
+    /// Makes a colour of curves; its light variant must be dark enough for print.
     const fn curve(name: &'static str, light: &'static str, dark: &'static str) -> Self {
         Colour::new(name, light, dark, light)
     }
@@ -173,11 +174,12 @@ mod tests {
         for theme in [Theme::Light, Theme::Dark, Theme::Paper] {
             let (paper, curves) = (rgb(PAPER.on(theme)), CURVES.map(|colour| rgb(colour.on(theme))));
             for (i, &one) in curves.iter().enumerate() {
-                // The contrast that web guidelines (WCAG) require of text.
+                // This is the contrast that web guidelines (WCAG) require of text.
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
-                        // About nine times the smallest difference that is visible side by side.
+                        // This is about nine times the smallest difference that is visible side by
+                        // side.
                         let apart = distance(seen(one, kind), seen(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }

@@ -1,6 +1,6 @@
 //! The colour map viridis (Van der Walt and Smith, matplotlib 2015), from dark to light. Equal
-//! steps look about equally large. Lightness increases with the number, so the order is visible in
-//! grey and without any one kind of cones.
+//! steps in the number look about equally large. Lightness increases with the number, so that
+//! readers see the order in grey, and without any one kind of cones.
 
 pub(super) type Rgb = [u8; 3];
 
@@ -41,7 +41,7 @@ mod tests {
             let mean = (light[64] - light[0]) / 64.0;
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
-                // Without short cones, violet and dark blue are nearly equal.
+                // For readers without short cones, violet and dark blue are nearly equal.
                 let least = if matches!(kind, ColourVision::NoShort) { 0.0 } else { mean / 3.0 };
                 assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
             }

@@ -1,4 +1,5 @@
-//! PNG and PDF files from a drawing's SVG, equal on every machine by an embedded font.
+//! Makes PNG and PDF files from a drawing's SVG. An embedded font makes them equal on every
+//! machine.
 
 use std::sync::Arc;
 
@@ -7,7 +8,7 @@ use resvg::usvg::{Options, Tree};
 
 use super::DrawingFileError;
 
-/// A subset of DejaVu Sans for names and numbers.
+/// The part of DejaVu Sans that names and numbers need.
 const FONT: &[u8] = include_bytes!("DejaVuSans.ttf");
 
 fn read(svg: &str) -> Result<Tree, DrawingFileError> {
@@ -34,13 +35,13 @@ pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, Dra
     pixels.encode_png().map_err(|error| failed(&error))
 }
 
-/// Renders a PDF with one page of the drawing's size and searchable text.
+/// Renders a PDF with one page of the drawing's size, whose text can be searched.
 #[cfg(feature = "pdf")]
 pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, DrawingFileError> {
     use krilla::{Document, geom::Size, page::PageSettings};
     use krilla_svg::{SurfaceExt, SvgSettings};
 
-    /// A CSS pixel is 1/96 inch, a point 1/72 inch.
+    /// The number of points (1/72 inch) in a CSS pixel (1/96 inch).
     const POINTS: f32 = 0.75;
 
     let tree = read(svg)?;
@@ -84,7 +85,7 @@ mod tests {
                 pixels.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
             assert_eq!(colours[0], paper);
             assert!(colours.iter().filter(|colour| **colour == curve).count() > 400, "the line");
-            // Left of the axis there are only letters.
+            // Left of the vertical axis, all dark pixels belong to letters.
             let margin = colours.chunks(900).flat_map(|row| &row[..105]).filter(|colour| **colour != paper);
             assert!(margin.count() > 100, "letters");
         }

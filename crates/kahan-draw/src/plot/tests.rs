@@ -35,11 +35,11 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
-    // The right end of the frame, on the line to (99, 1).
+    // The line to (99, 1) is clipped at the right end of the frame.
     assert!(path.contains("L466 "), "{path}");
 }
 
-/// Draws points along y, away from the eye.
+/// Draws points along y, which recede from the eye.
 fn receding(mark: Mark) -> String {
     let axis = |label: &str| NumberLine::new(label, -1.0, 1.0);
     let points = (0..=200).map(|i| [0.0, f64::from(i) / 100.0 - 1.0, 0.0]).collect();
@@ -53,7 +53,7 @@ fn receding(mark: Mark) -> String {
     space.drawing().inline().into_string()
 }
 
-/// Returns the paths of a class with their widths, in drawing order.
+/// Returns the paths of a CSS class with their widths, in drawing order.
 fn shapes(svg: &str, class: &str) -> Vec<(String, f64)> {
     let opening = format!("class=\"{class}\" d=\"");
     let parts = svg.split(&opening).skip(1);
@@ -145,7 +145,7 @@ fn a_file_has_its_own_style_and_what_is_read_out() {
     let dark = on((900, 600), Theme::Dark);
     assert!(dark.contains("stroke=\"#2d8bb9\"") && dark.contains("fill=\"#14171b\""), "{dark}");
     assert!(["prefers-color-scheme", "var(", "#435bc6"].iter().all(|word| !dark.contains(word)), "{dark}");
-    // A flat sheet is widened until both axes have room.
+    // A flat canvas is widened until both axes have room.
     assert_eq!(Canvas::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
 }
 
@@ -155,7 +155,7 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
     let plot = Plot { sheet: Canvas::new(Canvas::COLUMN, Theme::Paper), ..plot };
     let svg = plot.drawing().svg();
     assert!(svg.contains("width=\"86.02mm\"") && !svg.contains("<style"), "{svg}");
-    // 12 units of 0.01 inch are 8.6 points.
+    // A unit of the view box is 0.01 inch, so 12 units are 8.6 points.
     assert!((plot.sheet.view_box.0 - 338.67).abs() < 0.01 && svg.contains("font-size=\"12\""), "{svg}");
     assert!(svg.contains("fill=\"#ffffff\"") && svg.contains("stroke-width=\"1.2\""), "{svg}");
     let inked = svg.split("class=\"ticks\" fill=\"").nth(1).expect("ticks");
@@ -199,7 +199,8 @@ fn words(svg: &str) -> Vec<(String, Box)> {
     svg.split("<text").skip(1).map(element).collect()
 }
 
-/// Asserts that all labels lie on the sheet without overlap, and in print have at least six points.
+/// Asserts that all labels lie on the canvas without overlap, and that in print they have at least
+/// six points.
 fn has_room(drawing: &Drawing) {
     let svg = drawing.svg();
     let (across, upwards) = drawing.sheet.view_box;

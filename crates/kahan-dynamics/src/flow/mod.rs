@@ -1,9 +1,9 @@
 //! The solution x(t) of ẋ = f(x), a reference for orbits of the map.
 //!
 //! In: a field, a point, a time. Out: x(t) as a piecewise polynomial. The pieces are Taylor series
-//! of high order ([`series`]), short where the motion is fast or near a pole. Nothing here uses
-//! Kahan's map, so agreement with an orbit is independent evidence. Error bounds are deliberately
-//! absent.
+//! of high order ([`series`]); they are short where the motion is fast or near a pole. Nothing here
+//! uses Kahan's map, so agreement with an orbit is independent evidence. Error bounds are
+//! deliberately absent.
 
 mod piece;
 mod series;
@@ -41,7 +41,7 @@ pub(crate) use series::SeriesScalar;
 pub struct Flow<T> {
     pieces: Vec<Piece<T>>,
     end: f64,
-    /// The number of leading variables that enter distances and the scale.
+    /// The number of leading variables that count for distances and the scale.
     measured: usize,
     scale: f64,
     slope: f64,
@@ -75,12 +75,12 @@ impl std::fmt::Display for NoFlow {
 impl std::error::Error for NoFlow {}
 
 impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
-    /// The degree of a piece, which has one coefficient more for each variable.
+    /// The degree of a piece. For each variable, a piece has one coefficient more.
     pub const DEGREE: usize = T::TERMS;
 
     /// Integrates from `start` to the time `end` > 0, and further by `beyond`·`end` for orbits that
-    /// overshoot. A solution that escapes to infinity after `end` is not extended. Calls `go_on`
-    /// before each piece with the number of pieces so far.
+    /// overshoot. If the solution escapes to infinity after `end`, the flow ends earlier. Before
+    /// each piece calls `go_on` with the number of pieces so far.
     ///
     /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. Its
     /// length is 0.14 (`Dd`: 0.09) of the distance to the nearest singularity in complex time.
@@ -111,9 +111,9 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
             let series = expansion.at(x, rate);
             rate = 1.0 / series.radius;
             flow.pieces.push(Piece::of(&series, t));
-            // A step of type `f64` keeps sums of steps exact in double-double for long.
+            // Steps are of type `f64`, so that sums of many steps are exact in double-double.
             let step = series.reach().min(2.0 * last);
-            // Near a pole each step is a fixed fraction of the remaining time, so steps shrink
+            // Near a pole each step is a fixed fraction of the remaining time, so that steps shrink
             // geometrically.
             if !(x.iter().all(|entry| entry.approximate().is_finite())
                 && step > 1e-9 * (now + *first.get_or_insert(step)))
@@ -144,7 +144,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         Ok(flow)
     }
 
-    /// Restricts distances and the scale to the first `variables` and to times up to `end`.
+    /// Restricts distances and the scale to the first `variables` variables, and to times up to
+    /// `end`.
     #[must_use]
     pub fn of_first(self, variables: usize, end: f64) -> Self {
         let size = |t: f64| {
@@ -160,31 +161,31 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
         self.end
     }
 
-    /// Returns the largest |xᵢ(t)| over all components and over times up to the requested `end`:
-    /// the scale of relative errors.
+    /// Returns the scale of relative errors: the largest |xᵢ(t)| over all components i, and over
+    /// times up to the requested `end`.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Returns max ‖f′(x(t))‖∞; ε times this number measures how coarse a step is.
+    /// Returns max ‖f′(x(t))‖∞. ε times this number measures how coarse a step is.
     pub fn slope(&self) -> f64 {
         self.slope
     }
 
-    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Unlike the slope, it
-    /// ignores directions in which nothing moves.
+    /// Returns ∫ ‖ẍ‖∞/‖ẋ‖∞ dt, roughly the angle by which the motion turns. Unlike the slope, this
+    /// integral ignores directions in which nothing moves.
     pub fn turning(&self) -> f64 {
         self.turning
     }
 
-    /// Iterates over the start times of the pieces, from 0 on; they are dense where the solution is
-    /// fast.
+    /// Iterates over the start times of the pieces, beginning with 0. Pieces are short where the
+    /// solution is fast.
     pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
         self.pieces.iter().map(|piece| piece.start.into())
     }
 
-    /// Returns x(t); beyond either end, extrapolates the nearest piece. Costs about 60 operations
-    /// for a component in [`Dd`], and 36 in `f64`.
+    /// Returns x(t). Before the start and after the end, extrapolates the nearest piece. For each
+    /// component, costs about 60 operations in [`Dd`], and 36 in `f64`.
     pub fn at(&self, t: Dd) -> Vec<T> {
         let piece = self.piece_at(t);
         let dimension = piece.coefficients.len() / (T::TERMS + 1);
@@ -194,7 +195,7 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 
     /// Returns the distance of a point from x(t) in the maximum norm, relative to the
-    /// [`scale`](Self::scale); infinite for a point with a NaN.
+    /// [`scale`](Self::scale); infinite if a coordinate is NaN.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.measure(self.piece_at(t), t, x, &mut vec![T::zero(); x.len()])
     }
@@ -219,8 +220,8 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     }
 }
 
-/// Distances from a flow at increasing times, without searching for the piece, and without
-/// allocation.
+/// Computes distances from a flow at increasing times. It neither searches for pieces nor
+/// allocates.
 #[derive(Debug)]
 pub(crate) struct FlowDistance<'a, T, const N: usize> {
     flow: &'a Flow<T>,

@@ -7,7 +7,8 @@ use kahan_core::Dd;
 #[derive(Clone, Debug)]
 pub(super) struct Piece<T> {
     pub(super) start: Dd,
-    /// The unit of time is 1/rate: the polynomial is in powers of rate·(t − start). A power of 2.
+    /// The inverse of the unit of time, a power of 2. The polynomial is in powers of rate·(t −
+    /// start).
     rate: f64,
     pub(super) coefficients: Vec<T>,
 }

@@ -1,12 +1,14 @@
 //! The Taylor series of a trajectory of a quadratic field.
 //!
+//! # Recurrence
+//!
 //! From x(t) = Σ xₖ sᵏ, s = t − t₀, and ẋ = Q(x,x) + Bx + c follows the recurrence
 //!
-//! (k + 1) xₖ₊₁ = Σ_{i+j=k} Q(xᵢ,xⱼ) + Bxₖ + [k = 0] c,
+//! (k + 1) xₖ₊₁ = Σ_{i+j=k} Q(xᵢ,xⱼ) + Bxₖ + [k = 0] c.
 //!
-//! with one Cauchy product for each coefficient, and no derivative of f beyond f′. The unit of time
-//! is a power of 2 near the radius of convergence, so that coefficients neither overflow nor
-//! underflow for very fast or slow motions.
+//! Each coefficient takes one Cauchy product, and no derivative of f beyond f′. The unit of time is
+//! a power of 2 near the radius of convergence, so that coefficients neither overflow nor underflow
+//! for very fast or slow motions.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
@@ -14,20 +16,21 @@ use kahan_core::{Dd, FloatScalar, QuadraticField};
 
 use super::norm;
 
-/// A scalar for flows, `f64` or [`Dd`], with the length of its series.
+/// A scalar for flows, `f64` or [`Dd`], with the length of its Taylor series.
 pub(crate) trait SeriesScalar: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
-    /// The number of terms after x₀. The number of steps falls with it and the cost of a step grows
-    /// with its square; the least total lies near the number of digits.
+    /// The number of terms after x₀. With more terms there are fewer steps, but the cost of a step
+    /// grows with the square of the number. The total cost is least near the number of digits.
     const TERMS: usize = if Self::SHORT_BITS > f64::SHORT_BITS { 30 } else { 18 };
 
-    /// The step h as a fraction of the radius of convergence ρ. The first omitted term is about
-    /// (h/ρ)^(TERMS + 1) of the solution: 0.14¹⁹ ≈ 6·10⁻¹⁷ and 0.09³¹ ≈ 4·10⁻³³.
+    /// The fraction h/ρ, where h is the step and ρ the radius of convergence. Relative to the
+    /// solution, the first omitted term is about (h/ρ)^(TERMS + 1): 0.14¹⁹ ≈ 6·10⁻¹⁷ and 0.09³¹ ≈
+    /// 4·10⁻³³.
     const PART_OF_RADIUS: f64 = if Self::SHORT_BITS > f64::SHORT_BITS { 0.09 } else { 0.14 };
 }
 
 impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> SeriesScalar for T {}
 
-/// A field with its linear and constant parts.
+/// A field ẋ = Q(x,x) + Bx + c with its linear part B and its constant part c.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion<'a, F, T, const N: usize> {
     field: &'a F,
@@ -52,10 +55,10 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// Expands the solution at x₀. `rate` is a guess of 1/ρ, ρ the radius of convergence; a few
-    /// trials correct a bad guess. Costs about TERMS²/4 evaluations of the bilinear form.
+    /// Expands the solution at x₀. `rate` is a guess of 1/ρ, where ρ is the radius of convergence;
+    /// a few trials correct a bad guess. Costs about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
-        /// A factor whose 30th power stays far from the ends of the range of floats.
+        /// A factor whose 30th power is still far from overflow.
         const NEAR: f64 = (1_u64 << 16) as f64;
         const TRIALS: usize = 16;
         let mut rate = power_of_two(rate);
@@ -65,7 +68,8 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if (1.0 / NEAR..=NEAR).contains(&size) || norm(&series.coefficients[1]) == 0.0 {
                 break;
             }
-            // Coefficients that overflow or underflow only show the direction of the correction.
+            // If coefficients overflow or underflow, they only show whether the rate is too small
+            // or too large.
             rate = power_of_two(match size {
                 size if size == f64::INFINITY => rate / NEAR,
                 size if size > 0.0 => rate / size,
@@ -73,7 +77,7 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             });
             let other = self.in_units(start, rate);
             if size == f64::INFINITY && other.radius == f64::INFINITY {
-                // The solution is a polynomial in t.
+                // The remaining coefficients are 0, so the solution is a polynomial in t.
                 break;
             }
             series = other;
@@ -91,14 +95,14 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
             if k == 0 {
                 sum += self.constant;
             }
-            // Q is symmetric, so each pair is computed once.
+            // Q is symmetric, so each pair (i, j) is computed once.
             for i in 0..k.div_ceil(2) {
                 sum += self.field.bilinear(&series[i], &series[k - i]).map(|entry| two * entry);
             }
             if k % 2 == 0 {
                 sum += self.field.bilinear(&series[k / 2], &series[k / 2]);
             }
-            // Scaling by a power of 2 comes last, so that intermediate results stay in range.
+            // The power of 2 is multiplied last, so that intermediate results stay in range.
             let divisor = T::from((k + 1) as f64);
             series.push(sum.map(|entry| entry * unit / divisor));
         }
@@ -110,7 +114,7 @@ impl<'a, T: SeriesScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a,
 }
 
 impl<T: SeriesScalar, const N: usize> Series<T, N> {
-    /// Returns the longest usable step.
+    /// Returns the longest step for which the series is accurate.
     pub(super) fn reach(&self) -> f64 {
         T::PART_OF_RADIUS * self.radius
     }
@@ -121,12 +125,13 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
     }
 }
 
-/// Estimates ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, like Jorba and Zou, Exp. Math. 14 (2005)
-/// 99, but per component, because a small component may become important.
+/// Estimates the radius of convergence ρ from the last two terms by |xₖ| ~ |x₀|ρ⁻ᵏ, like Jorba and
+/// Zou, Exp. Math. 14 (2005) 99. Unlike there, each component has its own estimate, because a small
+/// component may become important.
 ///
-/// A step h = pρ, p = [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K, which may
-/// be p^K of the component's size. Each term |xₖ|hᵏ is a lower bound of that size, also if x₀ = 0,
-/// so the largest step that any term allows is accepted.
+/// A step h = pρ, where p is [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K
+/// for the last index K. This may be p^K of the component's size. Each term |xₖ|hᵏ is a lower bound
+/// of the size, also if x₀ = 0. Therefore the largest step that any term allows is accepted.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {
@@ -142,7 +147,7 @@ fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     (0..N).map(|i| estimate(i, last).min(estimate(i, last - 1))).fold(f64::INFINITY, f64::min)
 }
 
-/// Returns the power of 2 nearest to a rate, clamped so that products do not overflow; 1 if the
+/// Returns the power of 2 nearest to a rate, limited so that products do not overflow; 1 if the
 /// rate is 0 or NaN.
 fn power_of_two(rate: f64) -> f64 {
     let exponent = libm::log2(rate).round();

@@ -1,4 +1,4 @@
-//! Pseudo-arclength continuation of cycles in a parameter or ε; folds are passed.
+//! Pseudo-arclength continuation of cycles in a parameter or ε; it continues around folds.
 
 use std::ops::ControlFlow;
 
@@ -37,7 +37,7 @@ impl BranchPoint {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BranchPointKind {
-    /// A requested value of the parameter, with its index.
+    /// A requested value of the parameter; holds the index of the value.
     Asked(usize),
     /// A bifurcation.
     Change(BranchChange),
@@ -53,25 +53,25 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// The bifurcations within the range, in the order of the branch.
     pub turns: Vec<ChangePoint>,
-    /// Whether the branch ended inside the range: at a pole, without convergence, where cycles
-    /// merge, after 20 times `steps` steps, or because `see` ended it.
+    /// Whether the branch ended inside the range. Reasons are a pole, no convergence, cycles that
+    /// merge, 20 times `steps` steps, or an end by `see`.
     pub is_cut: bool,
 }
 
-/// A position on the branch: the points in units of the first cycle's size, then the parameter in
-/// units of the range, so that both are comparable.
+/// A position on the branch: the points, relative to the first cycle's size, then the parameter,
+/// relative to the range. Both are thus comparable.
 pub(super) type BranchPosition = DVector<f64>;
 
 /// Follows a cycle from the parameter value `from` towards `to`, until the parameter leaves the
-/// range. The branch has a point at each of the `steps + 1` equidistant values, again after a fold,
-/// and intermediate points.
+/// range. The branch has a point at each of the `steps + 1` equidistant values (after a fold,
+/// again), and intermediate points.
 ///
 /// `map` makes the map at a value of the parameter. `see` receives each cycle as it is found and
-/// may end the branch. Bifurcations are located by bisection; two that cancel within one step are
-/// missed.
+/// may end the branch. Bifurcations are located by bisection. If two bifurcations within one step
+/// cancel each other, they are missed.
 ///
-/// Cost: a step takes a few decompositions like those of
-/// [`periodic_point`](super::periodic_point()), a bifurcation a few hundred.
+/// Cost: each step takes a few decompositions, as in [`periodic_point`](super::periodic_point());
+/// each bifurcation takes a few hundred.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -127,7 +127,7 @@ pub(super) fn follow(
     if add(&mut branch, &place, BranchPointKind::Asked(0)) {
         return branch;
     }
-    // Far from the origin the points move faster than the parameter.
+    // Far from the origin, points move faster than the parameter.
     let longest = |place: &BranchPosition| place.norm().max(1.0) / steps as f64;
     let (mut stride, mut strides) = (longest(&place), 0);
     let mut before = arc.judged(&place).cycle;
@@ -170,7 +170,8 @@ pub(super) fn follow(
         }
         (place, tangent, before) = (next, next_tangent, there);
         stride = (1.5 * stride).min(longest(&place));
-        // Bounds the work on a curve that winds without leaving the range.
+        // The number of steps is limited, because a curve may wind forever without leaving the
+        // range.
         strides += 1;
         if strides > 20 * steps {
             return branch;
@@ -180,7 +181,8 @@ pub(super) fn follow(
     branch
 }
 
-/// Returns the integers in 0..=most that are passed between two numbers, the starting one excluded.
+/// Returns the integers in 0..=most between two numbers; excludes the number at which the way
+/// begins.
 fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     let is_passed = |k: &usize| {
         let k = *k as f64;
@@ -190,8 +192,8 @@ fn passed([from, to]: [f64; 2], most: usize) -> Vec<usize> {
     if from < to { passed.collect() } else { passed.rev().collect() }
 }
 
-/// Returns the scale of lengths on a branch: the size of the first cycle, or if that is 0 how far
-/// the points move with the parameter.
+/// Returns the scale of lengths on a branch: the size of the first cycle. If that is 0, returns how
+/// far the points move with the parameter.
 fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
     if cycle.size > 0.0 {
         return cycle.size;
@@ -209,7 +211,8 @@ pub(super) trait Curve {
     /// Returns the unit tangent nearest to the direction `near`.
     fn tangent(&self, place: &BranchPosition, near: &BranchPosition) -> Option<BranchPosition>;
 
-    /// Projects `near` onto the curve by Newton's method, perpendicular to `across`.
+    /// Projects `near` onto the curve by Newton's method; corrections are perpendicular to
+    /// `across`.
     fn corrected(&self, near: BranchPosition, across: &BranchPosition) -> Option<BranchPosition>;
 
     /// Takes a predictor step along the tangent, then corrects it.
@@ -217,18 +220,19 @@ pub(super) trait Curve {
         self.corrected(place + tangent * stride, tangent)
     }
 
-    /// Returns the kind of bifurcation where the parameter reverses.
+    /// Returns the kind of bifurcation at which the parameter reverses its direction.
     fn turning_back(&self, _: &BranchPosition) -> BranchChange {
         BranchChange::Fold
     }
 
-    /// Returns whether a step ended on another branch: steady states, or cycles of half the period.
+    /// Returns whether a step ended on another branch, one of steady states or of cycles of half
+    /// the period.
     fn has_jumped(&self, _: &BranchPosition, _: &BranchPosition) -> bool {
         false
     }
 }
 
-/// The solution curve of cycles of a map at fixed ε or fixed parameter.
+/// The solution curve of cycles of a map; either ε or the parameter varies.
 struct Arc<F> {
     map: F,
     unit: LengthUnit,
@@ -245,7 +249,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    /// Returns the derivative of the defect with respect to the points, then the parameter.
+    /// Returns the derivative of the defect with respect to the points, and in the last column to
+    /// the parameter.
     fn slope(&self, place: &BranchPosition) -> Option<DMatrix<f64>> {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let slope = slope(&map, &cycle);
@@ -286,15 +291,15 @@ impl<M: Parametric, F: Fn(f64) -> M> Curve for Arc<F> {
         let gaps_at = |there: &BranchPosition| defect(&self.map(there), Self::cycle(there).as_slice());
         for _ in 0..ROUNDS {
             let gaps = gaps_at(&next)?;
-            // The last row keeps the step perpendicular to `across`.
+            // The last row of the matrix keeps the step perpendicular to `across`.
             let wide = self.slope(&next)?;
             let rows = wide.nrows();
             let mut square = wide.insert_row(rows, 0.0);
             square.set_row(rows, &across.transpose());
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
-                // A double multiplier has an error of about the square root of the remaining
-                // defect, so try one more step.
+                // If the multiplier 1 is double, the error is about the square root of the
+                // remaining defect. Therefore one more step is tried.
                 let is_nearer =
                     gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });

@@ -1,5 +1,5 @@
-//! Bifurcations within one step of a continuation: folds, and multipliers that cross the unit
-//! circle.
+//! Finds the bifurcations within one step of a continuation: folds, and multipliers that cross the
+//! unit circle.
 
 use std::fmt;
 use std::iter::repeat_n;
@@ -11,12 +11,12 @@ use super::cycle::{PeriodicPoint, size};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BranchChange {
-    /// A fold: the parameter reverses, and a real multiplier passes through 1.
+    /// A fold: the parameter reverses its direction, and a real multiplier passes through 1.
     Fold,
-    /// A cycle of a flow merges with one of half the period, at whose period doubling the branch
-    /// ends.
+    /// A cycle of a flow merges with a cycle of half the period, which doubles its period there.
+    /// The branch ends.
     Halved,
-    /// A cycle of a flow shrinks to a steady state at a Hopf point, where the branch ends.
+    /// A cycle of a flow shrinks to a steady state at a Hopf point. The branch ends.
     Hopf,
     /// A real multiplier passes through 1 without a fold.
     ThroughOne,
@@ -59,7 +59,8 @@ pub struct ChangePoint {
     pub parameter: f64,
 }
 
-/// One continuation step: positions on the solution curve up to `length` ahead of `place`.
+/// One continuation step: the positions on the solution curve at distances of up to `length` from
+/// `place`.
 pub(super) struct BranchSegment<'a, C> {
     pub(super) arc: &'a C,
     pub(super) place: &'a BranchPosition,
@@ -67,7 +68,7 @@ pub(super) struct BranchSegment<'a, C> {
     pub(super) length: f64,
 }
 
-/// A sample within a step: direction of the parameter, and cycle.
+/// A sample within a step: the direction of the parameter, and the cycle.
 struct SegmentPoint {
     at: f64,
     /// Whether the parameter moves towards the end of its range.
@@ -80,7 +81,8 @@ impl SegmentPoint {
         SegmentPoint { at, goes_ahead: tangent[tangent.len() - 1] > 0.0, cycle }
     }
 
-    /// Counts the multipliers outside the unit circle: real above 1, real below −1, complex.
+    /// Counts the multipliers outside the unit circle by kind: real above 1, real below −1,
+    /// complex.
     fn outside_by_kind(&self) -> [isize; 3] {
         /// Rounding can make two nearly equal real multipliers complex.
         const REAL: f64 = 1e-3;
@@ -98,8 +100,8 @@ impl SegmentPoint {
 }
 
 impl<C: Curve> BranchSegment<'_, C> {
-    /// Returns the bifurcations between the first cycle and the last, in order, with their
-    /// distances along the step.
+    /// Returns the bifurcations between the first cycle and the last, in order. Each has its
+    /// distance along the step.
     pub(super) fn changes(
         &self,
         first: &PeriodicPoint,
@@ -123,7 +125,8 @@ impl<C: Curve> BranchSegment<'_, C> {
         halvings: &mut usize,
         turns: &mut Vec<(f64, ChangePoint)>,
     ) {
-        /// Relative to the step: closer bifurcations count as simultaneous.
+        /// Bifurcations that are closer than this, relative to the length of the step, count as
+        /// simultaneous.
         const AT_ONCE: f64 = 1e-12;
 
         let turns_back = low.goes_ahead != high.goes_ahead;
@@ -158,7 +161,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         tell(BranchChange::ThroughCircle, (pairs + met(one) + met(minus_one)) / 2);
     }
 
-    /// Returns the position at a distance along the step, negative for backwards.
+    /// Returns the position at a distance along the step; a negative distance goes backwards.
     pub(super) fn at(&self, along: f64) -> Option<BranchPosition> {
         self.arc.step(self.place, self.tangent, along)
     }
@@ -188,7 +191,7 @@ impl<C: Curve> BranchSegment<'_, C> {
         Some(SegmentPoint::new(at, &self.arc.tangent(&place, self.tangent)?, self.arc.judged(&place).cycle))
     }
 
-    /// Locates the parameter's reversal between two samples.
+    /// Locates the fold between two samples, where the parameter reverses its direction.
     fn fold(&self, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let is_before = |there: &BranchPosition| {
             let tangent = self.arc.tangent(there, self.tangent);
@@ -206,27 +209,29 @@ impl<C: Curve> BranchSegment<'_, C> {
     fn crossing(&self, change: BranchChange, [low, high]: [&SegmentPoint; 2]) -> (f64, ChangePoint) {
         let (inner, outer) =
             if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
-        // The crossing multiplier is the smallest of those outside.
+        // The multiplier that crosses is the smallest of those outside the circle.
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &BranchPosition| size_of(&self.arc.judged(there).cycle);
         let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
-        // Within its error margin, the multiplier may have crossed just before this interval.
+        // Within its error margin, the multiplier may have crossed the circle just before this
+        // interval.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)
         } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
-            // The multiplier stays on the circle within rounding, then leaves it like a square root
-            // of the distance.
+            // Within rounding, the multiplier stays on the circle; then it leaves the circle like a
+            // square root of the distance.
             (inner.at, 1.0 + inner.cycle.margin(index))
         };
         let (at, parameter) = self.halved([begin, outer.at], |there| size_at(there) <= bound);
         (at, ChangePoint { change, parameter })
     }
 
-    /// Bisects for the end of a condition; returns the distance along the step and the parameter.
+    /// Bisects for the position at which a condition ends to hold. Returns its distance along the
+    /// step, and the parameter there.
     fn halved(
         &self,
         [mut before, mut behind]: [f64; 2],

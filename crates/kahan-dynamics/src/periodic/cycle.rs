@@ -14,15 +14,17 @@ use super::unit::{self, LengthUnit, ScaledMap};
 pub struct PeriodicPoint {
     /// The points of the cycle; their number is its smallest period.
     pub points: Vec<Vec<f64>>,
-    /// The largest component of |φ(xᵢ) − xᵢ₊₁|.
+    /// The largest component of |φ(xᵢ) − xᵢ₊₁| over the points xᵢ, where φ is the map.
     pub residual: f64,
-    /// The eigenvalues of ∂φᵖ/∂x, p the smallest period, by decreasing modulus.
+    /// The eigenvalues of ∂φᵖ/∂x by decreasing modulus, where φ is the map and p the smallest
+    /// period.
     pub multipliers: Vec<Complex<f64>>,
-    /// The dimension of the family of cycles of period p around this one, 0 for an isolated cycle:
-    /// the dimension of the null space of ∂φᵖ/∂x − 1.
+    /// The dimension of the family of cycles with this period around this cycle; 0 for an isolated
+    /// cycle. It is the dimension of the null space of ∂φᵖ/∂x − 1, where φ is the map and p the
+    /// period.
     pub family: usize,
-    /// The scale for comparing lengths: the largest coordinate of the points, or about that of the
-    /// starting point, if larger (the cycle may be the origin).
+    /// The scale for comparing lengths: the largest coordinate of the points. If the starting point
+    /// is larger (the cycle may be the origin), about its largest coordinate.
     pub(super) size: f64,
     /// For each multiplier, the distance from the unit circle that rounding can explain.
     margins: Vec<f64>,
@@ -32,13 +34,13 @@ pub struct PeriodicPoint {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Stability {
-    /// All |μ| < 1.
+    /// All multipliers have |μ| < 1.
     Attracting,
-    /// Some |μ| > 1, no |μ| < 1.
+    /// Some multiplier has |μ| > 1, and none has |μ| < 1.
     Repelling,
-    /// Some |μ| > 1, some |μ| < 1.
+    /// Some multiplier has |μ| > 1, and another has |μ| < 1.
     Saddle,
-    /// No |μ| > 1, at least one |μ| = 1.
+    /// No multiplier has |μ| > 1, and at least one has |μ| = 1.
     Neutral,
 }
 
@@ -62,14 +64,14 @@ pub enum NoPeriodicPoint {
     NotFinite,
     /// Newton's method did not converge.
     NotFound {
-        /// The largest component of |φ(xᵢ) − xᵢ₊₁| that remained.
+        /// The largest component of |φ(xᵢ) − xᵢ₊₁| that remained, for the map φ and the points xᵢ.
         residual: f64,
     },
     /// Cycles of the flow form a family, so the number of steps does not determine ε.
     Family,
     /// The search for a cycle of the flow ended at a steady state.
     Still,
-    /// A cycle was found, but no nearby cycle with twice the number of steps.
+    /// A cycle was found, but there is no nearby cycle with twice the number of steps.
     Coarse,
     /// No close return of the orbit led to a cycle of about the requested period.
     NoReturn,
@@ -109,7 +111,8 @@ impl std::error::Error for NoPeriodicPoint {}
 
 /// The largest accepted residual, relative to the size of the cycle or of the start.
 pub(super) const CLOSED: f64 = 1e-11;
-/// The least tolerance for |μ| = 1: a double eigenvalue loses half of the digits.
+/// The smallest tolerance with which a multiplier counts as |μ| = 1; a double eigenvalue loses half
+/// of the digits.
 const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
@@ -127,11 +130,11 @@ impl PeriodicPoint {
         }
     }
 
-    /// Returns whether a multiplier counts as |μ| = 1 within its error bound although its printed
-    /// digits differ from 1.
+    /// Returns whether a multiplier counts as |μ| = 1 within its error bound, although its printed
+    /// digits say otherwise.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
-        /// A distance from 1 below the printed digits.
+        /// A smaller distance from 1 does not show in the printed digits.
         const SHOWN: f64 = 1e-5;
 
         let off = |(one, margin): (&Complex<f64>, &f64)| {
@@ -141,7 +144,7 @@ impl PeriodicPoint {
         self.multipliers.iter().zip(&self.margins).any(off)
     }
 
-    /// Returns the number of multipliers outside the unit circle; they come first.
+    /// Returns the number of multipliers outside the unit circle; in the list these come first.
     pub(super) fn outside(&self) -> usize {
         let with_margins = self.multipliers.iter().zip(&self.margins);
         with_margins.take_while(|(one, margin)| size(one) > 1.0 + **margin).count()
@@ -152,14 +155,15 @@ impl PeriodicPoint {
         self.margins[index]
     }
 
-    /// Returns the scale for comparing lengths: the largest coordinate of the points, or about that
-    /// of the starting point, if larger.
+    /// Returns the scale for comparing lengths: the largest coordinate of the points. If the
+    /// starting point is larger, returns about its largest coordinate.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// Makes a `PeriodicPoint` with the smallest period from points in the units of `map`.
+    /// Makes a `PeriodicPoint` with the smallest period from the points of a cycle, given in the
+    /// units of `map`.
     pub(super) fn judged<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64], residual: f64) -> Self {
         let all: Vec<Vec<f64>> = cycle.chunks(map.dimension()).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, unit::size(cycle).max(map.unit.size));
@@ -182,7 +186,7 @@ impl PeriodicPoint {
         PeriodicPoint { points, residual, multipliers, family, size, margins }
     }
 
-    /// Removes the trivial multiplier of a cycle of a flow, the one nearest to 1.
+    /// Removes the trivial multiplier of a cycle of a flow, which is the one nearest to 1.
     pub(super) fn of_flow(mut self) -> Self {
         let distance = |one: &Complex<f64>| size(&(one - Complex::new(1.0, 0.0)));
         let distances = self.multipliers.iter().map(distance).enumerate();
@@ -195,8 +199,8 @@ impl PeriodicPoint {
     }
 }
 
-/// Multipliers, family dimension and error margins of a cycle. Not generic, so that the
-/// decompositions are compiled once and not for each type of map.
+/// Multipliers, family dimension and error margins of a cycle. The type is not generic, so that the
+/// decompositions are compiled once, and not for each type of map.
 struct Linearized {
     multipliers: Vec<Complex<f64>>,
     family: usize,
@@ -204,11 +208,12 @@ struct Linearized {
 }
 
 impl Linearized {
-    /// Linearizes from the derivatives at the points, in the order of the orbit.
+    /// Computes multipliers and margins from the derivatives at the points, in the order of the
+    /// orbit.
     fn of(factors: &[DMatrix<f64>]) -> Self {
         let (derivative, error) = product(factors);
         if !derivative.iter().all(|entry| entry.is_finite()) {
-            // The decompositions would not terminate on NaN or infinity.
+            // On NaN or infinity the decompositions would not terminate.
             let n = derivative.nrows();
             let multipliers = vec![Complex::new(f64::NAN, f64::NAN); n];
             return Linearized { multipliers, family: 0, margins: vec![f64::INFINITY; n] };
@@ -233,11 +238,12 @@ impl Linearized {
     }
 }
 
-/// Returns P = Jₚ…J₁ and a first-order bound on the norm of its error, u the unit roundoff.
+/// Returns P = Jₚ…J₁ and a first-order bound on the norm of its error, where Jₖ are the factors and
+/// u is the unit roundoff.
 ///
-/// Each Jₖ is known to a few roundings, and its product with Jₖ₋₁…J₁ is rounded. The error
-/// (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖ grows by a factor of at most ‖Jₚ…Jₖ₊₁‖.
-/// Another 10 n u ‖P‖ is the backward error of the eigenvalues.
+/// Each Jₖ is known up to a few roundings, and its product with Jₖ₋₁…J₁ is rounded. For n×n
+/// matrices this error is (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖. The remaining factors increase it by at most
+/// ‖Jₚ…Jₖ₊₁‖. The backward error of the eigenvalues adds 10 n u ‖P‖.
 fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     const UNIT: f64 = f64::EPSILON / 2.0;
 
@@ -257,8 +263,9 @@ fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
     (product, error)
 }
 
-/// Returns the eigenvalues of a matrix with their condition numbers ‖x‖‖y‖/|yᴴx|, x and y the right
-/// and left eigenvectors; infinite or NaN without eigenvectors.
+/// Returns the eigenvalues of a matrix, each with its condition number ‖x‖‖y‖/|yᴴx|, where x and y
+/// are the right and left eigenvectors. The condition number is infinite or NaN if there are no
+/// eigenvectors.
 fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     const MOST_ROUNDS: usize = 10_000;
 
@@ -267,7 +274,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
     let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
     let (_, triangular) = schur.unpack();
     let least = f64::EPSILON * triangular.norm();
-    // Separate multiple eigenvalues by a rounding error.
+    // Multiple eigenvalues are separated by a rounding error.
     let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
     let condition = |i: usize| {
         let eigenvalue = triangular[(i, i)];
@@ -282,28 +289,30 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
             let sum: Complex<f64> = (i..j).map(|k| left[k] * triangular[(k, j)]).sum();
             left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
         }
-        // yᴴx = 1: each vector is 1 at i, and at other indices one of the two is 0.
-        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, libm::hypot);
+        // Here yᴴx = 1, because both vectors are 1 at index i, and at each other index one of the
+        // two is 0.
+        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, f64::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };
     (0..n).map(condition).collect()
 }
 
-/// |μ|
+/// Returns the modulus |μ|.
 pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
     libm::hypot(multiplier.re, multiplier.im)
 }
 
-/// Finds a periodic point of a map near `start`, whose period divides `period`.
+/// Finds a periodic point of a map near `start`. Its smallest period divides `period`.
 ///
-/// Tolerances are relative to the size of `start` or of the cycle, whichever is larger, or of the
-/// next point of the orbit if `start` is 0. The result is independent of the unit of length.
+/// Tolerances are relative to the size of `start` or of the cycle, whichever is larger. If `start`
+/// is 0, the size of the next point of the orbit replaces that of `start`. The result is
+/// independent of the unit of length.
 ///
-/// Cost: some iterations of Newton's method, each a decomposition of a matrix of `period` times the
-/// number of variables.
+/// Cost: some iterations of Newton's method. Each decomposes a matrix of dimension `period` times
+/// the number of variables.
 ///
 /// # Errors
-/// [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or none found.
+/// [`NoPeriodicPoint`]: invalid input, an orbit that is not finite, or no periodic point found.
 pub fn periodic_point<M: Differentiable>(
     map: &M,
     start: &[f64],
@@ -320,7 +329,7 @@ pub fn periodic_point<M: Differentiable>(
     if !cycle.iter().all(|x| x.is_finite()) {
         return Err(NoPeriodicPoint::NotFinite);
     }
-    // A start at 0 may still move.
+    // A start at 0 may still have a nonzero image.
     let last = map.image(&cycle[(period - 1) * start.len()..]);
     let mut sizes = cycle.chunks(start.len()).chain([&last[..]]).map(unit::size);
     let map = ScaledMap { map, unit: LengthUnit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };
@@ -333,7 +342,7 @@ pub fn periodic_point<M: Differentiable>(
 }
 
 fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
-    /// Points closer than this, relative to their size, are equal.
+    /// Points count as equal if their distance, relative to their size, is below this.
     const SAME: f64 = 1e-7;
 
     let comes_again = |period: usize| {

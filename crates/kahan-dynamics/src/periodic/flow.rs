@@ -1,8 +1,9 @@
 //! Cycles of a flow as N-step cycles of the map, with ε as an unknown.
 //!
-//! In: the map at each ε, and a point and an ε near a cycle of the flow. Out: N points that the map
-//! closes, their ε, and the period 2εN. At fixed ε, the map near a hyperbolic cycle of the flow has
-//! an invariant curve with an ε-dependent rotation number; N steps close where it is 1/N.
+//! In: the map at each ε, and a point and an ε near a cycle of the flow. Out: a cycle of N points
+//! of the map, its ε, and the period 2εN. Near a hyperbolic cycle of the flow, the map has an
+//! invariant curve. The rotation number of the curve depends on ε; where it is 1/N, a cycle has N
+//! points.
 
 use kahan_core::nalgebra::{Complex, DVector};
 
@@ -17,7 +18,8 @@ use super::unit::{self, LengthUnit, ScaledMap};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FlowCycle {
-    /// The points, and the multipliers without the trivial one of the flow direction.
+    /// The points, and the multipliers without the trivial one, which belongs to the flow
+    /// direction.
     pub cycle: PeriodicPoint,
     /// Half the time step at which N steps close the cycle.
     pub eps: f64,
@@ -30,12 +32,12 @@ impl FlowCycle {
         2.0 * self.eps * self.cycle.points.len() as f64
     }
 
-    /// Refines the cycle to twice the number of steps, which quarters the error of the period.
-    /// Periods T and T₂ before and after combine to T₂ + (T₂ − T)/3, with an error of order ε⁴.
+    /// Refines the cycle to twice the number of steps, which quarters the error of the period. From
+    /// the periods T before and T₂ after the refinement, T₂ + (T₂ − T)/3 has an error of order ε⁴.
     ///
     /// # Errors
-    /// [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found; other errors as of
-    /// [`flow_cycle`].
+    /// [`NoPeriodicPoint::Coarse`] if no cycle of about this period is found; other errors are
+    /// those of [`flow_cycle`].
     pub fn doubled<M: Parametric>(&self, map: impl Fn(f64) -> M) -> Result<Self, NoPeriodicPoint> {
         let eps = 0.5 * self.eps;
         let half = map(eps);
@@ -47,16 +49,16 @@ impl FlowCycle {
         }
     }
 
-    /// Returns whether the cycle has this number of steps and about this ε.
+    /// Returns whether the cycle has this number of steps, and an ε near this one.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
-        /// A larger relative change of ε belongs to another cycle.
+        /// If the relative change of ε is larger, the cycle is another one.
         const NEAR: f64 = 0.1;
 
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR
     }
 
-    /// Returns the cycle of a single round if this one winds several times around it.
+    /// Returns a cycle of a single round if this cycle goes several times around it.
     fn once<M: Parametric>(self, map: &impl Fn(f64) -> M) -> Self {
         let steps = self.cycle.points.len();
         let dimension = self.cycle.points[0].len();
@@ -72,10 +74,12 @@ impl FlowCycle {
     }
 }
 
-/// Returns whether the points wind `rounds` times around a closed curve: each must lie near the
-/// parabola through three points one round later, relative to the largest second difference.
+/// Returns whether the points go `rounds` times around a closed curve. For this, each point must
+/// lie near the parabola through three points one round later, relative to the largest second
+/// difference.
 pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
-    /// Tolerance in units of the largest second difference: room for third differences.
+    /// The tolerance, relative to the largest second difference; it leaves room for third
+    /// differences.
     const NEAR: f64 = 0.25;
 
     let steps = points.len() / dimension;
@@ -116,12 +120,12 @@ pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
 /// assert!((period - 1.558652210716).abs() < 1e-6);
 /// ```
 ///
-/// Cost: a few Newton steps, each of N Jacobians and one decomposition with a row for each
-/// variable.
+/// Cost: a few Newton steps. Each takes N Jacobians, and a decomposition of a matrix with a row for
+/// each variable.
 ///
 /// # Errors
 /// [`NoPeriodicPoint`] for an unfit start, an orbit that is not finite, no convergence, or a family
-/// of cycles, as in conservative fields: their periods vary, so N does not determine ε.
+/// of cycles, as in conservative fields. The periods of a family vary, so N does not determine ε.
 pub fn flow_cycle<M: Parametric>(
     map: impl Fn(f64) -> M,
     start: &[f64],
@@ -134,7 +138,7 @@ pub fn flow_cycle<M: Parametric>(
     Ok(Search::of_orbit(&map, start, eps, steps)?.run()?.once(&map))
 }
 
-/// The state of Newton's method: the points in units of their size, then ε relative to the first ε.
+/// The state of Newton's method: the points divided by their size, then ε divided by the first ε.
 struct Search<'a, F> {
     map: &'a F,
     unit: LengthUnit,
@@ -174,16 +178,16 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn gaps(&self, place: &DVector<f64>) -> Option<DVector<f64>> {
-        // ε must keep its sign.
+        // ε must keep its sign along the search.
         let is_ahead = place[place.len() - 1] > 0.0;
         is_ahead.then(|| defect(&self.map_at(place), Self::points(place)))?
     }
 
     fn run(mut self) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The most Newton steps; convergence is quadratic.
+        /// The largest number of Newton steps; convergence is quadratic.
         const ROUNDS: usize = 60;
-        /// A defect, in units of the cycle's size, after which one more step reaches rounding
-        /// level.
+        /// If the defect, relative to the cycle's size, is below this, one more step reaches
+        /// rounding errors.
         const NEAR: f64 = 1e-13;
 
         let mut gaps = self.gaps(&self.place).ok_or(NoPeriodicPoint::NotFinite)?;
@@ -192,7 +196,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
             let is_near = gaps.amax() <= NEAR;
             let Some(correction) = self.correction(&gaps) else { break };
             rank = correction.rank;
-            // Halve the step until the defect decreases.
+            // The step is halved until the defect decreases.
             let nearer = (0..if is_near { 1 } else { 24 }).find_map(|halvings| {
                 let place = &self.place + &correction.step * 0.5f64.powi(halvings);
                 let gaps_there = self.gaps(&place)?;
@@ -207,7 +211,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
         self.judged(gaps.amax(), rank)
     }
 
-    /// Returns the Newton step, without a component along the cycle.
+    /// Returns the Newton step; it has no component along the cycle.
     fn correction(&self, gaps: &DVector<f64>) -> Option<Solution> {
         let (map, points) = (self.map_at(&self.place), Self::points(&self.place));
         let rates = |x: &[f64], _| map.by_parameter(x).into_iter().map(|rate| rate * self.eps).collect();
@@ -216,12 +220,14 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 
     fn judged(self, residual: f64, rank: f64) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// A family of cycles: the singular values have a smaller ratio, and a second multiplier is
-        /// near 1. If only the flow, and not the map, has a family, the ratio is a power of ε.
+        /// In a family of cycles, the ratio of singular values is smaller than this, and a second
+        /// multiplier is near 1. If only the flow has a family, and not the map, the ratio is a
+        /// power of ε.
         const FAMILY: f64 = 1e-7;
         const NEARLY_FAMILY: f64 = 1e-4;
         const ONE: f64 = 1e-3;
-        /// Points closer together, in units of their size, are a steady state.
+        /// If all points are closer together than this, relative to their size, they are a steady
+        /// state.
         const STILL: f64 = 1e-6;
 
         let map = self.map_at(&self.place);
@@ -244,24 +250,24 @@ impl<M: Parametric, F: Fn(f64) -> M> Search<'_, F> {
     }
 }
 
-/// A limit for h → 0 of a number that depends on h = 1/N, N the number of steps.
+/// The limit, for h → 0, of a number that depends on h = 1/N, where N is the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extrapolated {
     /// The limit.
     pub value: f64,
-    /// The estimated error.
+    /// The estimated error of the limit.
     pub error: f64,
 }
 
 impl Extrapolated {
-    /// Powers of h in the error of a symmetric method of order 2, Kahan's among them.
+    /// The powers of h in the error of a symmetric method of order 2, such as Kahan's.
     pub const EVEN: &'static [i32] = &[2, 4];
-    /// Powers of h in the error of other methods of order 2, as for lifted fields.
+    /// The powers of h in the error of other methods of order 2, as for lifted fields.
     pub const ALL: &'static [i32] = &[2, 3, 4];
 
-    /// Applies Richardson extrapolation to the values at N, 2N, 4N, … steps, one more than
-    /// `powers`.
+    /// Applies Richardson extrapolation to the values at N, 2N, 4N, … steps. There must be one
+    /// value more than `powers`.
     ///
     /// # Panics
     /// If the numbers of values and powers do not fit.
@@ -275,7 +281,7 @@ impl Extrapolated {
             let factor = libm::exp2(f64::from(*power)) - 1.0;
             column = column.windows(2).map(|pair| pair[1] + (pair[1] - pair[0]) / factor).collect();
         }
-        // Without an observed order of about 2, extrapolation gains nothing.
+        // If the observed order is not about 2, extrapolation gains nothing.
         let [first, second] = [3, 2].map(|k| values[values.len() - k + 1] - values[values.len() - k]);
         let ratio = first / second;
         let is_regular = (2.0..8.0).contains(&ratio) || second == 0.0;

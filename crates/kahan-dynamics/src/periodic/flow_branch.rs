@@ -1,7 +1,7 @@
 //! Continuation of a cycle of a flow in a parameter, with a fixed number of steps.
 //!
-//! In: a cycle of a flow and a range of the parameter. Out: the branch of cycles. ε is an unknown
-//! beside the points, since the period varies along the branch.
+//! In: a cycle of a flow and a range of the parameter. Out: the branch of cycles. Besides the
+//! points, ε is an unknown, since the period varies along the branch.
 
 use std::ops::ControlFlow;
 
@@ -48,8 +48,8 @@ use super::unit::{self, LengthUnit, ScaledMap};
 /// assert!((branch.turns[0].parameter - 2.83).abs() < 0.01);
 /// ```
 ///
-/// Cost: a step takes a few Newton steps like those of [`flow_cycle`](super::flow_cycle), a change
-/// a few hundred.
+/// Cost: each step takes a few Newton steps, as in [`flow_cycle`](super::flow_cycle); each
+/// bifurcation takes a few hundred.
 pub fn flow_branch<M: Parametric>(
     map: impl Fn(f64, f64) -> [M; 2],
     cycle: &FlowCycle,
@@ -67,7 +67,7 @@ pub fn flow_branch<M: Parametric>(
 }
 
 /// The solution curve of cycles of a flow. A position holds the points, scaled to a norm of about
-/// 1, then ε relative to the first ε, then the parameter in units of the range.
+/// 1; then ε, relative to the first ε; then the parameter, relative to the range.
 struct FlowArc<F> {
     map: F,
     unit: LengthUnit,
@@ -86,12 +86,12 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> FlowArc<F> {
         self.maps(place)[0].dimension()
     }
 
-    /// Returns whether the cycle winds twice around a cycle of half the period.
+    /// Returns whether the cycle goes twice around a cycle of half the period.
     fn runs_twice(&self, place: &BranchPosition) -> bool {
         runs(Self::points(place), self.dimension(place), 2)
     }
 
-    /// Returns the root of the summed squared distances of the points from the first point.
+    /// Returns the square root of the sum of squared distances of the points from the first point.
     fn extent(&self, place: &BranchPosition) -> f64 {
         let (points, n) = (Self::points(place), self.dimension(place));
         (0..points.len()).map(|k| (points[k] - points[k % n]).powi(2)).sum::<f64>().sqrt()
@@ -148,8 +148,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
     }
 
     fn turning_back(&self, place: &BranchPosition) -> BranchChange {
-        /// The extent below which the cycle counts as a steady state; the equations are almost
-        /// singular.
+        /// The extent below which the equations are almost singular, because the cycle is nearly a
+        /// steady state.
         const SMALL: f64 = 0.02;
 
         match (self.extent(place) < SMALL, self.runs_twice(place)) {
@@ -166,7 +166,7 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
         if self.extent(place) < SAME {
             return true;
         }
-        // On a cycle of half the period both rounds have equal tangents.
+        // On a cycle of half the period, both rounds have equal tangents.
         let (moves, n) = (Self::points(tangent), self.dimension(place));
         let half = moves.len() / n / 2 * n;
         let apart = (0..half).map(|k| (moves[k] - moves[k + half]).abs()).fold(0.0, f64::max);
@@ -179,8 +179,8 @@ impl<M: Parametric, F: Fn(f64, f64) -> [M; 2]> Curve for FlowArc<F> {
 
         let mut gaps = self.gaps(&next)?;
         for _ in 0..ROUNDS {
-            // Two conditions: perpendicular to the tangent of the branch, and no shift along the
-            // cycle.
+            // The step satisfies two conditions: it is perpendicular to the tangent of the branch,
+            // and does not shift the points along the cycle.
             let (equations, along) = self.equations(&next, Some(&gaps));
             let nearer = &next + equations.solve(&[(&along, 0.0), (across, 0.0)])?.step;
             let gaps_there = self.gaps(&nearer)?;

@@ -1,16 +1,16 @@
 //! A map restricted to a level set of linear integrals, in fewer variables.
 //!
 //! In: a point, linear integrals, and a map that preserves them. Out: the map in the free
-//! variables. Its cycles have the integrals' values at the point; its multipliers are those along
-//! the level set.
+//! variables. On the cycles of this map, integrals have their values at the point; multipliers are
+//! those along the level set.
 
 use kahan_core::nalgebra::DMatrix;
 use kahan_core::{Scalar, Step, Stopped, Workspace};
 
 use super::{Differentiable, Parametric};
 
-/// The level set of linear integrals through one point. Its coordinates are the free variables,
-/// those that no integral determines.
+/// The level set of linear integrals through one point. The coordinates of the level set are the
+/// free variables, which no integral determines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelSet {
     free: Vec<usize>,
@@ -25,8 +25,9 @@ struct DependentVariable {
 }
 
 impl LevelSet {
-    /// Makes the level set through a point. Each integral Σ cₖ xₖ is given by pairs (k, cₖ). Its
-    /// last pair names the variable that it determines, which must occur in no other integral.
+    /// Makes the level set through a point. Each integral Σ cₖ xₖ is a list of pairs (k, cₖ). The
+    /// last pair names the variable that the integral determines; this variable must not occur in
+    /// other integrals.
     ///
     /// # Panics
     /// If an integral has no pair, or an index is out of range.
@@ -48,7 +49,7 @@ impl LevelSet {
     /// Returns the point with these coordinates.
     ///
     /// # Panics
-    /// If the number of coordinates differs from that of the free variables.
+    /// If the number of coordinates differs from the number of free variables.
     #[must_use]
     pub fn point<T: Scalar + From<f64>>(&self, coordinates: &[T]) -> Vec<T> {
         assert_eq!(coordinates.len(), self.free.len(), "a leaf has a coordinate for each free variable");
@@ -64,7 +65,8 @@ impl LevelSet {
         point
     }
 
-    /// Returns the coordinates of a point: its free variables.
+    /// Returns the coordinates of a point on the level set, which are the values of the free
+    /// variables.
     ///
     /// # Panics
     /// If the point has too few entries.
@@ -73,7 +75,8 @@ impl LevelSet {
         self.free.iter().map(|k| point[*k].clone()).collect()
     }
 
-    /// Returns the derivative in the free variables, from that in all variables, by the chain rule.
+    /// Returns the derivative in the free variables, by the chain rule; `full` is the derivative in
+    /// all variables.
     fn derivative(&self, full: &DMatrix<f64>) -> DMatrix<f64> {
         let m = self.free.len();
         DMatrix::from_fn(m, m, |i, j| {
@@ -116,7 +119,7 @@ pub struct OnLevelSet<'a, M> {
 }
 
 impl<M: Step<Scalar: From<f64>>> OnLevelSet<'_, M> {
-    /// Applies a map of all variables to a point given by its coordinates.
+    /// Applies a map of all variables to a point that is given by its coordinates on the level set.
     fn by(
         &self,
         coordinates: &mut [M::Scalar],

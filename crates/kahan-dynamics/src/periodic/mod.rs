@@ -4,6 +4,8 @@
 //! residual, and the multipliers. Newton's method treats all points as unknowns (multiple
 //! shooting), so long cycles of unstable maps are found as well as short ones.
 //!
+//! # Example
+//!
 //! ```
 //! use kahan_dynamics::periodic::{Stability, periodic_point};
 //! use kahan_core::prelude::*;
@@ -51,7 +53,7 @@ pub trait Differentiable: Step<Scalar: From<f64>> {
     /// Returns the image of x; not finite at a pole.
     fn image(&self, x: &[f64]) -> Vec<f64> {
         let mut image: Vec<Self::Scalar> = x.iter().map(|entry| (*entry).into()).collect();
-        // At a pole floats become infinite or NaN, which callers test for.
+        // At a pole, floats become infinite or NaN; callers test for this.
         let _ = self.advance(&mut image, 1, &mut Workspace::new());
         image.iter().map(Scalar::approximate).collect()
     }

@@ -1,15 +1,17 @@
-//! Newton's method for all points of a cycle at once; least-norm steps handle families of cycles.
+//! Newton's method for all points of a cycle at once. In families of cycles, steps of least norm
+//! are taken.
 
 use kahan_core::nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
 use super::unit::ScaledMap;
 
-/// The square of the unit roundoff. Newton's method stops at this residual, in units of the cycle's
-/// size: near a cycle at 0 it would otherwise run into subnormal numbers.
+/// The square of the unit roundoff. Newton's method stops at this residual, relative to the cycle's
+/// size. Near a cycle at 0, it would otherwise run into subnormal numbers.
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
-/// Returns all φ(xᵢ) − xᵢ₊₁, the last point followed by the first; `None` if not finite.
+/// Returns φ(xᵢ) − xᵢ₊₁ for all points xᵢ of the cycle, where the first point follows the last;
+/// `None` if a number is not finite.
 pub(super) fn defect<M: Differentiable>(map: &ScaledMap<M>, cycle: &[f64]) -> Option<DVector<f64>> {
     let n = map.dimension();
     let points = cycle.chunks(n);
@@ -39,7 +41,7 @@ pub(super) fn slope<M: Differentiable>(map: &ScaledMap<M>, cycle: &DVector<f64>)
 
 /// Solves a least-squares problem by SVD and returns the solution of least norm.
 pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
-    /// Singular values below this fraction of the largest count as 0.
+    /// Singular values below this fraction of the largest one count as 0.
     const ZERO: f64 = 1e-10;
 
     if !matrix.iter().all(|entry| entry.is_finite()) {
@@ -50,14 +52,14 @@ pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<D
     svd.solve(right, ZERO * largest).ok()
 }
 
-/// Runs damped Newton steps from a guess and returns the cycle with the norm of its defect.
+/// Makes damped Newton steps from a guess. Returns the cycle with the norm of its defect.
 ///
-/// `None` if the defect at the guess is not finite.
+/// Returns `None` if the defect at the guess is not finite.
 pub(super) fn closed<M: Differentiable>(
     map: &ScaledMap<M>,
     cycle: DVector<f64>,
 ) -> Option<(DVector<f64>, f64)> {
-    /// Convergence is quadratic, so a convergent search ends long before.
+    /// Convergence is quadratic, so a convergent search ends long before this number of steps.
     const ROUNDS: usize = 60;
 
     let mut cycle = cycle;
@@ -67,7 +69,7 @@ pub(super) fn closed<M: Differentiable>(
             break;
         }
         let Some(step) = least_norm(slope(map, &cycle), &gaps) else { break };
-        // Halve the step until the defect decreases.
+        // The step is halved until the defect decreases.
         let nearer = (0..30).find_map(|halvings| {
             let trial = &cycle - &step * 0.5f64.powi(halvings);
             let gaps_there = defect(map, trial.as_slice())?;

@@ -1,4 +1,4 @@
-//! Close returns of an orbit: starting points for the search for cycles.
+//! Close returns of an orbit, from which the search for cycles starts.
 
 /// A close return of an orbit to an earlier point.
 #[derive(Clone, Debug, PartialEq)]
@@ -7,13 +7,13 @@ pub struct CloseReturn {
     pub at: usize,
     /// The number of steps until the return.
     pub steps: usize,
-    /// The distance of the returning point from the orbit near the earlier point, perpendicular to
-    /// the orbit, in units of its extent.
+    /// The distance of the returning point from the orbit near the earlier point. It is measured
+    /// perpendicular to the orbit, relative to the extent of the orbit.
     pub distance: f64,
 }
 
-/// Finds close returns after `least` to `most` steps, the closest and shortest first. Coordinates
-/// are scaled by their ranges on the orbit.
+/// Finds returns of an orbit to earlier points after `least` to `most` steps; the closest and
+/// shortest come first. Coordinates are scaled by their ranges on the orbit.
 ///
 /// After a shorter return, a longer one counts only if it is ten times closer; otherwise two rounds
 /// of a cycle would be reported too.
@@ -24,12 +24,13 @@ pub struct CloseReturn {
 /// If the points differ in their number of coordinates.
 #[must_use]
 pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<CloseReturn> {
-    /// The number of starting points (up to a factor of two), and the largest number of returns.
+    /// The number of starting points, up to a factor of two, and the largest number of returns.
     const STARTS: usize = 1000;
     const RETURNS: usize = 24;
-    /// In units of the extent: a return leaves this neighbourhood and enters it again.
+    /// The radius of a neighbourhood, relative to the extent of the orbit. A return leaves this
+    /// neighbourhood and enters it again.
     const NEAR: f64 = 0.1;
-    /// Below this distance returns rank equal: interpolation is no more accurate.
+    /// Returns closer than this count as equally close, because interpolation is not more accurate.
     const ALIKE: f64 = 1e-4;
 
     let Some(first) = orbit.first() else { return Vec::new() };
@@ -77,7 +78,8 @@ pub fn close_returns(orbit: &[Vec<f64>], [least, most]: [usize; 2]) -> Vec<Close
 /// middle one.
 pub(super) fn across([before, x, behind]: [&[f64]; 3], there: &[f64]) -> f64 {
     let slope = |k: usize| 0.5 * (behind[k] - before[k]);
-    // The vector from the tangent line to the point, corrected for the bend of the parabola.
+    // Computes the vector from the tangent line to the point, corrected for the curvature of the
+    // parabola.
     let off = |k: usize, at: f64| {
         let bend = behind[k] - 2.0 * x[k] + before[k];
         there[k] - x[k] - 0.5 * at * at * bend

@@ -1,4 +1,4 @@
-//! Periodic points with known closed forms.
+//! Tests periodic points that are known in closed form.
 
 mod flow;
 
@@ -46,7 +46,7 @@ macro_rules! steps {
 
 steps!(Logistic, Henon, SaddleNode, Fifth, Arctangent, Turning, Several, Meeting, Far, Linear);
 
-/// x ↦ r x (1 − x).
+/// The logistic map x ↦ r x (1 − x).
 struct Logistic(f64);
 
 impl ByHand for Logistic {
@@ -86,7 +86,7 @@ fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
     let over_eps = Roots { a: Dual::from_value(a) }.at(Dual::coordinate(eps, 0));
     let by_eps = (2.0 * a - 2.0 * x * next) / below;
     for (map, expected) in [(over_a, 2.0 * eps / below), (over_eps, by_eps)] {
-        // Three numbers with a few roundings each.
+        // The bound allows a few roundings of each of three numbers.
         assert!((map.image(&[x])[0] - next).abs() < 1e-15);
         assert!((map.derivative(&[x])[(0, 0)] - (1.0 - 2.0 * eps * next) / below).abs() < 1e-15);
         assert!((map.by_parameter(&[x])[0] - expected).abs() < 1e-15);
@@ -116,7 +116,7 @@ impl Parametric for Henon {
     }
 }
 
-/// x ↦ x + p − x²
+/// The map x ↦ x + p − x², which has a fold at p = 0.
 struct SaddleNode(f64);
 
 impl ByHand for SaddleNode {
@@ -139,7 +139,7 @@ impl Parametric for SaddleNode {
     }
 }
 
-/// A rotation by a fifth of a circle.
+/// The rotation by a fifth of a circle.
 struct Fifth;
 
 impl ByHand for Fifth {
@@ -165,7 +165,7 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
     let cycle = periodic_point(&Logistic(r), &[0.8], 2).unwrap();
     let mut points: Vec<f64> = cycle.points.concat();
     points.sort_by(f64::total_cmp);
-    // The bound is a residual of 1e-15 divided by the distance of the multiplier from 1.
+    // The bound is a residual of 1e-15, divided by the distance of the multiplier from 1.
     assert!((points[0] - (r + 1.0 - root) / (2.0 * r)).abs() < 1e-13);
     assert!((points[1] - (r + 1.0 + root) / (2.0 * r)).abs() < 1e-13);
     let multiplier = 1.0 - (r + 1.0) * (r - 3.0);
@@ -180,11 +180,11 @@ fn cycles_of_the_logistic_map_are_those_of_the_formula() {
 fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     let cycle = periodic_point(&Fifth, &[1.0, 0.3], 5).unwrap();
     assert_eq!((cycle.points.len(), cycle.family, cycle.stability()), (5, 2, Stability::Neutral));
-    // Newton's method stays near the start within the family.
+    // Within the family, Newton's method stays near the start.
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
-/// A linear map with this matrix, whose fixed point is 0.
+/// A linear map with this matrix; its fixed point is 0.
 struct Linear([f64; 4]);
 
 impl ByHand for Linear {
@@ -235,7 +235,7 @@ fn a_cycle_is_the_same_in_every_unit() {
         assert_eq!((cycle.points, cycle.residual), (scaled, ordinary.residual * unit));
         assert_eq!((cycle.family, cycle.multipliers), (2, ordinary.multipliers.clone()));
     }
-    // Tolerances are relative: a tiny orbit still moves.
+    // Tolerances are relative, so even a tiny orbit counts as moving.
     assert_eq!(periodic_point(&Fifth, &[1e-9, 0.0], 5).unwrap().points.len(), 5);
 }
 
@@ -248,14 +248,15 @@ fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
         assert_eq!((cycle.points.len(), cycle.size()), (1, start));
         assert!(cycle.points[0].iter().all(|x| x.abs() < 1e-15 * start), "{cycle:?}");
     }
-    // All lengths are 0.
+    // Here all lengths are 0.
     let cycle = periodic_point(&Meeting(0.125), &[0.0, 0.0], 4).unwrap();
     assert_eq!((cycle.points, cycle.residual, cycle.size), (vec![vec![0.0, 0.0]], 0.0, 0.0));
 }
 
 #[test]
 fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
-    // Fixed points of x̃ = x + a − x²/unit, starting from 0 at a = 0, in units of `unit`.
+    // Finds the fixed points of x̃ = x + a − x²/unit, starting from 0 at a = 0. All lengths are
+    // multiples of `unit`.
     struct Root(f64, f64);
 
     impl ByHand for Root {
@@ -293,7 +294,7 @@ fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
     }
 }
 
-/// x ↦ x + arctan x
+/// The map x ↦ x + arctan x.
 struct Arctangent;
 
 impl ByHand for Arctangent {
@@ -332,7 +333,8 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
     for steps in [1, 3, 40] {
         let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
         let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ControlFlow::Continue(()));
-        // At a fold, the tangent has an error of about √u, and the parameter the square of it.
+        // At a fold, the tangent has an error of about √u, where u is the unit roundoff. The error
+        // of the parameter is the square of this.
         assert!(has_turns(&branch, &[(BranchChange::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
         // After the fold the branch returns to its first parameter value, at the other fixed point.
         let last = branch.points.last().unwrap();
@@ -350,26 +352,26 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     let branch = branch(Logistic, &start, [2.5, 3.4], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, BranchChange::ThroughMinusOne);
-    // The multiplier is 2 − r.
+    // The multiplier of the fixed point is 2 − r.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-12, "{:?}", branch.turns);
 }
 
 #[test]
 fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
-    // An area-preserving map; the fixed point x = 1/3 at a = 3 has the double multiplier −1.
+    // The map preserves areas; at a = 3 the fixed point x = 1/3 has the double multiplier −1.
     let start = periodic_point(&Henon(1.0, -1.0), &[0.4, -0.4], 1).unwrap();
     assert_eq!(start.stability(), Stability::Neutral);
     let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ControlFlow::Continue(()));
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, BranchChange::ThroughMinusOne);
-    // |μ| reaches 1 + 10⁻⁶ at a distance of about 10⁻¹².
+    // The modulus |μ| reaches 1 + 10⁻⁶ at a distance of about 10⁻¹² in the parameter.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-10, "{:?}", branch.turns);
 }
 
-/// (x, y) ↦ (x + p − x², (x/2 − 9/8)·y)
+/// The map (x, y) ↦ (x + p − x², (x/2 − 9/8)·y).
 ///
-/// The fixed point p = x², y = 0 has multipliers 1 − 2x and x/2 − 9/8. They pass through 1 at x =
-/// 0, a fold, and through −1 at x = 1/4.
+/// At the fixed points x² = p, y = 0, the multipliers are 1 − 2x and x/2 − 9/8. The first one
+/// passes through 1 at x = 0, a fold; the second one passes through −1 at x = 1/4.
 struct Turning(f64);
 
 impl ByHand for Turning {
@@ -392,7 +394,7 @@ impl Parametric for Turning {
     }
 }
 
-/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}, which cross the unit circle at
+/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}. They cross the unit circle at
 /// p = 1, 3/4 and 5/4.
 struct Several(f64);
 
@@ -421,7 +423,7 @@ impl Parametric for Several {
     }
 }
 
-/// Returns whether a branch has these bifurcations, with parameters within a bound.
+/// Returns whether a branch has exactly these bifurcations, with parameters within `bound`.
 fn has_turns(branch: &Branch, expected: &[(BranchChange, f64)], bound: f64) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     branch.turns.len() == expected.len()
@@ -491,7 +493,7 @@ fn a_fold_hides_no_other_change() {
             seen.push((point.cycle.points[0][0], point.change()));
             ControlFlow::Continue(())
         });
-        // From far away, 1 − 2x passes through −1 first.
+        // If the branch starts far away, 1 − 2x passes through −1 first.
         let first = [(BranchChange::ThroughMinusOne, 1.0)];
         let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
         // The position of a fold is accurate to about half of the digits.
@@ -505,7 +507,7 @@ fn a_fold_hides_no_other_change() {
     }
 }
 
-/// x ↦ (x + 1 − px)/2, whose fixed point 1/(1 + p) diverges for p → −1.
+/// The map x ↦ (x + 1 − px)/2; its fixed point 1/(1 + p) diverges for p → −1.
 struct Far(f64);
 
 impl ByHand for Far {
@@ -539,7 +541,8 @@ fn a_branch_goes_far_in_few_strides() {
 
 #[test]
 fn a_planar_map_doubles_its_period_where_the_formula_says() {
-    // The fixed point has μ² + 2axμ − b = 0, so μ = −1 where 2ax = 1 − b, and a = 3(1 − b)²/4.
+    // At the fixed point, μ² + 2axμ − b = 0. Therefore μ = −1 if 2ax = 1 − b, which gives a = 3(1 −
+    // b)²/4.
     let start = periodic_point(&Henon(0.2, 0.3), &[0.9, 0.3], 1).unwrap();
     let branch = branch(|a| Henon(a, 0.3), &start, [0.2, 0.5], 3, |_| ControlFlow::Continue(()));
     assert!(has_turns(&branch, &[(BranchChange::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);

@@ -1,8 +1,8 @@
-//! A map in a unit of length of its own, so that tolerances do not depend on the caller's unit.
+//! A map in its own unit of length, so that tolerances do not depend on the caller's unit.
 //!
-//! In: a map and a power of two. Out: the map of points divided by that power, without rounding. A
-//! power near the size of a cycle makes the scaled cycle about 1 in size, comparable with a scaled
-//! parameter.
+//! In: a map and a power of two. Out: the map of points divided by this power, without rounding. If
+//! the power is near the size of a cycle, the scaled cycle has a size of about 1, and is comparable
+//! with a scaled parameter.
 
 use kahan_core::nalgebra::DMatrix;
 
@@ -10,14 +10,15 @@ use super::{Differentiable, Parametric};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LengthUnit {
-    /// A power of two.
+    /// The unit of length in the caller's unit, a power of two.
     pub(super) length: f64,
-    /// The scale for comparing lengths, in this unit: 1, or 0 if the size was 0 or not finite.
+    /// The scale for comparing lengths, in this unit. It is 1, or 0 if the caller's size was 0 or
+    /// not finite.
     pub(super) size: f64,
 }
 
 impl LengthUnit {
-    /// Returns the largest power of two up to `size` as the unit.
+    /// Returns the unit whose length is the largest power of two up to `size`.
     pub(super) fn of(size: f64) -> Self {
         if size > 0.0 && size.is_finite() {
             LengthUnit { length: libm::ldexp(1.0, libm::ilogb(size)), size: 1.0 }
@@ -27,7 +28,7 @@ impl LengthUnit {
     }
 }
 
-/// A map of points measured in units of `unit.length`.
+/// A map of points that are measured in units of `unit.length`.
 #[derive(Clone, Debug)]
 pub(super) struct ScaledMap<M> {
     pub(super) map: M,
@@ -35,7 +36,7 @@ pub(super) struct ScaledMap<M> {
 }
 
 impl<M> ScaledMap<M> {
-    /// Converts a point into the units of the inner map.
+    /// Converts a point into the unit of the inner map.
     pub(super) fn outside(&self, x: &[f64]) -> Vec<f64> {
         x.iter().map(|x| x * self.unit.length).collect()
     }

@@ -1,29 +1,32 @@
-//! The modelled cost of a step, in cycles.
+//! The modelled cost of a step, in processor cycles.
 //!
 //! In: the operations of a step, counted by its plan. Out: cycles. The factors are rounded from
-//! measured steps of E6, LV and the Euler top on x86-64 (`benches/results/tiers.json`).
+//! measured steps of the systems E6, LV and Euler top on x86-64 (`benches/results/tiers.json`).
 
 use kahan_core::StepCost;
 
 use super::{Precision, Scheme};
 
-/// The factor of `f32`: a single orbit waits as long for its operations as in `f64`.
+/// The cost factor of `f32`. A single orbit waits as long for its operations as in `f64`.
 const SINGLE: f64 = 1.0;
-/// The factor of a state in `f32` and steps in `f64`, for the conversions.
+/// The cost factor of a state in `f32` with steps in `f64`, which need conversions.
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
-/// The factor of compensation: seven operations for a component, off the critical path.
+/// The cost factor of compensation, which adds seven operations for each component, off the
+/// critical path.
 const COMPENSATED: f64 = 1.1;
-/// The factor of `Dd` with fused multiply-adds (two operations for an exact product).
+/// The cost factor of `Dd` with fused multiply-adds, where an exact product takes two operations.
 #[cfg(target_feature = "fma")]
 const DOUBLE_DOUBLE: f64 = 6.0;
-/// The factor of `Dd` without fused multiply-adds (seventeen operations for an exact product).
+/// The cost factor of `Dd` without fused multiply-adds, where an exact product takes seventeen
+/// operations.
 #[cfg(not(target_feature = "fma"))]
 const DOUBLE_DOUBLE: f64 = 10.0;
 
 impl Scheme {
-    /// Returns the modelled cycles of one step: stages × the [cycles](StepCost::cycles) of a stage
-    /// in `f64` × the factors of scalar and compensation. `stage` is the cost of one step of
-    /// Kahan's map. Only ratios of results are meaningful.
+    /// Returns the modelled cycles of one step. They are the product of the number of stages, the
+    /// [cycles](StepCost::cycles) of a stage in `f64`, and the cost factors of scalar and
+    /// compensation. `stage` is the cost of one step of Kahan's map. Only ratios of results are
+    /// meaningful.
     #[must_use]
     pub fn cycles(&self, stage: StepCost) -> f64 {
         let numbers = match self.precision {

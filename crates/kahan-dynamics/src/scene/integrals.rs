@@ -2,7 +2,8 @@
 //!
 //! In: a map, a first point. Out: Kahan's map at the largest suitable ε, in a scalar with small
 //! enough rounding errors. In exact arithmetic the map preserves these integrals. One rounding of
-//! the state changes an integral by about u × condition; n steps by √n times that (random walk).
+//! the state changes an integral by about u × condition, where u is the unit roundoff. In n steps,
+//! the changes add up to √n times this (random walk).
 
 use kahan_core::nalgebra::SVector;
 
@@ -12,14 +13,14 @@ use kahan_core::{ExtendScalars, PreparedStep};
 use super::search::{PLAIN, WIDE};
 use super::{NoSetting, Scene, Setting};
 
-/// The safety factor on rounding errors: the end of a random walk is within a factor of 2 of the
-/// typical one 19 times in 20.
+/// The safety factor on rounding errors. In 19 of 20 random walks, the end is within a factor of 2
+/// of the typical end.
 const SAFETY: f64 = 2.0;
-/// The most steps, exactly representable in `f64`.
+/// The largest number of steps, which `f64` represents exactly.
 const MOST_STEPS: f64 = 9e15;
 
 const PILOT: f64 = 4096.0;
-/// The accepted ratio of the largest coordinates of an orbit and of a finer orbit.
+/// The accepted ratio between the largest coordinate of an orbit and that of a finer orbit.
 const LARGER: f64 = 2.0;
 const HALVINGS: i32 = 16;
 
@@ -49,7 +50,7 @@ where
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
-            // With compensation, rounding affects the increment and not the point.
+            // With compensation, the increment is rounded and not the point.
             let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
             let error = SAFETY * scene.condition * scheme.precision.unit() * (1.0 + part * steps.sqrt());
             least_error = least_error.min(error);
@@ -67,7 +68,7 @@ where
     best.ok_or(NoSetting::OutOfReach { best: least_error })
 }
 
-/// Returns whether the first steps stay finite and not much larger than with ε/4.
+/// Returns whether the first steps stay finite, and not much larger than steps with ε/4.
 fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
     M: ExtendScalars<f64, N>,

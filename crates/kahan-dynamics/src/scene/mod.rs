@@ -1,9 +1,9 @@
 //! The choice of an integrator for a scene: scalar, order, compensation and ε.
 //!
-//! In: a map, a first point, a time, the purpose of the orbit and its accuracy. Out: the cheapest
-//! accurate [`Setting`], by a cost model of counted operations ([`cycles`]). Settings are run over
-//! the whole horizon and compared with the flow ([`trajectory`], [`search`]). No clock is used, so
-//! the choice is reproducible; `kahan trade` runs the search with measured prices.
+//! In: a map, a first point, a time to simulate, the purpose of the orbit, and its accuracy. Out:
+//! the cheapest accurate [`Setting`], by a cost model of counted operations ([`cycles`]). Settings
+//! are run over the whole time and compared with the flow ([`trajectory`], [`search`]). No clock is
+//! used, so the choice is reproducible; `kahan trade` runs the search with measured prices.
 
 mod cycles;
 mod error;
@@ -26,13 +26,13 @@ pub use setting::Setting;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Need {
-    /// Follows the flow's trajectory. The error is the largest distance from it in the maximum norm
-    /// over all steps, relative to the largest coordinate of the trajectory. The last point is
-    /// compared at the horizon.
+    /// The orbit follows the flow's trajectory. The error is the largest distance from the
+    /// trajectory over all steps in the maximum norm, relative to the trajectory's largest
+    /// coordinate. The last point is compared with the trajectory's end.
     Trajectory,
-    /// Preserves the integrals. The error is the largest change of the map's own integrals at its ε
-    /// over the horizon, relative to the initial value; only rounding causes it
-    /// ([`Scene::condition`]). A composition has no integrals of its own, so its error is the
+    /// The orbit preserves the integrals. The error is the largest change of the map's own
+    /// integrals at its ε over the whole time, relative to the initial value; only rounding causes
+    /// it ([`Scene::condition`]). A composition has no integrals of its own, so its error is the
     /// change of the flow's integrals.
     Integrals,
 }
@@ -95,9 +95,10 @@ impl Scene {
         Self::new(horizon, Need::Integrals, tolerance)
     }
 
-    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`]: the
-    /// amplification of a relative change of the state. The default 4 fits a polynomial of degree 2
-    /// whose terms cancel to a half; near zeros of H the condition is much larger.
+    /// Sets the condition Σ|xᵢ ∂H/∂xᵢ|/|H| of the integrals H, for [`Need::Integrals`]. The
+    /// condition is the factor by which relative changes of the state are amplified. The default 4
+    /// fits a polynomial of degree 2 whose terms cancel to a half; near zeros of H the condition is
+    /// much larger.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;
@@ -111,10 +112,10 @@ impl Scene {
     /// # How
     /// For [`Need::Trajectory`], the [`Flow`](crate::Flow) is computed over the whole horizon, and
     /// settings are run and compared with it at every step. The observed error of the chosen
-    /// setting is at most 0.85 of the tolerance, including rounding. An orbit in
-    /// [`Dd`](kahan_core::Dd) that agrees with the flow to a tenth of the tolerance confirms the
-    /// flow. The choice is deterministic, and a second run from the start has the observed error.
-    /// Other starts and later times are not covered.
+    /// setting, including rounding, is at most 0.85 of the tolerance. The flow itself is checked:
+    /// an orbit in [`Dd`](kahan_core::Dd) must agree with it to a tenth of the tolerance. The
+    /// choice is deterministic, and a second run from the start has the observed error. Other
+    /// starts and later times are not covered.
     ///
     /// For [`Need::Integrals`], only Kahan's map itself is considered. ε‖f′‖∞ is at most 1 at the
     /// start, and less if the first steps would otherwise become too large. The rounding errors of
@@ -127,8 +128,8 @@ impl Scene {
     /// against all other settings.
     ///
     /// # Cost
-    /// At most the time of 10⁶ steps of the map, usually of some 10⁴; the steps in `Dd` are slower.
-    /// The choice pays off for long orbits and for many orbits.
+    /// At most the time of 10⁶ steps of the map, and usually of some 10⁴ steps; steps in `Dd` take
+    /// longer. The choice pays off for long orbits and for many orbits.
     ///
     /// # Errors
     /// [`NoSetting`]: numbers that are not positive or not finite, a trajectory that cannot be

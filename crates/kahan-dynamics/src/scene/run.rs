@@ -1,4 +1,4 @@
-//! Runs a setting; the type of the orbit is chosen once, before the first step.
+//! Runs a setting. The type of the orbit is chosen once, before the first step.
 
 use kahan_core::nalgebra::SVector;
 
@@ -6,7 +6,8 @@ use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF
 
 use super::{Precision, Scheme, Setting};
 
-/// A computation on an orbit of any type; `widen` converts its points to `Dd` without rounding.
+/// A computation on an orbit of any type. `widen` converts the points of the orbit to `Dd` without
+/// rounding.
 trait Task<const N: usize> {
     type Output;
 
@@ -21,7 +22,7 @@ impl<const N: usize> Task<N> for LastPoint {
     type Output = Option<SVector<f64, N>>;
 
     fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
-        // `Iterator::map` would convert every point on the way.
+        // `Iterator::map` would convert every point before the last one.
         orbit.nth(self.0).map(|x| rounded(&widen(x)))
     }
 }
@@ -46,8 +47,8 @@ impl Setting {
     /// Returns the last point of the orbit from `x0`, at the time 2ε·[`steps`](Self::steps); not
     /// finite if the orbit met a pole.
     ///
-    /// Rounds the parameters and `x0` to the setting's precision, and the result to `f64`. Runs the
-    /// orbit of the printed setting, without allocation or decisions along the orbit.
+    /// Rounds the parameters and `x0` to the setting's precision, and the result to `f64`. The
+    /// orbit is the one of the printed setting; along it there are no allocations and no decisions.
     pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
     where
         M: ExtendScalars<f64, N>,
@@ -55,13 +56,13 @@ impl Setting {
         let steps = usize::try_from(self.steps).unwrap_or(usize::MAX);
         match self.with_orbit(map, x0, LastPoint(steps)) {
             Some(last) => last,
-            // Orbits over floats are infinite, so this case does not occur.
+            // Orbits over floats never end, so this case does not occur.
             None => SVector::from_element(f64::NAN),
         }
     }
 
-    /// Shows each point of the orbit, from the rounded x₀ to the last one, to `visit` with its
-    /// index n. Point n belongs to the time 2ε·n.
+    /// Shows each point of the orbit to `visit` with its index n, from the rounded x₀ to the last
+    /// point. Point n belongs to the time 2ε·n.
     pub fn visit<M, const N: usize>(
         &self,
         map: &M,

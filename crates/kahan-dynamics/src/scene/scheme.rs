@@ -1,4 +1,4 @@
-//! The choices besides ε: scalar, order and compensation.
+//! The choices besides ε: scalar, order, and compensation.
 
 use std::fmt;
 
@@ -6,18 +6,18 @@ use kahan_core::{Composition, nearest_short_eps};
 
 use super::Need;
 
-/// The scalar of an orbit.
+/// The scalar type of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
-    /// `f32`.
+    /// A state and steps in `f32`.
     Single,
-    /// A state in `f32`, with every step computed in `f64` and rounded once:
+    /// A state in `f32`. Every step is computed in `f64` and rounded once:
     /// [`ThroughF64`](kahan_core::ThroughF64).
     SingleThroughDouble,
-    /// `f64`.
+    /// A state and steps in `f64`.
     Double,
-    /// [`Dd`](kahan_core::Dd), with 32 digits.
+    /// A state and steps in [`Dd`](kahan_core::Dd), with 32 digits.
     DoubleDouble,
 }
 
@@ -42,7 +42,7 @@ impl Precision {
         matches!(self, Self::Single | Self::SingleThroughDouble)
     }
 
-    /// Returns u, the relative error of one rounding of the state.
+    /// Returns the unit roundoff u, the largest relative error of one rounding of the state.
     #[must_use]
     pub const fn unit(self) -> f64 {
         match self {
@@ -52,9 +52,10 @@ impl Precision {
         }
     }
 
-    /// Returns an ε near `eps` in this precision. [`Need::Integrals`] gets the nearest
-    /// [short](nearest_short_eps) ε, in `Dd` one that is short for `f64`. [`Need::Trajectory`],
-    /// whose steps must end at the horizon, gets the nearest representable number.
+    /// Returns an ε near `eps` in this precision. For [`Need::Integrals`], returns the nearest
+    /// [short](nearest_short_eps) ε; in `Dd`, one that is short for `f64`. For
+    /// [`Need::Trajectory`], whose steps must end at the given time, returns the nearest
+    /// representable number.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         match (self.is_single(), need) {
@@ -66,20 +67,20 @@ impl Precision {
     }
 }
 
-/// A method of stepping, at any ε. Its display is `f64, order 8, compensated`.
+/// A method of stepping that may run at any ε. It is displayed as `f64, order 8, compensated`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scheme {
-    /// The scalar.
+    /// The scalar type.
     pub precision: Precision,
-    /// The composition; [`Composition::KAHAN`] is the map itself.
+    /// The composition; [`Composition::KAHAN`] is Kahan's map itself.
     pub composition: Composition,
     /// Whether the sum of increments is compensated (Kahan summation).
     pub compensated: bool,
 }
 
 impl Scheme {
-    /// Returns the scheme of the map itself in this precision, without compensation.
+    /// Returns the scheme of Kahan's map itself in this precision, without compensation.
     #[must_use]
     pub const fn of(precision: Precision) -> Self {
         Self { precision, composition: Composition::KAHAN, compensated: false }
@@ -97,8 +98,9 @@ impl Scheme {
         Self { compensated: true, ..self }
     }
 
-    /// Iterates over the schemes of the [best](Composition::BEST) compositions; in `Dd`, whose
-    /// rounding errors are negligible, only without compensation.
+    /// Iterates over the schemes of the [best](Composition::BEST) compositions, with and without
+    /// compensation. In `Dd`, whose rounding errors are negligible, there are only schemes without
+    /// compensation.
     pub fn all() -> impl Iterator<Item = Self> {
         Precision::ALL.into_iter().map(Self::of).flat_map(|plain| {
             Composition::BEST.into_iter().map(move |method| plain.composed(method)).flat_map(|plain| {

@@ -6,14 +6,15 @@ use kahan_core::Composition;
 
 use super::{Need, Precision, Scene, Scheme};
 
-/// The tolerance below which the rounding of ε matters: the end time is off by its relative error.
+/// The tolerance below which the rounding of ε matters. The relative error of ε is that of the end
+/// time.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A [`Scheme`] with ε and a number of steps, for the horizon of a [`Scene`](crate::Scene).
-/// [`Scene::choose`](crate::Scene::choose) returns the cheapest accurate one.
+/// A [`Scheme`] with ε and a number of steps, for the time span of a [`Scene`](crate::Scene).
+/// [`Scene::choose`](crate::Scene::choose) returns the cheapest accurate setting.
 ///
-/// Its display is a line of Rust, with `map` for the map and `x` for the first point, both in its
-/// precision.
+/// It is displayed as a line of Rust; `map` stands for the map and `x` for the first point, both in
+/// the setting's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -26,11 +27,11 @@ pub struct Setting {
 }
 
 impl Scene {
-    /// Builds a setting of about `steps` steps over the horizon. Its error is unknown and set to
+    /// Builds a setting of about `steps` steps over the whole time. The error is unknown and set to
     /// infinity.
     ///
-    /// In `Dd`, the number of steps is rounded up to a power of 2 if a trajectory's tolerance is
-    /// below the error of ε as a rounded `f64`.
+    /// In `Dd`, the number of steps is rounded up to a power of 2 if the tolerance of a trajectory
+    /// is below the error of ε, a rounded `f64`.
     ///
     /// # Panics
     /// If the horizon is not finite and positive, or `steps` is 0.
@@ -56,29 +57,29 @@ impl Setting {
         self.scheme
     }
 
-    /// Returns ε, half the time step. For [`Need::Integrals`], ε is so short that its powers are
-    /// exact ([`nearest_short_eps`](kahan_core::nearest_short_eps)).
+    /// Returns ε, half the time step. For [`Need::Integrals`], ε has so few bits that its powers
+    /// are exact ([`nearest_short_eps`](kahan_core::nearest_short_eps)).
     #[must_use]
     pub const fn eps(&self) -> f64 {
         self.eps
     }
 
-    /// Returns the number of steps n. The horizon is 2εn, up to the rounding of ε; for
-    /// [`Need::Integrals`], whose ε is short, up to half a step.
+    /// Returns the number of steps n. The horizon is 2εn up to the rounding of ε. For
+    /// [`Need::Integrals`], where ε has few bits, it is 2εn up to half a step.
     #[must_use]
     pub const fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Returns the expected error, including safety factors; for a chosen setting at
-    /// most the scene's tolerance.
+    /// Returns the expected error, including safety factors. For a chosen setting it is at most the
+    /// scene's tolerance.
     #[must_use]
     pub const fn error(&self) -> f64 {
         self.error
     }
 
-    /// Returns the line of Rust that runs the setting; `map` and `start` are expressions in its
-    /// precision.
+    /// Returns the line of Rust that runs the setting. `map` and `start` are expressions in the
+    /// setting's precision.
     #[must_use]
     pub fn in_rust(&self, map: &str, start: &str) -> String {
         let Self { scheme: Scheme { precision, composition, compensated }, eps, steps, .. } = *self;
@@ -93,7 +94,7 @@ impl Setting {
             format!(".composed(Composition::{})", composition.name())
         };
         let compensated = if compensated { ".compensated()" } else { "" };
-        // The orbit includes x₀.
+        // The number of points is one more than the number of steps, because the orbit includes x₀.
         format!("let orbit = {orbit}{composed}{compensated}.take({});", u128::from(steps) + 1)
     }
 }

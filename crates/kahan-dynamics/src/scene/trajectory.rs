@@ -1,8 +1,8 @@
 //! The cheapest setting that follows a trajectory.
 //!
 //! In: a map, a first point, a scene. Out: the cheapest setting whose observed error over the whole
-//! horizon is small enough. The solution is computed once ([`Flow`]), in `f64` or, if rounding
-//! errors matter, in [`Dd`]. An orbit ten times as accurate as requested confirms it.
+//! time is small enough. The solution is computed once ([`Flow`]), in `f64` or, if rounding errors
+//! matter, in [`Dd`]. An orbit ten times as accurate as requested checks the solution.
 
 use kahan_core::nalgebra::SVector;
 
@@ -12,16 +12,16 @@ use kahan_core::{Dd, ExtendScalars, PreparedStep, QuadraticField};
 use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
 use super::{NoSetting, Scene, Scheme, Setting};
 
-/// The work bound of a choice, all trials included, in steps of the map.
+/// The largest amount of work of a choice, including all trials, in steps of the map.
 const MOST_WORK: f64 = 1e6;
 /// The tolerance below which the computation begins in `Dd`.
 const FINE: f64 = 1e-12;
 /// A bound on the accumulated rounding errors of a flow in `f64`, before amplification.
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
-/// The relative distance of two starts for measuring growth.
+/// The relative distance of the two starts from which growth is measured.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
 const SHARE: f64 = 0.4;
-/// A trial ends at this relative error, or at four tolerances if these are larger.
+/// A trial stops at this relative error, or at four tolerances if these are larger.
 const LOST: f64 = 0.1;
 
 pub(super) fn choose<M, const N: usize>(
@@ -64,7 +64,7 @@ impl Budget {
         T: SeriesScalar,
         F: QuadraticField<T, N>,
     {
-        // A bilinear form costs about a third of a step.
+        // A bilinear form costs about a third as much as a step.
         let piece = (T::TERMS * T::TERMS) as f64 / 12.0;
         let most = (SHARE * self.left / piece) as usize;
         let flow = Flow::through(field, start, scene.horizon, 0.0, &mut |pieces| {
@@ -77,8 +77,8 @@ impl Budget {
         })
     }
 
-    /// Computes the solution in `f64`, or `None` if amplified rounding errors exceed the tolerance.
-    /// A second solution from a nearby start measures the amplification.
+    /// Computes the solution in `f64`; returns `None` if amplified rounding errors exceed the
+    /// tolerance. A second solution from a nearby start measures the amplification.
     fn sure_flow<F, const N: usize>(
         &mut self,
         scene: &Scene,
@@ -89,7 +89,7 @@ impl Budget {
         F: QuadraticField<f64, N>,
     {
         let flow = self.flow(scene, field, start).ok()?;
-        // Factors differ between components, like independent relative rounding errors.
+        // The factors differ between components, like independent relative rounding errors.
         let factor = |i: usize| if i.is_multiple_of(2) { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
         let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
         let distance = |t: f64| {
@@ -106,7 +106,7 @@ struct Choice<'a, T, M, const N: usize> {
     map: &'a M,
     x0: &'a SVector<f64, N>,
     flow: &'a Flow<T>,
-    /// The schemes to choose from besides plain `f64`.
+    /// The schemes, besides plain `f64`, that may be chosen.
     others: &'static [Scheme],
 }
 
@@ -122,8 +122,8 @@ where
     M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, TrajectoryFailure> {
-        // The coarsest ε has a mean product of ε and rate of 4, suitable for compositions with
-        // their shorter stages.
+        // At the coarsest ε, the product of ε and rate is 4 in the mean. Compositions can use this
+        // ε, since their stages are shorter.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = TrialOrbits { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::counted(runs, self.scene.tolerance);
@@ -133,10 +133,8 @@ where
             Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < LOST {
-                    // The factor 2 allows for rounding errors that differ between values of ε.
-                    NoSetting::OutOfReach {
-                        best: libm::exp2(libm::log2(2.0 * VOUCHING * least_error).ceil()),
-                    }
+                    // The factor 2 allows for rounding errors that vary with ε.
+                    NoSetting::OutOfReach { best: (2.0 * VOUCHING * least_error).log2().ceil().exp2() }
                 } else if is_short_of_work {
                     NoSetting::TooLong { time: agreed_until }
                 } else {
@@ -148,7 +146,7 @@ where
     }
 }
 
-/// Orbits of one scene, compared with the flow within a budget.
+/// Orbits of one scene that are compared with the flow; the total work is limited.
 struct TrialOrbits<'a, T, M, const N: usize> {
     choice: &'a Choice<'a, T, M, N>,
     budget: &'a mut Budget,
@@ -167,7 +165,7 @@ where
     }
 
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
-        // The comparison counts as one step.
+        // The comparison with the flow costs about as much as one step.
         let work_of_step = setting.scheme.composition.stages() as f64 + 1.0;
         if setting.steps as f64 * work_of_step > share * self.budget.left {
             self.is_short_of_work = true;
@@ -182,7 +180,7 @@ where
             last = n;
             worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
             if n == setting.steps {
-                // The last point is also compared with the flow at the horizon.
+                // The last point is also compared with the flow at the end of the time span.
                 worst = worst.max(flow.distance(scene.horizon.into(), x));
             }
             worst <= lost

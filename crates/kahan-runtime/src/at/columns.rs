@@ -1,7 +1,8 @@
 //! Many trajectories in columns, one column for each variable.
 //!
-//! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
-//! after some steps, and how each trajectory ended. Trajectories are independent.
+//! In: columns, ε and parameters. All trajectories share ε and each parameter, or each trajectory
+//! has a value of its own. Out: the columns after some steps, and how each trajectory ended. No
+//! trajectory depends on another.
 
 use core::ops::ControlFlow;
 use core::slice;
@@ -20,13 +21,13 @@ use crate::{DimensionError, End, Follow, Followed};
 impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories; column c holds variable c of all trajectories.
     ///
-    /// `eps` holds ε for each trajectory, or one for all, or nothing for the map's own ε.
-    /// `parameters` holds for each parameter a list of values, one for each trajectory or one for
-    /// all; an empty `parameters` stands for the map's own. A trajectory has the bits of an
-    /// ensemble at its ε and parameters, independent of the other trajectories.
+    /// `eps` holds an ε for each trajectory, or one ε for all, or nothing for the map's own ε.
+    /// `parameters` holds a list of values for each parameter: one value for each trajectory, or
+    /// one for all. Empty `parameters` stand for the map's own values. A trajectory has the bits of
+    /// an ensemble at its ε and parameters, whatever the other trajectories are.
     ///
-    /// Trajectories that become NaN stay NaN. A trajectory at whose parameters the field divides by
-    /// zero becomes NaN.
+    /// Trajectories that become NaN stay NaN. If the field divides by zero at the parameters of a
+    /// trajectory, this trajectory becomes NaN.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -100,8 +101,8 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Sets trajectories to NaN at whose parameters the field divides by zero; machine code does
-    /// not check.
+    /// Sets a trajectory to NaN if the field divides by zero at its parameters, because machine
+    /// code does not check this.
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
@@ -117,9 +118,9 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories as [`advance_columns`](Self::advance_columns) does, and returns
     /// how each ended. A trajectory that ended early becomes NaN in the columns.
     ///
-    /// Bits and ends are those of single orbits. Cost: the steps of single orbits, a copy and a
-    /// test of the columns every thousand steps, and up to two thousand further steps for each
-    /// trajectory that leaves the range of floats.
+    /// Bits and ends are the same as for single orbits. Cost: the steps of single orbits, a copy
+    /// and a test of the columns every thousand steps, and up to two thousand further steps for
+    /// each trajectory that leaves the range of floats.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -204,7 +205,8 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Returns for each trajectory the number of steps to its last finite point, below `steps`.
+    /// Returns the number of steps from each start to its last finite point; each orbit must end
+    /// before `steps` steps.
     fn finite_steps(
         &self,
         kind: StepKind,
@@ -214,7 +216,7 @@ impl<T: MachineFloat> MapAt<T> {
         steps: u64,
     ) -> Vec<u64> {
         let mut taken = vec![0; starts.first().map_or(0, Vec::len)];
-        // Binary search for the last finite point: nonfinite points stay nonfinite.
+        // A binary search finds the last finite point, because nonfinite points stay nonfinite.
         for power in (0..=steps.checked_ilog2().unwrap_or(0)).rev() {
             let mut ahead = starts.clone();
             let mut columns: Vec<&mut [T]> = ahead.iter_mut().map(Vec::as_mut_slice).collect();
@@ -229,8 +231,8 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, for an ε near zero that needs another formula of the
-    /// step.
+    /// Follows trajectories one at a time. Needed if an ε is so near zero that the step uses
+    /// another formula.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],
@@ -251,12 +253,12 @@ impl<T: MachineFloat> MapAt<T> {
         (0..trajectories).map(follow).collect()
     }
 
-    /// Returns the maps of many trajectories, each at its own ε and parameters, given as to
-    /// [`advance_columns`](Self::advance_columns); one map if all values are shared. The result is
-    /// the input of [`observe_columns`](Self::observe_columns).
+    /// Returns the maps of many trajectories, each at its own ε and parameters; if all values are
+    /// shared, returns one map. Arguments are those of [`advance_columns`](Self::advance_columns).
+    /// [`observe_columns`](Self::observe_columns) takes the result as its input.
     ///
-    /// A map at whose parameters the field divides by zero takes every point to NaN. Cost:
-    /// microseconds.
+    /// If the field divides by zero at the parameters of a map, this map takes every point to NaN.
+    /// Cost: microseconds.
     ///
     /// # Errors
     /// [`DimensionError`] for `eps` or `parameters` of a wrong length.

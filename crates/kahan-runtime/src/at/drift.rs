@@ -41,7 +41,7 @@ impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
     const MAY_END: bool = false;
 
     fn observe(&mut self, step: u64, x: &[T]) {
-        // The lengths always fit.
+        // Both slices have the lengths that the map requires, so the call succeeds.
         let _ = self.at.integrals(x, &mut self.values);
         self.look(step);
     }
@@ -94,7 +94,8 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns code that writes the integrals of a group of maps after their points, in SIMD lanes.
+    /// Returns code that, after the points of a group of maps, writes their integrals in SIMD
+    /// lanes.
     fn group_code_of_integrals(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));

@@ -1,4 +1,4 @@
-//! The points of a group of orbits, for a dimension known at run time.
+//! The points of a group of orbits, if the dimension is known only at run time.
 
 use core::array::from_fn;
 
@@ -26,7 +26,8 @@ pub(crate) struct RuntimeGroup<T> {
 }
 
 impl<T: MachineFloat> RuntimeGroup<T> {
-    /// Gathers the points of a group, padded with its last orbit; `None` beyond [`MOST`] variables.
+    /// Gathers the points of a group from columns; the last orbit also fills unused lanes. Returns
+    /// `None` beyond [`MOST`] variables.
     pub(crate) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
         let mut group = RuntimeGroup { columns: AlignedGroups::zeros(), variables: columns.len() };
         for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {
@@ -50,7 +51,7 @@ impl<T: Copy> Clone for RuntimeGroup<T> {
     #[inline]
     fn clone_from(&mut self, other: &Self) {
         self.variables = other.variables;
-        // Columns have constant length, so each copy is a few instructions.
+        // A group has constant length, so each copy compiles to a few instructions.
         self.as_mut().iter_mut().zip(other.as_ref()).for_each(|(own, other)| *own = *other);
     }
 }

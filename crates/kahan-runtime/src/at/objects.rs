@@ -1,4 +1,4 @@
-//! Field, Jacobians, integrals and brackets of a map at a state.
+//! The field, the Jacobians, the integrals and the brackets of a map at a state.
 
 use crate::engine::Object;
 use crate::{ClaimError, DimensionError};
@@ -38,7 +38,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
 
-    /// Returns ∂x̃/∂p for the parameter with this index; the index after the last one stands for ε.
+    /// Returns ∂x̃/∂p for the parameter p with this index; the index after the last parameter
+    /// stands for ε.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension.
@@ -51,7 +52,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 
     /// Writes the integrals, in the order of [`Field::integrals`](crate::Field::integrals); for a
-    /// [composition](Self::composed) those of the flow.
+    /// [composition](Self::composed), writes those of the flow.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension, or that of `out` not the
@@ -93,7 +94,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        // Most fields claim no integrals; skip the evaluation for them.
+        // Most fields claim no integrals, so the evaluation is skipped for them.
         if entries > 0 {
             let is_integral = matches!(object, Object::Integrals);
             let constants = if is_integral { &self.of_integrals } else { &self.constants };
@@ -103,10 +104,11 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Expands the entries above the diagonal into an antisymmetric matrix, row by row, in place.
+/// Expands the entries above the diagonal into an antisymmetric matrix, row by row, in the same
+/// slice.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
-    // Backwards, so that no entry is overwritten before it is read.
+    // The loop runs backwards, so that no entry is overwritten before it is read.
     for i in (0..n).rev() {
         for j in (i + 1..n).rev() {
             above -= 1;

@@ -1,4 +1,4 @@
-//! Observation of many orbits, in SIMD lanes where machine code allows it.
+//! Observation of many orbits, in SIMD lanes where machine code supports this.
 //!
 //! In: one map for all orbits or one for each, first points, and observers. Out: reports. Points
 //! and reports have the bits of single orbits.
@@ -21,8 +21,9 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many orbits by `steps` steps, each with its own observers.
     ///
     /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each.
-    /// `observers` makes the observers of the orbit with a given index; they see its first point as
-    /// step 0. Points and reports have the bits of single orbits by [`advance`](Self::advance).
+    /// `observers` makes the observers of the orbit with a given index. The observers see the first
+    /// point of the orbit as step 0. Points and reports have the bits of single orbits that
+    /// [`advance`](Self::advance) makes.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
@@ -52,7 +53,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// the reports cover the points seen so far.
     ///
     /// # Errors
-    /// [`DimensionError`], like [`observe_columns`](Self::observe_columns).
+    /// [`DimensionError`], as for [`observe_columns`](Self::observe_columns).
     pub fn observe_columns_while<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -63,8 +64,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups; groups that `has_observed` declines are observed in the default
-    /// way.
+    /// Observes orbits in groups. `has_observed` observes a group, or declines it; the default code
+    /// then observes that group.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -163,9 +164,10 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// Returns machine code that steps orbits with tangent vectors after each point, and with their
-    /// squared lengths last if `lengths` is set. Points have the bits of orbits without vectors.
-    /// `None` also for maps without a straight-line program for tangent vectors.
+    /// Returns machine code that steps orbits, with the tangent vectors of each orbit after its
+    /// point. If `lengths` is set, the squared lengths of the vectors come last. Points have the
+    /// bits of orbits without vectors. `None` also for maps without a straight-line program for
+    /// tangent vectors.
     pub(crate) fn group_code_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
@@ -177,7 +179,8 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns machine code for the maps of the variational field, with squared lengths last.
+    /// Returns machine code for the maps of the variational field; squared lengths of vectors come
+    /// last.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -203,11 +206,12 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Observers of one orbit among many, restricted to its finite points; the report says how the
-/// orbit ended. With [`MapAt::observe_columns`], equivalent to
-/// [`Follow::observe`](crate::Follow::observe) for one orbit.
+/// Observers of one orbit among many, which see only its finite points; the report says how the
+/// orbit ended. Together with [`MapAt::observe_columns`] they do for each orbit what
+/// [`Follow::observe`](crate::Follow::observe) does for one.
 ///
-/// The start is always observed. After the end, the columns advance unobserved.
+/// The start is always observed. After the end of the orbit, its columns continue to advance
+/// without being observed.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,
@@ -216,14 +220,14 @@ pub struct WhileFinite<O> {
 }
 
 impl<O> WhileFinite<O> {
-    /// Restricts `observers` to finite points.
+    /// Shows only finite points to `observers`.
     #[must_use]
     pub fn new(observers: O) -> Self {
         Self::within(f64::MAX, observers)
     }
 
-    /// Restricts `observers` to points up to and including the first with a variable larger than
-    /// `bound`, at which the orbit has [escaped](End::Escaped).
+    /// Shows points to `observers` up to the first point with a variable larger than `bound`, which
+    /// is included. The orbit has then [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }
@@ -258,7 +262,8 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
     }
 
     /// Observes in lanes while all orbits continue. Nonfinite points stay nonfinite, so the last
-    /// points decide for a whole burst; with a bound every point must be tested.
+    /// points of a burst show whether all its points are finite. With a bound, every point must be
+    /// tested.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,

@@ -1,7 +1,8 @@
 //! The number of steps that pass over a pole of the map.
 //!
-//! In: the points of an orbit. Out: a count. As ε grows from 0 to its value, x̃ moves along a curve
-//! from x. A zero of the denominator of x̃ on the way puts x̃ beyond a pole.
+//! In: the points of an orbit. Out: a count. As ε grows from 0 to its value, the image x̃ moves
+//! along a curve that begins at x. If the denominator of x̃ vanishes on the way, x̃ lies beyond a
+//! pole.
 
 use kahan_core::observe::Observer;
 use kahan_core::{Composition, Scalar};
@@ -10,28 +11,29 @@ use super::{MachineFloat, MapAt, RuntimeFloat, RuntimePoint};
 use crate::denominator::Denominator;
 use crate::engine::{split, stage_constants};
 
-/// A count of steps over poles.
+/// The number of steps over poles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PassedPoleCount {
-    /// The number of steps.
+    /// The number of steps that pass over a pole.
     pub steps: u64,
-    /// Whether the count is a lower bound: without a denominator, the sign of det A decides, which
-    /// shows only the parity of the number of roots.
+    /// Whether the count is a lower bound. Without an expanded denominator, the sign of det A
+    /// decides, which shows only whether the number of roots is odd.
     pub is_lower_bound: bool,
 }
 
 /// An observer that counts the steps of an orbit over poles of the map.
 ///
-/// A step from x passes if the reduced denominator d(x, ε′) has a root ε′, single or double, in (0,
-/// ε], or for ε < 0 in [ε, 0). A stage of a [composition](MapAt::composed) is a step of Kahan's map
-/// from its own point at its own ε; a step passes if one of its stages does.
+/// A step from x passes over a pole if the reduced denominator d(x, ε′) has a root ε′ in (0, ε], or
+/// for ε < 0 in [ε, 0); double roots count. A stage of a [composition](MapAt::composed) is a step
+/// of Kahan's map from its own point at its own ε. A composed step passes over a pole if one of its
+/// stages does.
 ///
-/// Roots are those in exact arithmetic on the given numbers. Without an expanded denominator (too
-/// many terms), a step counts where det A(x,ε) < 0, since det A = 1 at ε = 0. The count is then a
+/// Roots are found as if by exact arithmetic on the given numbers. If d has too many terms to be
+/// expanded, a step counts where det A(x,ε) < 0, since det A = 1 at ε = 0. The count is then a
 /// lower bound, and includes removable zeros of det A.
 ///
-/// Cost for each step: the terms of d in floats, and much slower exact numbers near double roots;
-/// without d one elimination. The stages of a composition are computed a second time. The first
+/// Cost for each step: the terms of d in floats; near double roots, much slower exact numbers;
+/// without d, one elimination. The stages of a composition are computed a second time. The first
 /// count of a map substitutes the parameters into d.
 ///
 /// ```
@@ -89,7 +91,7 @@ pub(super) struct StagePoles<T: RuntimeFloat> {
 
 impl<T: MachineFloat> MapAt<T> {
     /// Returns whether the step from `x` passes over a pole; overwrites `x`. Sets `is_lower_bound`
-    /// if the sign of det A decided.
+    /// if the sign of det A was used.
     fn passes_a_pole(&self, x: &mut [T], is_lower_bound: &mut bool) -> bool {
         let stages = self.poles.get_or_init(|| self.stage_poles());
         let last = 2 * stages.len() - 2;

@@ -1,7 +1,8 @@
 //! Rotation numbers of the variables of an orbit, in two passes.
 //!
-//! In: a map. Out: for the first pass an observer of the extremes of each variable and of its rate
-//! of change, for the second one of the rotation around the middle of these extremes.
+//! In: a map. Out: two observers. The observer of the first pass finds the extremes of each
+//! variable and of its rate of change. The observer of the second pass finds the rotation around
+//! the middle of the extremes.
 
 use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, RotationNumber};
 
@@ -35,19 +36,20 @@ impl<T: MachineFloat, O: Observer<T>> Observer<T> for StatesAndRates<'_, T, O> {
 }
 
 impl<T: MachineFloat + PartialOrd> MapAt<T> {
-    /// Observes the extremes of each variable and of each rate of change, the input of
-    /// [`rotations`](Self::rotations); `None` if all values were NaN.
+    /// Returns an observer of the extremes of each variable and of its rate of change.
+    /// [`rotations`](Self::rotations) takes the report as input. Extremes are `None` if all values
+    /// were NaN.
     pub fn extremes(&self) -> impl Observer<T, Report = [Vec<Option<Extremes<T>>>; 2]> + use<'_, T> {
         let n = self.dimension();
         let of = |first: usize| (first..first + n).map(|k| Extrema::of(move |both: &[T]| both[k])).collect();
         self.with_rates([0, n].map(of) as [Vec<_>; 2])
     }
 
-    /// Observes the rotation of each variable over `steps` steps, in turns per step.
+    /// Returns an observer of the rotation of each variable over `steps` steps, in turns per step.
     ///
-    /// A variable rotates in the plane of its value and its rate of change, around the middle of
-    /// their extremes, which a first pass finds by [`extremes`](Self::extremes). The result is NaN
-    /// without extremes or without steps.
+    /// A variable rotates in the plane of its value and its rate of change. The center is the
+    /// middle of their extremes, which [`extremes`](Self::extremes) finds in a first pass. The
+    /// result is NaN if there are no extremes, or no steps.
     ///
     /// # Panics
     /// If there are more extremes than variables.

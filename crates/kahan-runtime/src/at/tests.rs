@@ -1,4 +1,4 @@
-//! Orbits by machine code against compiled maps and the interpreter, in every scheme.
+//! Compares orbits by machine code with compiled maps and with the interpreter, in every scheme.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -30,7 +30,7 @@ trait Steps {
     fn point(&self, point: &mut [Dd]);
 }
 
-/// An iterator over points, with its last point.
+/// An iterator over the points of an orbit, with the last point that it returned.
 struct At<O, T, const N: usize> {
     orbit: O,
     point: SVector<T, N>,
@@ -81,7 +81,7 @@ where
     }
 }
 
-/// Returns the orbits of a map in a scheme, by machine code where available, and interpreted.
+/// Returns two orbits of a map in a scheme: by machine code where available, and interpreted.
 fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<dyn Steps>; 2] {
     fn both<T: RuntimeFloat>(at: MapAt<T>, scheme: Scheme, x: Vec<T>) -> [Box<dyn Steps>; 2]
     where
@@ -154,8 +154,8 @@ where
     Box::new(At { orbit, point })
 }
 
-/// Compares all schemes from several points, at ordinary ε, at one too large to divide by, and at
-/// 0.
+/// Compares all schemes from several points: at ordinary ε, at an ε too large to divide by, and at
+/// ε = 0.
 fn agree<M, const N: usize>(command: &str, parameters: &[&str], exact: &M)
 where
     M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
@@ -207,13 +207,14 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
 }
 
-/// A sum that rounds to the largest float may still overflow through its low parts.
+/// A sum that rounds to the largest float may still overflow because of its low parts.
 #[test]
 fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     let map = Field::parse("xdot = y; ydot = 0;").expect("a field").map().expect("no parameters");
     let exact = |value: f64| Rational::from_f64(value).expect("finite");
     let half = 2_f64.powi(969);
-    // Half a unit in the last place of the largest float, in two parts too small for it.
+    // The sum of both parts is half a unit in the last place of the largest float; each part is too
+    // small to round it up.
     for share in [0.5, 1.0, 1.0 + f64::EPSILON, 1.5] {
         let start = [&exact(f64::MAX) + &exact(half), exact(half * share)];
         for scheme in Scheme::all().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
@@ -228,7 +229,7 @@ fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     }
 }
 
-/// Code in double-double stops before the end of an orbit; single steps find the end.
+/// Code in double-double stops before the end of an orbit; single steps then find the end.
 #[test]
 fn an_orbit_ends_after_its_last_finite_point() {
     let end_of = |text: &str, eps: f64, scheme: Scheme| {
@@ -247,7 +248,7 @@ fn an_orbit_ends_after_its_last_finite_point() {
         let (steps, is_pole) = end_of("xdot = 1000*x;", 1.0 / 2000.0, scheme);
         assert!(steps > 0 && !is_pole, "{scheme}: {steps}");
         if scheme.order() == 2 {
-            // A step of x' = x² takes x to x/(1 − 2εx): 1 to 2, and 2 to a pole.
+            // A step of x' = x² takes x to x/(1 − 2εx): from 1 to 2, and from 2 to a pole.
             assert_eq!(end_of("xdot = x^2;", 0.25, scheme), (1, true), "{scheme}");
         }
     }
@@ -276,8 +277,8 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// Returns a field of n variables; each product of two variables occurs with probability `percent`.
-/// The equation x1' = x0·x1 preserves a zero in x1. Coefficients are multiples of `unit`; `p` is a
+/// Returns a field of n variables; each product of two variables occurs with probability `percent`
+/// %. The equation x1' = x0·x1 keeps x1 = 0 at zero. Coefficients are multiples of `unit`; `p` is a
 /// parameter or a number.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
@@ -300,7 +301,7 @@ fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) 
 }
 
 /// Compares loops over packed coefficients with the interpreter: at ordinary ε, with rejected
-/// pivots, at zeros of both signs, and at overflow.
+/// pivots, at +0 and −0, and at overflow.
 #[test]
 fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     fn agree<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], steps: u64)
@@ -352,8 +353,8 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     }
 }
 
-/// Compares columns of fields with elimination with orbits, at individual ε and parameters, with
-/// rejected steps and overflow.
+/// Compares columns with single orbits, for fields whose steps eliminate. Each trajectory has its
+/// own ε and parameters; some steps are rejected or overflow.
 #[test]
 fn columns_of_eliminated_fields_are_their_orbits() {
     let mut random = SplitMix64::new(6);
@@ -391,7 +392,8 @@ fn columns_of_eliminated_fields_are_their_orbits() {
     }
 }
 
-/// Logistic growth at side × side sites, each coupled to its neighbours.
+/// Returns logistic growth on a square lattice of side × side sites, each coupled to its
+/// neighbours.
 fn lattice(side: usize) -> Field {
     let site = |i: usize, j: usize| (i < side && j < side).then(|| format!("x{}", i * side + j));
     let equation = |i: usize, j: usize| {
@@ -404,8 +406,8 @@ fn lattice(side: usize) -> Field {
     Field::parse(&equations.collect::<String>()).expect("a field")
 }
 
-/// Compares elimination by panels of rows in floats with elimination by entries in double-double.
-/// The state is at most 1, and each step adds a few rounding errors.
+/// Compares elimination by panels of rows, in floats, with elimination by single entries, in
+/// double-double. The state is at most 1, and each step adds a few rounding errors.
 #[test]
 fn steps_of_large_lattices_are_those_in_double_double() {
     let map = lattice(28).map().expect("no parameters");

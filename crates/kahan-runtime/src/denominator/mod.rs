@@ -2,7 +2,7 @@
 //!
 //! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root in (0, ε],
 //! or for ε < 0 in [ε, 0), in exact arithmetic on the given numbers. Floats with an error bound
-//! decide most cases, exact numbers the others, such as double roots.
+//! decide most cases; exact numbers decide the other cases, such as double roots.
 
 mod roots;
 
@@ -10,11 +10,11 @@ use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 
-/// A factor below this size counts as unknown, anywhere in [−TINY, TINY]. Products of larger
-/// factors do not underflow.
+/// A factor smaller than this is replaced by the interval [−TINY, TINY]. Products of larger factors
+/// do not underflow.
 const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
-/// The polynomial d(x, ε·t) in the states and t.
+/// The polynomial d(x, ε·t) in the states x and in t, 0 < t ≤ 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Denominator {
     states: Vec<Variable>,
@@ -28,7 +28,7 @@ pub(crate) struct Denominator {
 struct Term {
     power: usize,
     coefficient: f64,
-    /// The states of the product, each repeated by its exponent.
+    /// The states of the product; a state with exponent k occurs k times.
     factors: Vec<usize>,
 }
 
@@ -68,7 +68,8 @@ impl Denominator {
         Some(Denominator { states, t, exact, terms, degree })
     }
 
-    /// Returns whether d(x, ·) has a root up to and including ε; `false` for nonfinite points.
+    /// Returns whether d(x, ·) has a root between 0 and ε, including ε; `false` for nonfinite
+    /// points.
     pub(crate) fn has_root(&self, x: &[f64]) -> bool {
         self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
     }
@@ -98,8 +99,8 @@ impl Denominator {
             }
         }
         // Rounding errors: at most nine for the factors of a term, one for each term of the sum,
-        // and about two hundred for the Bernstein form and its bisections. EPSILON is two
-        // roundings.
+        // and about two hundred for the Bernstein form and its bisections. `EPSILON` is twice the
+        // error of one rounding.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

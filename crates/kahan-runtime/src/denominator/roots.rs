@@ -1,22 +1,22 @@
-//! Existence of a root of a univariate polynomial in (0, 1], double roots included.
+//! Tests whether a univariate polynomial has a root in (0, 1]; double roots count.
 //!
 //! In: coefficients, lowest first, the first one nonzero. Out: yes or no. Floats with an error
-//! bound decide most cases, and a Sturm sequence the others.
+//! bound decide most cases; a Sturm sequence decides the others.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
 
-/// The largest number of coefficients: the degree in ε is at most the number of variables.
+/// The largest number of coefficients. The degree in ε is at most the number of variables.
 pub(super) const MOST: usize = MOST_EXPANDED + 1;
 
-/// The most bisections of the interval before floats give up.
+/// The number of bisections of the interval after which floats give up.
 const HALVINGS: u32 = 12;
 
 /// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of size `error` permit both
 /// answers.
 ///
-/// Bernstein coefficients bound all values on the interval; the first and last are the values at
-/// the ends.
+/// Writes the polynomial in Bernstein form, whose coefficients bound all values on the interval.
+/// The first and the last coefficient are the values at the ends.
 pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     let mut form = [0.0; MOST];
     let form = form.get_mut(..coefficients.len())?;
@@ -45,8 +45,8 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
         return (first != 0).then_some(false);
     }
     let halvings = halvings.checked_sub(1)?;
-    // De Casteljau's algorithm: the diagonal is the left half's form, and the last row the right
-    // half's.
+    // In De Casteljau's algorithm, the diagonal has the Bernstein coefficients of the left half,
+    // and the last row has those of the right half.
     let mut left = [0.0; MOST];
     let left = &mut left[..form.len()];
     for (k, value) in left.iter_mut().enumerate() {
@@ -146,7 +146,7 @@ mod tests {
         }
     }
 
-    /// For δ > 0, (t − 1/3)² + δ has no root; small δ is undecidable in floats.
+    /// For δ > 0, (t − 1/3)² + δ has no root; for small δ, floats cannot decide this.
     #[test]
     fn a_near_miss_is_no_root() {
         for (bits, is_open) in [(10, false), (70, true)] {

@@ -1,7 +1,8 @@
 //! Steps of single states by machine code.
 //!
-//! In: a kind of step, with the parameters and ε of each stage. Out: states after some steps. The
-//! caller's interpreter repeats steps whose guard rejects the result.
+//! In: a kind of step, with the parameters and ε of each stage. Out: states after some steps. A
+//! step with elimination or in double-double computes a guard, a number that shows whether its
+//! result can be used. The caller's interpreter repeats rejected steps.
 
 use std::sync::{Arc, OnceLock};
 
@@ -21,13 +22,13 @@ use super::scratch::{Scratch, with_scratch};
 
 pub(super) const GUARDED: u64 = 64;
 
-/// Code, compiled at first use; `Some(None)` if it cannot be compiled.
+/// The code of an orbit, compiled at first use; `Some(None)` if it cannot be compiled.
 type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
-/// The stages of a step as code, with constants for each distinct stage, the middle one last.
+/// The stages of a step as code. Each distinct stage has constants; the middle stage is last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
-    /// The code of plain states, then of states with rounding errors.
+    /// The code for plain states, then the code for states with rounding errors.
     codes: [Arc<OrbitCodeCell<T::Word>>; 2],
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
@@ -40,7 +41,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, if all of `all` share kind and number.
+    /// Returns the number of distinct stages, if all steps in `all` have the same kind and number
+    /// of stages as this one.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -55,8 +57,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field; `alone` makes the steps that the loops
-    /// reject.
+    /// Advances columns by the loops of a dense field. The loops reject some steps; `alone` makes
+    /// these, one trajectory at a time.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],
@@ -66,8 +68,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// Returns the code for `steps` further steps, with rounding errors if `carries`. `None` if it
-    /// cannot be compiled, or if compiling does not pay yet.
+    /// Returns the code for `steps` further steps; `carries` says whether states have rounding
+    /// errors. `None` if the code cannot be compiled, or if compiling does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         if once.get().is_none() && !engine.codes.is_worth_compiling(steps, engine) {
@@ -82,7 +84,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     }
 
     /// Advances a state by `steps` steps of `code`. A nonempty `carry` holds the rounding errors of
-    /// the state, which are updated. `interpret` repeats rejected steps.
+    /// the state, which each step updates. `interpret` repeats rejected steps.
     pub(crate) fn advance(
         &self,
         code: &OrbitCode<T::Word>,
@@ -101,8 +103,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         }
     }
 
-    /// Replaces a state by the next one at another ε, without allocation. Returns `false`, with
-    /// nothing changed, if the code is not compiled, has a guard, or does not apply at this ε.
+    /// Replaces a state by the next state at another ε, without allocation. Returns `false` and
+    /// changes nothing if the code is not compiled, can reject steps, or does not apply at this ε.
     pub(crate) fn has_stepped_at(
         &self,
         engine: &Engine,
@@ -142,7 +144,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // Take the scratch, since the loops of dense fields borrow it too.
+        // The scratch is taken out, because the loops of dense fields borrow it too.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));
@@ -182,7 +184,8 @@ impl Engine {
         Some(CodedStages::new(loops, kind, constants))
     }
 
-    /// Returns the stages of a composition as code; `None` without code, or if their forms differ.
+    /// Returns the stages of a composition as code; `None` if there is no code, or if the stages
+    /// need different formulas.
     pub(crate) fn coded_stages<T: RuntimeFloat>(
         &self,
         kind: StepKind,

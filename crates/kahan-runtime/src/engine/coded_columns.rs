@@ -1,8 +1,8 @@
-//! Many trajectories by machine code, in tiles of whole registers.
+//! Advances many trajectories by machine code, in tiles of whole registers.
 //!
-//! In: columns, with ε and parameters. Out: the columns after some steps. All steps of a tile run
-//! while it is in the L1 cache. Copies pad the last register. The operations on a trajectory do not
-//! depend on the tiles.
+//! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds the columns
+//! of some trajectories; all its steps run while it is in the L1 cache. Copies of a trajectory fill
+//! the last register. The operations on a trajectory do not depend on the tiles.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
@@ -17,15 +17,15 @@ use super::scratch::with_scratch;
 use super::{Engine, distinct, in_turn};
 
 const TILE: usize = 512;
-/// Bytes in a cache line; a load across two lines takes two accesses.
+/// The number of bytes in a cache line. A load across two lines takes two accesses.
 const LINE: usize = 64;
 const PAGE: usize = 4096;
-/// From this number of steps on, copying a tile to aligned memory pays.
+/// The number of steps from which copying a tile to aligned memory pays.
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {
-    /// Advances every trajectory by `steps` steps of a composition by code; returns `false` without
-    /// code. `set` chooses the instructions; `None` means the processor's largest set.
+    /// Advances every trajectory by `steps` steps of a composition by code; returns `false` if
+    /// there is no code. `set` is the instruction set; `None` means the processor's largest one.
     pub(crate) fn has_advanced_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
@@ -141,7 +141,7 @@ fn run<T: MachineFloat>(
     });
 }
 
-/// Runs a tile on a copy in `workspace`, with columns aligned to cache lines.
+/// Advances a tile in a copy in `workspace`, whose columns are aligned to cache lines.
 fn run_in_lines<T: MachineFloat>(
     tile: &mut [&mut [T]],
     workspace: &mut Vec<T>,
@@ -149,9 +149,9 @@ fn run_in_lines<T: MachineFloat>(
 ) {
     let line = LINE / size_of::<T>();
     let len = tile.first().map_or(0, |column| column.len());
-    // Addresses with equal offsets in a page look equal to the processor's store buffer: a load
-    // would wait for an unrelated store (4K aliasing). So columns begin at offsets spread over a
-    // page.
+    // Addresses with equal offsets in a page look equal to the processor's store buffer, so that a
+    // load would wait for an unrelated store (4K aliasing). Therefore columns begin at offsets that
+    // are spread over a page.
     let page = PAGE / size_of::<T>();
     let apart = (page / tile.len().max(1)).next_multiple_of(line);
     let stride = len.next_multiple_of(page) + apart;
@@ -178,7 +178,8 @@ struct Prepared<'a, T> {
 }
 
 impl<T: MachineFloat> Prepared<'_, T> {
-    /// Prepares the constants of registers of trajectories, starting with trajectory `first`.
+    /// Prepares the constants for some registers of trajectories, beginning with trajectory
+    /// `first`.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

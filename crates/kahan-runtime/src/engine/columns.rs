@@ -1,8 +1,8 @@
 //! Many trajectories, one column for each variable.
 //!
-//! In: columns, with ε and parameters, each shared or one for each trajectory. Out: the columns
-//! after some steps. Each SIMD lane holds one trajectory. A step that eliminates branches on
-//! pivots, and advances one trajectory after the other.
+//! In: columns, ε and parameters. All trajectories share ε and each parameter, or each trajectory
+//! has a value of its own. Out: the columns after some steps. Each SIMD lane holds one trajectory.
+//! A step that eliminates branches on pivots; it therefore advances one trajectory after the other.
 
 use core::ops::Range;
 
@@ -20,13 +20,13 @@ use super::{Engine, distinct, in_turn};
 
 #[derive(Debug)]
 pub(crate) struct Columns<'a, 'b, T> {
-    /// Column c: variable c of all trajectories.
+    /// The columns: column c holds variable c of all trajectories.
     pub(crate) columns: &'a mut [&'b mut [T]],
     pub(crate) eps: &'a [T],
     pub(crate) parameters: &'a [&'a [T]],
 }
 
-/// A range of rows of every column; up to 64 columns take no allocation.
+/// A range of rows of every column. Up to 64 columns need no heap allocation.
 pub(super) type Tile<'a, T> = SmallVec<[&'a mut [T]; 64]>;
 
 impl<T> Columns<'_, '_, T> {
@@ -84,7 +84,8 @@ impl Engine {
         }
     }
 
-    /// Returns the kind of step of single orbits; `None` if they differ.
+    /// Returns the kind of step that all single orbits of these maps would use; `None` if their
+    /// kinds differ.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,
@@ -98,7 +99,7 @@ impl Engine {
         self.kind_at(kind, eps.iter().flat_map(each))
     }
 
-    /// Returns the kind of step at these ε; `None` if they differ.
+    /// Returns the kind of step at these values of ε; `None` if the kinds differ.
     pub(super) fn kind_at<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -111,7 +112,8 @@ impl Engine {
     }
 }
 
-/// Advances the trajectories in groups of `V::WIDTH`; copies of the last one pad the last group.
+/// Advances the trajectories in groups of `V::WIDTH`. Copies of the last trajectory fill the last
+/// group.
 pub(super) fn advance<T, V>(
     (step, kind): (&Step, StepKind),
     local: ScratchKey<V>,

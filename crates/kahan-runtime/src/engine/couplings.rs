@@ -1,4 +1,4 @@
-//! Sparse elimination for fields of many variables, over slices.
+//! Sparse elimination for fields of many variables, on slices.
 //!
 //! In: the entries of f′(x), and ε. Out: factors of A(x,ε) = I − εf′(x) in `kahan-core`'s
 //! elimination order, and solutions. If a pivot is too small, a second elimination chooses pivots
@@ -13,8 +13,8 @@ use kahan_core::{Constant, Scalar};
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
-/// The number of entries of A(x,ε) from which rows are eliminated in panels; compiled code has
-/// fewer.
+/// The number of entries of A(x,ε) above which rows are eliminated in panels. Compiled fields have
+/// fewer entries.
 const FEWEST_IN_PANELS: usize = 16_000;
 
 /// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
@@ -28,7 +28,7 @@ pub struct EliminationPattern {
     panels: OnceLock<Supernodes>,
 }
 
-/// Workspace for [`EliminationPattern`]: the entries of A, or its factors.
+/// The workspace of an [`EliminationPattern`]: the entries of A(x,ε), or the triangular factors.
 #[derive(Clone, Debug)]
 pub struct Factors<V> {
     values: Vec<V>,
@@ -64,7 +64,8 @@ impl EliminationPattern {
         Couplings { order, rows, columns, blocks, places }
     }
 
-    /// Fills in A(x,ε) from the entries of f′, and sizes the workspace of [`Couplings::eliminate`].
+    /// Writes A(x,ε) from the entries of f′, and sets the workspace of [`Couplings::eliminate`] to
+    /// its size.
     fn filled<'a, V: Scalar>(&'a self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> Couplings<'a> {
         factors.values.resize(self.columns.len(), V::zero());
         factors.row.resize(self.order.len(), V::zero());
@@ -73,7 +74,7 @@ impl EliminationPattern {
         couplings
     }
 
-    /// Factors A(x,ε) from the entries of f′; returns `false` if a pivot is too small.
+    /// Factors A(x,ε) from the entries of f′(x); returns `false` if a pivot is too small.
     pub(crate) fn factor<V: Scalar>(&self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> bool {
         let couplings = self.filled(slopes, eps, factors);
         couplings.factor(&mut factors.values, &mut factors.row)
@@ -83,9 +84,9 @@ impl EliminationPattern {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Returns whether the matrix is large and sparse: entries that are negligible in their row
-    /// count as 0, and pivots are chosen among sparse rows. Generated code never has that many
-    /// variables.
+    /// Returns whether the matrix is large and sparse. In such a matrix an entry that is negligible
+    /// in its row counts as 0, and pivots are chosen among sparse rows. Generated code never has
+    /// that many variables.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
@@ -106,12 +107,12 @@ impl EliminationPattern {
     }
 
     /// Factors A(x,ε) without testing pivots. Returns a number larger than [`LARGEST_FACTOR`] if
-    /// [`factor`](Self::factor) rejects a pivot; `None` if nothing is eliminated.
+    /// [`factor`](Self::factor) would reject a pivot; `None` if nothing is eliminated.
     ///
-    /// For each pivot, take the smaller of its largest factor and the largest quotient of an entry
-    /// of its row by the pivot. The result is the maximum over the pivots. A zero pivot gives a
-    /// solution that is not finite. `size` returns a magnitude; `larger` and `smaller` choose one
-    /// of two.
+    /// For each pivot, take the smaller of two numbers: the largest multiplier of its column, and
+    /// the largest quotient of an entry of its row by the pivot. The result is the maximum over the
+    /// pivots. A zero pivot gives a solution that is not finite. `size` returns a magnitude;
+    /// `larger` and `smaller` choose one of two.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(
@@ -144,7 +145,8 @@ impl EliminationPattern {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
     }
 
-    /// Replaces a column of b, a row-major matrix with `width` columns, by A⁻¹b.
+    /// Replaces one column of b by A⁻¹ times this column; b is a row-major matrix with `width`
+    /// columns.
     pub(crate) fn solve<V: Scalar>(
         &self,
         factors: &mut Factors<V>,
@@ -159,7 +161,8 @@ impl EliminationPattern {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Permutes a column of b into the elimination order, and applies `solve` to it.
+    /// Permutes a column of b into the elimination order, applies `solve`, and permutes the result
+    /// back.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,
@@ -182,7 +185,7 @@ impl EliminationPattern {
         self.couplings().pairs().collect()
     }
 
-    /// Replaces b by A⁻¹b, or by A⁻ᵀb if `is_transposed`, with partial pivoting. Returns whether A
+    /// Replaces b by A⁻¹b, or by A⁻ᵀb if `is_transposed`, using partial pivoting. Returns whether A
     /// is singular.
     pub(super) fn solve_by_pivoting<V: Scalar + Copy>(
         &self,

@@ -1,8 +1,9 @@
-//! The step of a dense field by loops over packed coefficients, with the bits of the interpreter.
+//! The step of a dense field by loops over packed coefficients, with the same bits as the
+//! interpreter.
 //!
 //! In: the numbers of a state, and for each stage the packed coefficients and ε. Out: the numbers
-//! after some steps, and a guard. An infinite guard leaves the steps to the interpreter: a number
-//! is not finite, or a state is −0.
+//! after some steps, and a guard. A large guard means that the interpreter must repeat the steps.
+//! The guard is infinite if a number is not finite, or a state is −0.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
@@ -21,7 +22,8 @@ use super::scratch::{Scratch, with_scratch};
 use super::step::add_quotient;
 use super::{Engine, in_turn};
 
-/// Steps between two checks of pivots; a rejection repeats the steps of one trajectory.
+/// The number of steps between two checks of pivots. A rejection repeats the steps of one
+/// trajectory.
 const TOGETHER: u64 = 8;
 
 impl Engine {
@@ -30,7 +32,8 @@ impl Engine {
         self.coefficients.get_or_init(line).as_ref()
     }
 
-    /// Returns whether loops apply: a dense field, `f32` or `f64`, and this build's multiply-adds.
+    /// Returns whether loops apply. They need a dense field, `f32` or `f64`, and multiply-adds as
+    /// in this build.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
             && kind.fuses == cfg!(target_feature = "fma")
@@ -65,12 +68,12 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
         Precision::Single => (number.to_f32(), 0.0),
         _ => (0.0, number.to_f64()),
     };
-    // A value of type `f32` or `f64` is exact: its lower parts are 0.
+    // A value of type `f32` or `f64` is exact, so its lower parts are 0.
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
-/// Advances a state, with its guard as the last number, by steps of a dense field. `stages` holds
-/// the result of [`Engine::packed`] for each distinct stage, the middle one last.
+/// Advances a state by steps of a dense field; the last number of the state is its guard. `stages`
+/// holds the result of [`Engine::packed`] for each distinct stage; the middle stage is last.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };
@@ -121,9 +124,9 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances columns by steps of a dense field, one register of trajectories at a time; `stages` as
-/// for [`advance`]. `alone` repeats the steps of trajectories with small pivots, or with numbers
-/// that [`advance`] would leave to the interpreter.
+/// Advances columns by steps of a dense field, one register of trajectories at a time; `stages` are
+/// those of [`advance`]. `alone` repeats the steps of a trajectory that has small pivots, or
+/// numbers that [`advance`] would leave to the interpreter.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,
     columns: &mut [&mut [T]],
@@ -133,7 +136,7 @@ pub(crate) fn advance_columns<T: MachineFloat>(
 ) {
     let (n, width) = (columns.len(), points::<T>());
     let trajectories = columns.first().map_or(0, |column| column.len());
-    // Take the scratch, since `alone` borrows it too.
+    // The scratch is taken out, because `alone` borrows it too.
     let mut scratch = with_scratch(T::single(), std::mem::take);
     let Scratch { state, guarded, given, registers, workspace, dense, .. } = &mut scratch;
     for first in (0..trajectories).step_by(width) {

@@ -1,4 +1,4 @@
-//! Gaussian elimination on slices, with the operations and the order of `kahan-core`.
+//! Gaussian elimination on slices, with the same operations in the same order as in `kahan-core`.
 
 use kahan_core::Scalar;
 use kahan_core::num_traits::Zero;
@@ -6,7 +6,7 @@ use kahan_core::num_traits::Zero;
 use crate::line::has_value;
 
 /// Replaces `b` by the solution X of A·X = B, and overwrites `a`. Both are row-major; A is n×n, and
-/// B has n rows. Returns whether a pivot is exactly 0; X is then not finite.
+/// B has n rows. Returns whether a pivot was exactly 0; X is then not finite.
 pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> bool {
     let width = b.len() / n;
     let mut is_singular = false;
@@ -15,7 +15,7 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
         swap_rows(a, n, k, row);
         swap_rows(b, width, k, row);
         is_singular |= a[k * n + k].is_zero();
-        // Store the reciprocal in place of the pivot, which is not read again.
+        // Store the reciprocal in place of the pivot, because the pivot is not read again.
         let reciprocal = has_value(a[k * n + k].reciprocal());
         for i in k + 1..n {
             let factor = a[i * n + k] * reciprocal;
@@ -36,12 +36,12 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
     is_singular
 }
 
-/// Replaces `b` by the solution x of A·x = b; returns whether A is singular, with nonfinite x.
+/// Replaces `b` by the solution x of A·x = b. Returns whether A is singular; x is then not finite.
 ///
-/// A row is a nonempty list of (column, entry) in ascending order. The pivot row is the shortest
-/// one whose leading entry is at most `most` times smaller than the largest.
+/// A row is a nonempty list of (column, entry), ordered by column. The pivot row is the shortest
+/// row whose leading entry is at most `most` times smaller than the largest one.
 pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V], most: V) -> bool {
-    // For each column the rows that begin there.
+    // For each column, the rows whose first entry is in this column.
     let mut beginning = vec![Vec::new(); rows.len()];
     for (r, row) in rows.iter().enumerate() {
         beginning[row[0].0].push(r);
@@ -110,8 +110,8 @@ pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
     is_negative && !is_zero
 }
 
-/// Eliminates below the diagonal; `see` receives each pivot, up to the first 0, and whether rows
-/// were exchanged.
+/// Eliminates below the diagonal. `see` receives each pivot and whether rows were exchanged; after
+/// a zero pivot the elimination ends.
 fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, bool)) {
     for k in 0..n {
         let row = pivot_row(a, n, k);
@@ -159,7 +159,7 @@ fn subtract_row<V: Scalar + Copy>(
 mod tests {
     use super::{solve, solve_sparse};
 
-    /// Draws a number between −1 and 1 (Knuth's linear congruential generator).
+    /// Draws a number between −1 and 1, by Knuth's linear congruential generator.
     fn draw(seed: &mut u64) -> f64 {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*seed >> 32) as f64 / f64::from(1_u32 << 31) - 1.0

@@ -12,13 +12,14 @@ use super::couplings::{EliminationPattern, Factors};
 use super::scratch::{ScratchCell, ScratchKey};
 use super::{Engine, Object};
 
-/// A float of states: `f32`, `f64`, or [`Dd`].
+/// A float type of states: `f32`, `f64`, or [`Dd`].
 pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Send + Sync {
     /// The precision of the state.
     #[doc(hidden)]
     const PRECISION: Precision;
 
-    /// The machine float of compiled code: `f64` for `Dd`, else the type itself.
+    /// The machine float in which compiled code represents this type: `f64` for `Dd`, otherwise the
+    /// type itself.
     #[doc(hidden)]
     type Word: MachineFloat;
 
@@ -28,11 +29,12 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn from_words(words: &[Self::Word]) -> Self;
 
-    /// Reinterprets the numbers as machine floats without a copy, unless a number has two of them.
+    /// Reinterprets the numbers as machine floats without a copy; `None` for `Dd`, where a number
+    /// has two floats.
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
-    /// Evaluates an object by code; returns `false` if the object has no code.
+    /// Evaluates an object by machine code; returns `false` if the object has no code.
     #[doc(hidden)]
     fn has_evaluated(
         _engine: &Engine,
@@ -44,17 +46,18 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) by [`EliminationPattern::factor`], or by an equivalent in SIMD lanes.
+    /// Factors A(x,ε) by [`EliminationPattern::factor`], or by an equivalent function in SIMD
+    /// lanes.
     #[doc(hidden)]
     fn factor(tables: &EliminationPattern, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)
     }
 
-    /// Returns the scratch for one state.
+    /// Returns the scratch memory for steps of one state.
     #[doc(hidden)]
     fn single() -> ScratchKey<Self>;
 
-    /// Returns the scratch for derivatives along one direction.
+    /// Returns the scratch memory for derivatives along one direction.
     #[doc(hidden)]
     fn duals() -> ScratchKey<Dual<Self, 1>>;
 }
@@ -63,15 +66,15 @@ type EightLanes<T> = RegisterPair<RegisterPair<RegisterPair<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// Several states as one scalar, so that each instruction is decoded once for all.
+    /// Several states as one scalar. Each instruction is then decoded once for all of them.
     #[doc(hidden)]
     type GroupCode: Lanes<Self>;
 
-    /// Returns the codes over this float.
+    /// Returns the part of a field's code tables that is over this float.
     #[doc(hidden)]
     fn codes(codes: &Codes) -> &FloatCodes<Self>;
 
-    /// Returns the scratch for several states.
+    /// Returns the scratch memory for steps of several states.
     #[doc(hidden)]
     fn lanes() -> ScratchKey<Self::GroupCode>;
 }

@@ -1,7 +1,7 @@
 //! Compiled steps of a group of orbits, one orbit in each SIMD lane.
 //!
-//! In: the machine code of each orbit's stages. Out: points, with tangent vectors on request, after
-//! some steps, with the bits of single orbits.
+//! In: the machine code of each orbit's stages. Out: points after some steps, with tangent vectors
+//! on request. All numbers have the bits of single orbits.
 
 use std::sync::{Arc, OnceLock};
 
@@ -16,17 +16,18 @@ use super::{Engine, in_turn};
 /// The code of a group's steps, compiled at first use; `Some(None)` if compilation fails.
 pub(crate) type GroupCodeCell<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
-/// Code over the columns of a group, with its constants.
+/// Machine code over the columns of a group, with the constants that it reads.
 #[derive(Debug)]
 pub(crate) struct GroupCode<T> {
     code: Arc<Sweep<T>>,
-    /// Constants, ordered by stage, then by register of lanes, then by index.
+    /// The constants, ordered by stage, then by register of lanes, then by index within the stage.
     constants: Vec<T>,
     stages: usize,
 }
 
 impl Engine {
-    /// Returns the steps of orbits that share code; `workspace` is reused for constants.
+    /// Returns the steps of orbits that share code; the memory of `workspace` is reused for
+    /// constants.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -43,9 +44,9 @@ impl Engine {
 
     /// Returns the steps of orbits with tangent vectors after each point.
     ///
-    /// With `constants` (the parameters and ε of each orbit), the straight-line program of
-    /// [`Object::Tangent`](super::Object) propagates the vectors, and there is one stage. With
-    /// `None`, the stages are steps of the variational field.
+    /// If `constants` (the parameters and ε of each orbit) are given, the straight-line program of
+    /// [`Object::Tangent`](super::Object) propagates the vectors, and there is one stage. For
+    /// `None`, each stage is a step of the variational field.
     pub(crate) fn group_code_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -67,7 +68,8 @@ impl Engine {
         }))
     }
 
-    /// Returns code that writes integrals after points, given the parameters and ε of each orbit.
+    /// Returns code that writes integrals after the points; `constants` are the parameters and ε of
+    /// each orbit.
     pub(crate) fn group_code_of_integrals<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],
@@ -80,7 +82,7 @@ impl Engine {
 }
 
 impl<T: MachineFloat> GroupCode<T> {
-    /// Gathers constants; `constant` maps a stage, a lane and an index to a number.
+    /// Gathers the constants; `constant` returns the number for a stage, a lane and an index.
     fn of(
         code: Arc<Sweep<T>>,
         stages: usize,

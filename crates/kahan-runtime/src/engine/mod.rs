@@ -1,7 +1,7 @@
 //! Evaluation of the objects of a field at a state, by the field's plans.
 //!
-//! In: plans, and slices whose lengths the callers have checked. Out: numbers with the bits of
-//! generated code. Each plan is prepared at first use, and shared by all maps of the field.
+//! In: plans, and slices whose lengths the callers have checked. Out: numbers with the same bits as
+//! in generated code. Each plan is prepared at first use, and shared by all maps of the field.
 
 mod coded;
 mod coded_columns;
@@ -43,12 +43,12 @@ pub(crate) use scratch::{Scratch, with_scratch};
 pub(crate) use step::{Step, into_matrix};
 pub(crate) use transposed::Transposed;
 
-/// A function of the state, or of two states.
+/// A function of one state, or of two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Object {
-    /// f(x)
+    /// The field f(x).
     Field,
-    /// f′(x), row by row.
+    /// The Jacobian f′(x), row by row.
     FieldJacobian,
     /// The integrals, in order.
     Integrals,
@@ -56,33 +56,34 @@ pub enum Object {
     Density,
     /// The entries above the diagonal of the bracket with this index.
     Bracket(usize),
-    /// f(x) with the map's coefficients at ε.
+    /// The field f(x), whose coefficients may depend on ε, at the map's ε.
     FieldAtEps,
-    /// f′(x) with the map's coefficients at ε, row by row.
+    /// The Jacobian f′(x) with the map's coefficients at ε, row by row.
     FieldJacobianAtEps,
-    /// Q(x,y) + ½B(x+y) + c with the map's coefficients at ε.
+    /// The polarised field Q(x,y) + ½B(x+y) + c with the map's coefficients at ε.
     PolarizedAtEps,
-    /// A(x,ε), row by row.
+    /// The matrix A(x,ε), row by row.
     Matrix,
-    /// ∂x̃/∂x, row by row.
+    /// The Jacobian ∂x̃/∂x of the map, row by row.
     Jacobian,
-    /// Q(x,y)
+    /// The bilinear form Q(x,y).
     Bilinear,
-    /// Q(x,y) + ½B(x+y) + c
+    /// The polarised field Q(x,y) + ½B(x+y) + c.
     Polarized,
-    /// det A(x,ε), if it has few enough terms.
+    /// The determinant det A(x,ε), if it has few enough terms.
     DetMatrix,
     /// The numerators and the denominator of x̃, if they have few enough terms.
     RationalMap,
     /// Numerators and denominator of x̃ without a common factor that depends on states.
     ReducedMap,
-    /// (∂x̃/∂x)·v for known x̃. The state is x, v, x̃, and n further numbers that are not read.
+    /// The tangent vector (∂x̃/∂x)·v if x̃ is known. The state is x, v, x̃, and n further numbers
+    /// that are not read.
     Tangent,
 }
 
 impl Object {
-    /// Returns the object's index within a field (brackets are last) and its plan. The plan is
-    /// `None` for a missing object, and for objects computed from others.
+    /// Returns the object's index within a field, and its plan; brackets have the last indices. The
+    /// plan is `None` for a missing object, and for an object computed from others.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
             Object::Field => (0, Some(derived.at_eps_zero().field())),
@@ -105,13 +106,14 @@ impl Object {
     }
 }
 
-/// The plans of a field, with everything prepared from them so far.
+/// The plans of a field, with everything that was prepared from them so far.
 #[derive(Debug)]
 pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
     lines: Vec<OnceLock<Option<Line>>>,
-    /// A straight-line program for each integral; a division by zero yields no value.
+    /// A straight-line program for each integral. After a division by zero the integral has no
+    /// value.
     single_integrals: OnceLock<Vec<Line>>,
     sensitivities: Mutex<Vec<(Vec<Sensitivity>, Arc<Engine>)>>,
     coefficients: OnceLock<Option<Line>>,
@@ -120,19 +122,20 @@ pub struct Engine {
     pub(crate) codes: Codes,
 }
 
-/// A step of the map at one ε, with its constants.
+/// A step of the map at one ε, with the constants of the step.
 #[derive(Clone, Debug)]
 pub(crate) struct Stage<T> {
     is_general: bool,
     given: Vec<T>,
 }
 
-/// Iterates over γ₁, …, γₘ of a palindromic composition up to its middle.
+/// Iterates over the coefficients γ₁, …, γₘ of a palindromic composition, up to the middle one.
 fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static Constant<'static>> {
     composition.coefficients().take(composition.stages() / 2 + 1)
 }
 
-/// Runs the stages of a palindromic composition in order, given the number of distinct ones.
+/// Calls `run` for each stage of a palindromic composition in order; `distinct` is the number of
+/// distinct stages.
 #[inline(always)]
 pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
@@ -183,7 +186,8 @@ impl Engine {
         self.steps.get_or_init(|| Steps::of(&self.derived))
     }
 
-    /// Returns the straight-line program of an object; `None` if missing, or computed from others.
+    /// Returns the straight-line program of an object; `None` if the object is missing, or computed
+    /// from others.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
@@ -219,7 +223,8 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Advances a state by interpreted steps; a nonempty `tangent_map` holds its rounding errors.
+    /// Advances a state by interpreted steps. A nonempty `tangent_map` holds the rounding errors of
+    /// the state.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -272,8 +277,8 @@ impl Engine {
         }
     }
 
-    /// Evaluates an object at a state; `constants` are the parameters and ε. Results beyond the
-    /// length of `out` are dropped; a missing object leaves `out` unchanged.
+    /// Evaluates an object at a state; `constants` are the parameters and ε. Results that do not
+    /// fit into `out` are dropped; a missing object leaves `out` unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: Object,
@@ -298,8 +303,8 @@ impl Engine {
         }
     }
 
-    /// Writes ∂x̃/∂x of a step, row by row, from its parameters and ε: by dual numbers through a
-    /// straight-line step, or as A(x,ε)⁻¹·A(x̃,−ε).
+    /// Writes ∂x̃/∂x of a step, row by row; `constants` are the parameters and ε. Uses dual numbers
+    /// in a straight-line step, and otherwise A(x,ε)⁻¹·A(x̃,−ε).
     fn jacobian<T: RuntimeFloat>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
         let step = self.steps().of_duals();
@@ -328,7 +333,8 @@ impl Engine {
         })
     }
 
-    /// Returns ∂x̃/∂c of a step for c = `constants[index]`; `constants` are the parameters and ε.
+    /// Returns the derivative ∂x̃/∂c of a step, where c is `constants[index]`; `constants` are the
+    /// parameters and ε.
     pub(crate) fn by_constant<T: RuntimeFloat>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
         let mut extended: Vec<Dual<T, 1>> =
             constants.iter().map(|constant| Dual::from_value(*constant)).collect();
@@ -357,8 +363,8 @@ pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
-/// Returns the constants of integrals: the parameters and ε. For compositions ε is 0, since they
-/// nearly preserve the integrals of the flow, but not those of a single stage.
+/// Returns the constants with which integrals are evaluated: the parameters and ε. For compositions
+/// ε is 0, since they nearly preserve the integrals of the flow, but not those of a single stage.
 pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
     let (parameters, eps) = split(constants);
     let eps = if composition == Composition::KAHAN { eps } else { T::zero() };

@@ -1,7 +1,7 @@
-//! The workspace of each thread, reused from step to step.
+//! Scratch memory of each thread, reused from step to step.
 //!
-//! In: work as a closure. Out: its result. Vectors keep their capacity, so that steps do not
-//! allocate after a thread's first one.
+//! In: a closure that needs scratch memory. Out: its result. Vectors keep their capacity, so that
+//! only the first step on a thread allocates.
 
 use core::cell::Cell;
 use std::thread::LocalKey;
@@ -10,23 +10,23 @@ use kahan_core::__private::dense;
 
 use super::couplings::Factors;
 
-/// Vectors for steps over V, without meaning between two uses.
+/// Vectors for steps over V; their contents have no meaning between two uses.
 #[derive(Clone, Debug)]
 pub struct Scratch<V> {
     pub(crate) registers: Vec<V>,
     pub(crate) workspace: Workspace<V>,
     pub(super) constants: Vec<V>,
-    /// The registers of a step that do not depend on the state.
+    /// The registers of a step that depend only on parameters and ε, not on the state.
     pub(crate) given: Vec<V>,
     /// A copy of the caller's state.
     pub(super) state: Vec<V>,
     pub(super) stages: Vec<Vec<V>>,
-    /// Copies of columns before steps that a guard may reject, followed by the guard.
+    /// Copies of columns before steps that may be rejected, followed by the guard that decides.
     pub(super) guarded: Vec<V>,
     pub(super) dense: dense::Workspace<V>,
 }
 
-/// The increments of a step, and the matrix they come from.
+/// The increments of a step, and the matrix from which they were computed.
 #[derive(Clone, Debug)]
 pub(crate) struct Workspace<V> {
     pub(super) outcome: Vec<V>,
@@ -53,12 +53,12 @@ impl<V> Default for Scratch<V> {
     }
 }
 
-/// The scratch of a thread; `None` while in use, and before first use.
+/// The scratch memory of a thread; `None` while it is in use, and before its first use.
 pub(super) type ScratchCell<V> = Cell<Option<Box<Scratch<V>>>>;
 
 pub(super) type ScratchKey<V> = &'static LocalKey<ScratchCell<V>>;
 
-/// Runs `work` with this thread's scratch, or with a new one while the thread is ending.
+/// Runs `work` with this thread's scratch memory. While the thread is ending, uses new memory.
 pub(crate) fn with_scratch<V, R>(local: ScratchKey<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
     let mut scratch = local.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let result = work(&mut scratch);

@@ -20,7 +20,8 @@ use super::scratch::Workspace;
 #[derive(Debug)]
 pub(crate) struct Steps {
     first: Step,
-    /// A second formula of the step, for numbers or an ε at which `first` would divide by ε badly.
+    /// A second formula of the step, for scalars or values of ε for which dividing by ε in `first`
+    /// loses accuracy.
     general: Option<Step>,
     divides_by_eps: bool,
 }
@@ -41,8 +42,8 @@ impl Steps {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code over V rounds increments before adding them, as the general
-    /// formula does in scalars that rarely use it.
+    /// Returns whether generated code over V rounds an increment before adding it. Generated code
+    /// does so in the general formula, if V is a scalar that rarely needs this formula.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
@@ -58,13 +59,14 @@ impl Steps {
 
 #[derive(Debug)]
 pub(crate) struct Step {
-    /// The program that prepares constants; `None` for a step that eliminates.
+    /// The program that computes the constants of the step; `None` for a step that eliminates.
     prepared: Option<Line>,
-    /// The programs that read the state: the step's kernel, or for elimination f′ and the field.
+    /// The programs that read the state: the step's kernel; if the step eliminates, f′ and the
+    /// field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
-    /// For each component the indices of numerator and reciprocal of the increment among the
-    /// results. Elimination yields increments, without reciprocals.
+    /// For each component the indices, among the results, of numerator and reciprocal of the
+    /// increment. Elimination yields the increments themselves, without reciprocals.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -101,12 +103,14 @@ impl Step {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
-    /// Returns whether states can be stepped in lanes: elimination cannot, as it compares numbers.
+    /// Returns whether states can be stepped in lanes. Elimination cannot, because it compares
+    /// numbers.
     pub(crate) fn has_lanes(&self) -> bool {
         self.prepared.is_some()
     }
 
-    /// Appends the numbers that depend only on parameters and ε to `values_of`.
+    /// Appends the numbers that depend only on parameters and ε to `values_of`, before any state is
+    /// read.
     pub(crate) fn prepare<V: Scalar + Copy>(
         &self,
         constants: &[V],
@@ -135,10 +139,10 @@ impl Step {
     /// Advances a state by one step.
     ///
     /// A nonempty `carry` holds the rounding errors of the state, updated as in
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds
-    /// states of single precision that are computed in double. `factor` factors A(x,ε) in a step
-    /// that eliminates: [`EliminationPattern::factor`] except when tracing a program. If `factor` returns
-    /// `false`, partial pivoting takes over.
+    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds a
+    /// state of single precision that was computed in double precision. `factor` factors A(x,ε) in
+    /// a step that eliminates; it is [`EliminationPattern::factor`], except when a program is
+    /// traced. If `factor` returns `false`, partial pivoting is used.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -167,20 +171,22 @@ impl Step {
         Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
-    /// Replaces B (row-major) by A(x,ε)⁻¹B with sparse elimination; returns `false` if that fails.
+    /// Replaces the row-major matrix B by A(x,ε)⁻¹B, using sparse elimination; returns `false` if
+    /// that fails.
     pub(super) fn solves_columns<T: RuntimeFloat>(&self, constants: &[T], state: &[T], b: &mut [T]) -> bool {
         let Some((tables, mut factors)) = self.factors(constants, state) else { return false };
         (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
         true
     }
 
-    /// Returns whether det A(x,ε) < 0; `None` without sparse elimination, or for a small pivot.
+    /// Returns whether det A(x,ε) < 0; `None` if the field has no sparse elimination, or a pivot is
+    /// small.
     pub(super) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> Option<bool> {
         let (tables, factors) = self.factors(constants, state)?;
         Some(tables.has_negative_determinant(&factors))
     }
 
-    /// Factors A(x,ε) by sparse elimination; `None` for a dense field, or for a small pivot.
+    /// Factors A(x,ε) by sparse elimination; `None` for a dense field, or if a pivot is small.
     fn factors<T: RuntimeFloat>(
         &self,
         constants: &[T],
@@ -223,7 +229,7 @@ impl Step {
         outcome.extend(has_value(field.run(of_field, state)).iter());
         matrix.clear();
         if !tables.are_sparse() {
-            // Reserves memory for partial pivoting now, since later steps must not allocate.
+            // Memory for partial pivoting is reserved now, since later steps must not allocate.
             matrix.reserve(state.len() * state.len());
         }
         entries.clear();
@@ -242,7 +248,8 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// Returns numerator and reciprocal of an increment, multiplied if `rounds`.
+    /// Returns numerator and reciprocal of an increment; if `rounds`, returns their product without
+    /// a reciprocal.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];
@@ -268,7 +275,7 @@ fn added<V: Scalar>((numerator, reciprocal): (V, Option<V>), x: V) -> V {
     }
 }
 
-/// Adds an increment to x, with compensated summation.
+/// Adds an increment to x by compensated summation; `carry` holds the rounding error.
 #[inline(always)]
 fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: &mut V) {
     let base = *x + *carry;
@@ -282,7 +289,8 @@ fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: 
     (*x, *carry) = (next, rest + lacks);
 }
 
-/// Adds an increment in double precision to x in single; `carry` receives the rounding error.
+/// Adds an increment in double precision to an x of single precision; `carry` receives the rounding
+/// error.
 #[inline(always)]
 fn add_through_double<V: Scalar + Copy>(
     quotient: (V, Option<V>),
@@ -298,7 +306,7 @@ fn add_through_double<V: Scalar + Copy>(
     }
 }
 
-/// Adds an increment to x in the arithmetic of `kind`; `carry` receives the rounding error.
+/// Adds an increment to x as steps of this `kind` do; `carry` receives the rounding error.
 #[inline(always)]
 pub(super) fn add_quotient<V: Scalar + Copy>(
     kind: StepKind,

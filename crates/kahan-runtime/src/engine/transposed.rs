@@ -1,4 +1,4 @@
-//! Solutions of A(x,ε)ᵀy = b, from the entries of f′(x).
+//! Solves A(x,ε)ᵀy = b from the entries of f′(x).
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use super::floats::RuntimeFloat;
 #[derive(Debug)]
 pub(crate) struct Transposed<'a, T> {
     variables: usize,
-    /// `None` for fields without sparse elimination.
+    /// The pattern of sparse elimination; `None` for fields without one.
     tables: Option<&'a EliminationPattern>,
     entries: Vec<(usize, usize)>,
     factors: Factors<T>,
@@ -34,13 +34,13 @@ impl<T: RuntimeFloat> Transposed<'_, T> {
         &self.entries
     }
 
-    /// Returns a function from (i, j) to the index of ∂fᵢ/∂xⱼ among the entries.
+    /// Returns a function that maps (i, j) to the index of ∂fᵢ/∂xⱼ among the entries of f′.
     pub(crate) fn places(&self) -> impl Fn(usize, usize) -> usize + use<T> {
         let places: HashMap<_, _> = self.entries.iter().copied().zip(0..).collect();
         move |i, j| places[&(i, j)]
     }
 
-    /// Replaces b by A⁻ᵀb, A = I − εf′. For singular A, b is not finite.
+    /// Replaces b by A⁻ᵀb for A = I − εf′. If A is singular, b is not finite.
     pub(crate) fn solve(&mut self, slopes: &[T], eps: T, b: &mut [T]) {
         let n = self.variables;
         if let Some(tables) = self.tables {

@@ -1,10 +1,16 @@
-//! The common factor of a step's result, its content gcd(X̃₁, …, X̃_n, W̃), and its removal.
+//! The common factor of the coordinates after a step, the content gcd(X̃₁, …, X̃_n, W̃), and its
+//! removal.
 //!
-//! For integrable maps the content is large: two thirds of the digits for dE4. A gcd of numbers
-//! that long costs more than the step itself, so [`ContentPredictor`] predicts it from earlier steps. Exact
-//! divisions check each prediction; [`common_factors`](super::reduction::common_factors) finds the
-//! common factors that remain. For other maps, the search stops after [`PATIENCE`] negligible
-//! contents in a row. It resumes when gcds computed for heights reach one per cent of the digits.
+//! For integrable maps the content is large: two thirds of the digits for dE4. A gcd of such long
+//! numbers costs more than the step itself, so [`ContentPredictor`] predicts the content from
+//! earlier steps.
+//!
+//! # Other maps
+//!
+//! Exact divisions check each prediction; [`common_factors`](super::reduction::common_factors)
+//! finds the common factors that remain. If [`PATIENCE`] contents in a row are negligible, the
+//! search for contents stops. It resumes when the common factors found for heights reach one per
+//! cent of the digits.
 
 use std::collections::VecDeque;
 
@@ -17,9 +23,10 @@ use super::reduction::in_halves;
 
 /// A content with less than 1/NEGLIGIBLE of the digits is negligible.
 const NEGLIGIBLE: usize = 100;
-/// The number of negligible contents in a row that ends the search.
+/// The number of successive negligible contents after which the search stops.
 const PATIENCE: u32 = 3;
-/// From this number of bits on, a gcd costs clearly more than the division that tests a prediction.
+/// The number of bits from which a gcd costs clearly more than the division that tests a
+/// prediction.
 const WORTH_PREDICTING: usize = 1 << 13;
 const WORTH_A_THREAD: usize = 1 << 17;
 const LAGS: usize = 4;
@@ -32,30 +39,31 @@ pub(crate) struct PrimitivePoint {
 
 /// The predictor of contents along an orbit.
 ///
-/// Let γ be the content of the inverse step: F₋(X) = γX₋ for the inverse map F₋ and the previous
-/// point X₋. A prime divides a content where the orbit modulo that prime meets a base point of the
-/// map, after a contraction a few steps earlier (singularity confinement). In between, the orbit
-/// met a base point of the inverse map, so that the prime divides an earlier γ, always at one lag.
-/// For dE4 the content of a step from X_n is γ_{n−1} up to a few digits.
+/// Let γ be the content of the inverse step: F₋(X) = γX₋ for the inverse map F₋, the point X and
+/// the previous point X₋. A prime divides a content if the orbit modulo that prime meets a base
+/// point of the map, after a contraction a few steps earlier (singularity confinement). Between the
+/// two, the orbit met a base point of the inverse map, so that the prime divides an earlier γ. The
+/// lag is the number of steps back to this γ; it is constant along an orbit. For dE4 the content of
+/// a step from X_n is γ_{n−1} up to a few digits.
 ///
-/// The lag is learnt while numbers are short; later, gcd(γ, W̃) is tried first. γ costs one
-/// division, and the gcd is fast if γ is little longer than the content.
+/// The predictor finds the lag while numbers are short; later it tries gcd(γ, W̃) first. Computing
+/// γ costs one division, and the gcd is fast if γ is little longer than the content.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContentPredictor {
     misses: u32,
-    /// γ of the latest points, most recent first.
+    /// The contents γ of the inverse steps from the latest points, most recent first.
     behind: VecDeque<UBig>,
-    /// The lag of the prediction, once known.
+    /// The number of steps back to the γ that predicts a content; `None` while unknown.
     lag: Option<usize>,
-    /// The number of long steps to make without prediction, now and after the next failure.
+    /// The number of long steps to make without prediction: now, and after the next failure.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,
 }
 
 impl ContentPredictor {
-    /// Divides out the predicted or computed content. The caller reports the common factor that
-    /// remains to [`left`](Self::left).
+    /// Divides the point by its predicted or computed content. The caller then reports the common
+    /// factor that remains to [`left`](Self::left).
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> PrimitivePoint {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
@@ -94,7 +102,7 @@ impl ContentPredictor {
         }
     }
 
-    /// Learns the lag at which γ has more than half of the content's digits in common with it.
+    /// Finds the lag at which γ shares more than half of the digits of the content.
     fn find_lag(&mut self, content: &UBig) {
         let shares = self.behind.iter().map(|gamma| short_gcd(content, gamma).bit_len()).enumerate();
         let best = shares.max_by_key(|&(lag, share)| (share, std::cmp::Reverse(lag)));
@@ -120,8 +128,8 @@ impl ContentPredictor {
     }
 }
 
-/// Returns γ, the last coordinate of the inverse step divided by the previous W. `None` if the
-/// division is not exact, because the previous point had a content of its own.
+/// Returns γ, the last coordinate of the inverse step divided by the previous W. Returns `None` if
+/// the division is not exact, which happens if the previous point was divided by a content.
 fn factor_of_step_back((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -135,7 +143,7 @@ pub(crate) fn longest(point: &[IBig]) -> usize {
     point.iter().map(bits).max().unwrap_or(0)
 }
 
-/// Returns the point divided by gcd(γ, W̃); `None` if the gcd has less than a quarter of γ's
+/// Returns the point divided by gcd(γ, W̃); `None` if the gcd has fewer than a quarter of γ's
 /// digits.
 fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     if gamma.is_zero() {
@@ -151,8 +159,8 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// Returns the quotients by a common divisor, or a nonzero remainder; long divisions use two
-/// threads.
+/// Returns the quotients of the coordinates by a common divisor; otherwise a nonzero remainder.
+/// Long divisions use two threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

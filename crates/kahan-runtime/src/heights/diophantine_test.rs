@@ -1,4 +1,4 @@
-//! The Diophantine test on one orbit: heights, growth, entropy.
+//! The Diophantine integrability test on one orbit: heights, growth and entropy.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -12,10 +12,11 @@ use super::report::{Heights, Stop};
 pub struct DiophantineTest {
     /// The heights of x₀, x₁, …, as far as the orbit went.
     pub heights: Vec<Heights>,
-    /// The class of growth of the component that rises most.
+    /// The growth class of the component whose height rises most.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) at the last step of the largest component if growth is exponential, else 0.
-    /// It tends to the Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
+    /// log(h_n/h_{n−1}) of the component with the largest height at the last step n, if growth is
+    /// exponential; otherwise 0. The limit is the Diophantine entropy: log 2 for the Lotka–Volterra
+    /// map, log 3 for dE9.
     pub entropy: f64,
     /// The reason why the orbit ended before the last step; `None` if it did not.
     pub stopped: Option<Stop>,
@@ -29,9 +30,9 @@ impl DiophantineTest {
 
     /// Follows an orbit for `steps` steps, or until the clock shows `seconds`.
     ///
-    /// The duration of each step is estimated from the last one, and a step that would probably end
-    /// late is not begun. If `clock` returns `None`, no step counts as late. `each` receives the
-    /// heights in order, h(x₀) first, and may end the orbit.
+    /// The duration of each step is estimated from the previous step. A step that would probably
+    /// end after `seconds` is not begun. If `clock` returns `None`, there is no time limit. `each`
+    /// receives the heights in order, h(x₀) first, and may end the orbit.
     pub fn within(
         orbit: &mut HeightsOrbit,
         steps: u64,
@@ -44,7 +45,7 @@ impl DiophantineTest {
         let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
         for step in 0..=steps {
             let begun = now();
-            // The machine-independent bound on digits is tested before the time.
+            // The bound on digits does not depend on the machine, so it is tested before the time.
             let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
                 && orbit.check_expected_digits().is_ok();
             if step > 0 && (is_late || !goes_on) {
@@ -74,7 +75,7 @@ impl DiophantineTest {
         series(&self.heights, i)
     }
 
-    /// Returns the component with the greatest height at the last step, the first one if several.
+    /// Returns the component with the greatest height at the last step; the first of several.
     #[must_use]
     pub fn largest(&self) -> usize {
         largest(&self.heights)
@@ -90,7 +91,7 @@ fn largest(heights: &[Heights]) -> usize {
     (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
 }
 
-/// Returns the component whose height rises most from h₁ on.
+/// Returns the component whose height rises most, from h₁ to the last height.
 fn steepest(heights: &[Heights]) -> usize {
     let (Some(first), Some(last)) = (heights.get(1), heights.last()) else { return 0 };
     let rise = |i: usize| last.logarithms[i] - first.logarithms[i];

@@ -1,10 +1,10 @@
-//! Linear systems over ℤ without fractions (Bareiss).
+//! Linear systems over ℤ, solved without fractions by Bareiss's algorithm.
 
 use dashu_int::IBig;
 
-/// Solves M x = r for the n×(n+1) rows of (M | r). Returns X₁ … X_n and W with xᵢ = Xᵢ/W and W = ±
-/// det M, or zeros if det M = 0. All intermediate numbers are minors of the rows, with at most n
-/// times the digits of an entry.
+/// Solves M x = r; the rows of the n×(n+1) matrix (M | r) are given. Returns X₁ … X_n and W = ± det
+/// M with xᵢ = Xᵢ/W, or zeros if det M = 0. All intermediate numbers are minors of (M | r), with at
+/// most n times the digits of an entry.
 pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
     let n = rows.len();
     let mut last_pivot = IBig::ONE;
@@ -19,13 +19,13 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
         for (i, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
             let factor = std::mem::take(&mut row[k]);
             for (entry, above) in row.iter_mut().zip(&pivot_row).skip(k + 1) {
-                // Most entries of a field with many variables are 0 and stay 0.
+                // In a field with many variables, most entries are 0 and stay 0.
                 if entry.is_zero() && (factor.is_zero() || above.is_zero()) {
                     continue;
                 }
                 *entry = (&*entry * pivot - &factor * above) / &last_pivot;
             }
-            // Above the diagonal, entries in earlier columns become this pivot.
+            // In rows above the diagonal, the entries in earlier columns become this pivot.
             if i < k {
                 row[i] = pivot.clone();
             }
@@ -54,7 +54,7 @@ mod tests {
             let left: IBig = row.iter().zip(x).map(|(a, x)| a * x).sum();
             assert_eq!(left, &row[3] * weight);
         }
-        // Computed by hand: the determinant is 6.
+        // The determinant, computed by hand, is 6.
         assert_eq!(weight * weight, IBig::from(36));
     }
 

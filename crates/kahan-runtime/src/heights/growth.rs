@@ -1,12 +1,12 @@
-//! The growth class of a sequence of heights, from its finite differences.
+//! Classifies the growth of a sequence of heights by its finite differences.
 
 use std::fmt;
 
-/// A class of growth of heights with the number of steps.
+/// The class of the growth of heights with the number of steps n.
 ///
 /// **Rule.** Let h₁ … h_N be the heights of the component that rises most from h₁ to h_N.
-/// 1. *bounded*: N ≥ 4 and no value of the second half exceeds the greatest of the first half. (A
-///    bounded orbit over ℚ is finite, and therefore repeats itself in the end.)
+/// 1. *bounded*: N ≥ 4 and no value of the second half exceeds the greatest of the first half. (An
+/// orbit over ℚ with bounded heights is finite, and therefore periodic in the end.)
 /// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values
 ///    each, d₁, d₂, d₃ their first differences, and s₁, s₂ their second ones. Means damp
 ///    fluctuations. If all d are positive, with ρ = d₃/d₂:
@@ -21,7 +21,7 @@ use std::fmt;
 /// 4. *undecided* otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// h_n bounded: the orbit is periodic, or a fixed point.
+    /// h_n is bounded: the orbit is periodic, or a fixed point.
     Bounded,
     /// h_n ~ log n.
     Logarithmic,
@@ -29,14 +29,15 @@ pub enum Growth {
     Linear,
     /// h_n ~ n².
     Quadratic,
-    /// log h_n ~ n: positive entropy, not integrable.
+    /// log h_n ~ n. The entropy is positive, and the map is not integrable.
     Exponential,
-    /// Too few steps, or none of the other classes.
+    /// Undecided: too few steps, or no other class fits.
     Undecided,
 }
 
 impl Growth {
-    /// Returns the class of h₁, h₂, … by the [rule](Growth), without h₀, which may be arbitrary.
+    /// Returns the class of h₁, h₂, … by the [rule](Growth). Does not use h₀, which may be
+    /// arbitrary.
     #[must_use]
     pub fn of(heights: &[f64]) -> Self {
         let n = heights.len();

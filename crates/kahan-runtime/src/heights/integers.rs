@@ -1,4 +1,4 @@
-//! Big integers: ℤ as an arithmetic for plans, and conversions from and to rationals.
+//! Big integers: an arithmetic over ℤ for plans, and conversions from and to rational numbers.
 
 use dashu_int::ops::{Abs, BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, Sign, UBig, Word};
@@ -8,7 +8,7 @@ use kahan_algebra::poly::Variable;
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 
-/// The arithmetic of ℤ; non-integer constants and quotients have no value.
+/// The arithmetic of ℤ; a constant or quotient that is not an integer is undefined.
 #[derive(Clone, Copy, Debug)]
 struct Integers;
 
@@ -28,7 +28,8 @@ impl Arithmetic for Integers {
         a - b
     }
 
-    /// Squares equal operands, at two thirds of the cost of a product.
+    /// Uses the squaring algorithm for equal operands, which takes two thirds of the time of a
+    /// product.
     fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
         if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
     }
@@ -60,7 +61,7 @@ pub(crate) fn denominator(value: &Rational) -> UBig {
     UBig::from_le_bytes(&value.denominator().magnitude().to_bytes_le())
 }
 
-/// Returns p/q in lowest terms, for q ≠ 0.
+/// Returns the quotient p/q in lowest terms; q must not be 0.
 pub(crate) fn rational(numerator: &IBig, denominator: &IBig) -> Rational {
     let big = |value: &IBig| BigInt::from_signed_bytes_le(&value.to_le_bytes());
     let common = numerator.gcd(denominator);
@@ -78,7 +79,7 @@ pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Ration
     })
 }
 
-/// Returns the greatest common divisor, 0 if all values are 0. Starts with the two smallest values,
+/// Returns the greatest common divisor; 0 if all values are 0. Starts with the two smallest values,
 /// since the other values can then be reduced modulo their gcd.
 pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a IBig>) -> UBig {
     let mut values: Vec<&IBig> = values.into_iter().filter(|value| !value.is_zero()).collect();
@@ -94,7 +95,7 @@ pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a I
     common
 }
 
-/// Returns gcd(a, b) for a ≠ 0, after a division if b is longer.
+/// Returns gcd(a, b) for a ≠ 0; if b is longer than a, first reduces b modulo a.
 pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
     if a.is_one() {
         return UBig::ONE;

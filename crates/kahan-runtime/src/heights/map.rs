@@ -1,9 +1,10 @@
-//! Kahan's map on projective integers (X₁ : … : X_n : W) for the point xᵢ = σXᵢ/W.
+//! Kahan's map on projective integers (X₁ : … : X_n : W), which stand for the point xᵢ = σXᵢ/W.
 //!
 //! In: a system, values of its parameters, and ε. Out: steps without fractions. The reduced map is
-//! homogenised with W and cleared of denominators once. If it has too many terms, fraction-free
-//! elimination solves A x̃ = b over ℤ. For a homogeneous field the symmetry (x, ε) ↦ (λx, ε/λ)
-//! scales ε out with σ = 1/ε, so that no power of ε enters the numbers.
+//! homogenised with W, and its denominators are cleared once. If it has too many terms,
+//! fraction-free elimination solves A x̃ = b over ℤ. A homogeneous field has the symmetry (x, ε) ↦
+//! (λx, ε/λ). With σ = 1/ε this symmetry removes ε from the equations, so that no power of ε
+//! lengthens the numbers.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -19,7 +20,7 @@ use super::integers::{
 };
 use super::split::Splits;
 
-/// An error: the field divides by zero at the values of its parameters.
+/// An error: the field divides by zero at these values of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndefinedField;
 
@@ -33,33 +34,35 @@ pub struct ProjectiveMap {
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// N₁ … N_n and D/m of the reduced map as forms, for the monomial m in D; then D of the
-    /// inverse.
+    /// The reduced map, whose numerators are N₁ … N_n and whose denominator D has a monomial factor
+    /// m. Its plan computes the forms N₁ … N_n and D/m, then the denominator D of the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
-    /// The n×n entries of A and the n entries of b, homogeneous of degree one.
+    /// The plan of the n×n entries of A and the n entries of b, which are homogeneous of degree
+    /// one.
     Elimination(Plan),
 }
 
-/// The result of a step before division by its content.
+/// The result of a step before it is divided by its content, the common factor of its coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
     pub(crate) point: Vec<IBig>,
     pub(crate) weight_parts: Vec<IBig>,
-    /// The last coordinate of the inverse map at the new point, for a reduced map.
+    /// The last coordinate of the inverse map at the new point, if the map is reduced.
     pub(crate) weight_behind: Option<IBig>,
 }
 
 impl ProjectiveMap {
-    /// Prepares the map of `system` at these parameters, in their order, and ε, half the time step.
+    /// Prepares the map of `system` at ε, half the time step, and at parameter values, given in the
+    /// order of declaration.
     ///
-    /// The values are substituted *after* the reduction over ℚ(ε, parameters): a factor that
-    /// becomes common only at these values remains.
+    /// The values are substituted *after* the reduction over ℚ(ε, parameters). A factor that
+    /// numerators and denominator have in common only at these values is not divided out.
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
     ///
     /// # Panics
-    /// If the number of parameters is not that of the system.
+    /// If the number of values is not the number of parameters of the system.
     pub fn new(system: &System, parameters: &[Rational], eps: &Rational) -> Result<Self, UndefinedField> {
         Self::of(system, RationalMap::of(&system.field).as_ref(), parameters, eps)
     }
@@ -97,7 +100,8 @@ impl ProjectiveMap {
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
-    /// Returns σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields with coefficients free of ε, else 1.
+    /// Returns the factor σ in xᵢ = σXᵢ/W. σ is 1/ε for a homogeneous field whose coefficients do
+    /// not depend on ε; otherwise 1.
     #[must_use]
     pub fn unit(&self) -> &Rational {
         &self.unit
@@ -117,8 +121,8 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step, and divides out a common factor; `factors` are the gcd(Xᵢ, W). Cost: a few
-    /// products of numbers as long as the coordinates.
+    /// Makes one step, and divides out a common factor if one is known; `factors` are the gcds of
+    /// Xᵢ and W. Cost: a few products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {
@@ -162,7 +166,8 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// Returns xᵢd + 2εnᵢ and d of the reduced map x̃ = x + 2εn/d, as forms of one degree.
+    /// Returns, for the reduced map x̃ = x + 2εn/d, the polynomials xᵢd + 2εnᵢ and d as forms of
+    /// one degree.
     fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;
@@ -176,7 +181,8 @@ impl Values<'_> {
         self.homogeneous(&forms, degree)
     }
 
-    /// Returns the entries of A, row by row, and of b as forms of degree one, each row coprime.
+    /// Returns the entries of A, row by row, and of b, as forms of degree one. In each row the
+    /// coefficients are coprime.
     fn linear_system(&self) -> Vec<Polynomial> {
         let (mut entries, mut right) = (Vec::new(), Vec::new());
         for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {
@@ -189,7 +195,8 @@ impl Values<'_> {
         entries
     }
 
-    /// Returns the polynomials as forms in the states and W, scaled to coprime integers.
+    /// Returns the polynomials as forms of this degree in the states and W, scaled so that
+    /// coefficients are coprime integers.
     fn homogeneous(&self, polynomials: &[Polynomial], degree: u32) -> Vec<Polynomial> {
         let coefficients = || polynomials.iter().flat_map(|p| p.terms().map(|(_, coefficient)| coefficient));
         let multiple = IBig::from(common_denominator(coefficients()));

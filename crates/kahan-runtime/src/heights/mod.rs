@@ -1,9 +1,12 @@
 //! The Diophantine test: exact orbits and the growth of their heights (section 7 of the paper).
 //!
-//! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit of
-//! an integrable map over ℚ it grows polynomially, otherwise in general exponentially.
-//! [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map from rational initial
-//! data; [`Growth`] classifies them; [`DiophantineTest`] is the whole test in one call.
+//! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit over
+//! ℚ, the height grows polynomially if the map is integrable, and otherwise in general
+//! exponentially. [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map from
+//! rational initial data; [`Growth`] classifies them; [`DiophantineTest`] is the whole test in one
+//! call.
+//!
+//! # Example
 //!
 //! ```
 //! use kahan_algebra::rational::Rational;

@@ -1,4 +1,4 @@
-//! An exact orbit in projective integers, with the heights of every point.
+//! Iterates over an exact orbit in projective integers, with the heights of every point.
 
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -15,7 +15,7 @@ use super::report::{Heights, Stop};
 /// An iterator over the heights h(x₀), h(x₁), … of an exact orbit of Kahan's map.
 ///
 /// Points are projective integers without a common factor. The orbit ends at a pole or at a bound
-/// on digits; [`stopped`](Self::stopped) says which.
+/// on digits; [`stopped`](Self::stopped) returns the reason.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -32,7 +32,8 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point; then its gcd(Xᵢ, W), and the previous point.
+    /// The current point. The next fields hold gcd(Xᵢ, W) for each coordinate Xᵢ, and the previous
+    /// point.
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
@@ -43,7 +44,7 @@ pub struct HeightsOrbit {
     bits: PointBits,
 }
 
-/// The bits of the previous and the current point; 0 before the second point.
+/// The numbers of bits of the previous and of the current point; 0 before the second point.
 #[derive(Clone, Copy, Debug, Default)]
 struct PointBits {
     before: usize,
@@ -57,14 +58,15 @@ impl PointBits {
 }
 
 impl HeightsOrbit {
-    /// Begins the orbit of `system` from `start` at these parameters, in their order, and ε, half
-    /// the time step. Parameters are substituted after the reduction of the map.
+    /// Begins the orbit of `system` from `start` at ε, half the time step, and at parameter values,
+    /// given in the order of declaration. Parameters are substituted after the reduction of the
+    /// map.
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
     ///
     /// # Panics
-    /// If the number of coordinates or of parameters is not that of the system.
+    /// If the number of coordinates or of parameter values differs from the system's.
     pub fn new(
         system: &System,
         parameters: &[Rational],
@@ -89,7 +91,8 @@ impl HeightsOrbit {
         }
     }
 
-    /// Ends the orbit before a numerator or denominator of more than `max_digits` decimal digits.
+    /// Sets a bound: the orbit ends before a numerator or denominator has more than `max_digits`
+    /// decimal digits.
     #[must_use]
     pub fn within_digits(self, max_digits: u64) -> Self {
         HeightsOrbit { max_digits: Some(max_digits), ..self }
@@ -107,15 +110,15 @@ impl HeightsOrbit {
         &self.map
     }
 
-    /// Returns the point of the last yielded heights (at first x₀), in lowest terms. Cost: for each
-    /// component a gcd, two divisions, and a conversion to [`Rational`].
+    /// Returns the point whose heights were yielded last, in lowest terms; before the first yield,
+    /// returns x₀. Cost: for each component a gcd, two divisions, and a conversion to [`Rational`].
     #[must_use]
     pub fn point(&self) -> Vec<Rational> {
         self.map.coordinates(&self.point)
     }
 
-    /// Returns the current point as integers (X₁, …, X_n, W) without a common factor: xᵢ = σXᵢ/W
-    /// for σ = [`ProjectiveMap::unit`].
+    /// Returns the current point as integers (X₁, …, X_n, W) without a common factor. They stand
+    /// for xᵢ = σXᵢ/W, where σ is [`ProjectiveMap::unit`].
     #[must_use]
     pub fn projective_point(&self) -> &[IBig] {
         &self.point
@@ -154,7 +157,8 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Returns an error if the next step, with the last growth of digits, would exceed the bound.
+    /// Returns an error if the next step would have more than twice the allowed digits, assuming
+    /// that digits grow as in the last step.
     pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -163,8 +167,8 @@ impl HeightsOrbit {
         }
     }
 
-    /// Estimates the duration of the next step relative to the last, as the squared growth of
-    /// digits.
+    /// Estimates how much longer the next step takes than the last one, as the squared growth
+    /// factor of digits.
     pub(super) fn slowdown(&self) -> f64 {
         self.bits.growth().powi(2)
     }
@@ -192,7 +196,8 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
-        // For X/W in lowest terms and σ = s/t, σX/W still shares gcd(s, W)·gcd(t, X).
+        // Let X/W be in lowest terms and σ = s/t. Then numerator and denominator of σX/W share the
+        // factor gcd(s, W)·gcd(t, X).
         let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);
@@ -202,7 +207,7 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     Heights { step, logarithms, digits }
 }
 
-/// Returns the gcd of all gcd(Xᵢ, W), starting with the shortest.
+/// Returns the gcd of all gcd(Xᵢ, W); begins with the shortest.
 fn common_of(factors: &[UBig]) -> UBig {
     let mut factors: Vec<&UBig> = factors.iter().collect();
     factors.sort_by_key(|factor| factor.bit_len());

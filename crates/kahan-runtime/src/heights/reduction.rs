@@ -1,10 +1,10 @@
 //! The gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
 //!
-//! These gcds are seldom large, and then one long gcd serves all: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P =
-//! gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P divides W. A coordinate that shares much
-//! of W would make P as long as W, and is left out of the product; its own gcd is fast, since the
-//! quotients are short. A coordinate that shares much at one step does so at every step. Long lists
-//! are divided between two threads.
+//! The gcds are seldom large. If they are small, one long gcd is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P)
+//! for P = gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P divides W. A coordinate that has a
+//! large factor in common with W would make P as long as W, so it is left out of the product. Its
+//! own gcd is fast, since the quotients are short. If a coordinate has a large common factor at one
+//! step, it has one at every step. Long lists are divided between two threads.
 
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -12,19 +12,20 @@ use dashu_int::{IBig, UBig};
 use super::integers::{bits, short_gcd};
 use crate::threads;
 
-/// From this number of bits of W on, gcds of several coordinates use two threads.
+/// The number of bits of W from which gcds of several coordinates use two threads.
 const LONG: usize = 1 << 16;
-/// From this number of bits of W on, large gcds are predicted.
+/// The number of bits of W from which large gcds are predicted.
 const WORTH_GUESSING: usize = 1 << 10;
 
-/// A factor with at least 1/MUCH of the digits of W shares much of W.
+/// A common factor of a coordinate and W counts as large if it has at least 1/MUCH of the digits of
+/// W.
 const MUCH: usize = 8;
 
-/// Returns gcd(Xᵢ, W) for each i, for W ≠ 0.
+/// Returns gcd(Xᵢ, W) for each i; W must not be 0.
 ///
-/// `parts` are factors of W with product W, or empty. `before` are the gcds of the previous point,
-/// or empty; they predict the large gcds. Cost: one long gcd if all results are short, several
-/// shorter ones with `parts`, and another one for each long result.
+/// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
+/// or empty; they predict which gcds are large. Cost: one long gcd if all results are short, and
+/// another one for each long result; `parts` replace the long gcd by several shorter ones.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {
@@ -36,7 +37,8 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     }
     let is_long = weight.bit_len() >= LONG && threads::available() > 1;
     if parts.len() > 1 && is_long {
-        // ∏ gcd(B, ∏Xᵢ) over the factors B divides W, and gcd(Xᵢ, W) divides the product.
+        // For each factor B of W, take gcd(B, ∏Xᵢ). The product of these gcds divides W, and
+        // gcd(Xᵢ, W) divides the product.
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
         let shares = in_halves(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
         return each_with(x, weight, &shares.iter().flatten().product());
@@ -48,7 +50,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     each_with(x, weight, &shared_with_product(x, weight))
 }
 
-/// Applies `work` to the two halves of a list, in two threads if available.
+/// Applies `work` to the two halves of a list, on two threads if available.
 pub(super) fn in_halves<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R + Sync) -> Vec<R> {
     let (left, right) = items.split_at(items.len() / 2);
     threads::map(2, None, |half| work([left, right][half]))
@@ -67,7 +69,8 @@ fn each_with(x: &[IBig], weight: &UBig, shared: &UBig) -> Vec<UBig> {
     x.iter().map(|x| factor_of(x, weight, shared)).collect()
 }
 
-/// Returns gcd(Xᵢ, P) for a divisor P of W that is a multiple of gcd(Xᵢ, W).
+/// Returns gcd(Xᵢ, W); `shared` is a divisor P of W and a multiple of gcd(Xᵢ, W), so that gcd(Xᵢ,
+/// P) suffices.
 fn factor_of(x: &IBig, weight: &UBig, shared: &UBig) -> UBig {
     match x {
         x if x.is_zero() => weight.clone(),

@@ -12,7 +12,7 @@ pub struct Heights {
 }
 
 impl Heights {
-    /// Returns the number of decimal digits of the longest component.
+    /// Returns the number of decimal digits of the component that has the most digits.
     #[must_use]
     pub fn longest(&self) -> u64 {
         self.digits.iter().copied().max().unwrap_or(0)
@@ -22,14 +22,15 @@ impl Heights {
 /// The reason why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last point is a pole: W = 0 in the reduced map, or else det A = 0.
+    /// The last point is a pole. In the reduced map W = 0; in a map that is not reduced, det A = 0.
     Pole,
-    /// The next point exceeds the bound of [`within_digits`], or would have more than twice as many
-    /// digits if it grew like the last.
+    /// The next point exceeds the bound of [`within_digits`]. Or: it would have more than twice as
+    /// many digits as the bound, if digits grew as in the last step.
     ///
     /// [`within_digits`]: super::HeightsOrbit::within_digits
     Digits,
-    /// The next point would exceed the time limit of [`DiophantineTest::within`](super::DiophantineTest::within), or
-    /// the callback ended the survey.
+    /// The next point would exceed the time limit of
+    /// [`DiophantineTest::within`](super::DiophantineTest::within), or the callback ended the
+    /// orbit.
     Seconds,
 }

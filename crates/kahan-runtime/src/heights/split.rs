@@ -1,10 +1,14 @@
-//! A faster step from points at which some coordinates share most of W.
+//! A faster step from points at which some coordinates share most of their digits with W.
 //!
-//! If a component is a fraction of few digits and others are long (x of dE7 has four digits, z ten
-//! thousand), its Xᵢ and W have a long common factor: Xᵢ = g aᵢ, W = g b. A form N is then a sum of
-//! gʲ Nⱼ, with Nⱼ of degree j in these coordinates. Few long products remain, and g to the least j
-//! of all forms is divided out at no cost. The gcd of g with the terms N₀ divides the result too:
-//! for dE7 it is g up to a few digits, and fast to find, since the quotients are short.
+//! For dE7, for example, x is a fraction of four digits while z has ten thousand. Then Xᵢ and W
+//! have a long common factor g: Xᵢ = g aᵢ, W = g b with short aᵢ and b. A form N in all coordinates
+//! is a sum of gʲ Nⱼ, where Nⱼ has degree j in the short coordinates.
+//!
+//! # Gain
+//!
+//! Few long products remain, and the lowest power of g in all forms is divided out at no cost. The
+//! gcd of g with the terms N₀ divides the result, too. For dE7 this gcd is g up to a few digits,
+//! and it is found quickly, since the quotients are short.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -13,23 +17,23 @@ use kahan_algebra::poly::Polynomial;
 
 use super::integers::{bits, short_gcd, values};
 
-/// From this number of bits of W on, splitting pays.
+/// The number of bits of W from which splitting pays.
 const LONG: usize = 1 << 12;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
     forms: Vec<Polynomial>,
-    /// The split used last; an orbit seldom changes it.
+    /// The split that was used last; an orbit seldom changes it.
     last: Option<Split>,
 }
 
 #[derive(Clone, Debug)]
 struct Split {
-    /// For each coordinate, then W: whether it is a short multiple of g.
+    /// Whether each coordinate, and then W, is a short multiple of the common factor g.
     is_short: Vec<bool>,
-    /// The nonzero Nⱼ of all forms, form by form.
+    /// The plan of the nonzero terms Nⱼ of all forms N = Σ gʲ Nⱼ, form by form.
     plan: Plan,
-    /// The degree j of each Nⱼ minus the least degree; form by form.
+    /// For each nonzero Nⱼ, form by form, its degree j minus the least degree of all forms.
     degrees: Vec<Vec<usize>>,
 }
 
@@ -38,7 +42,8 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, divided by a common factor; `None` without a short coordinate.
+    /// Returns the image of a point, divided by a known common factor; `None` if no coordinate is
+    /// short.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
@@ -81,7 +86,8 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // Quotients and remainders of all N₀ by g; all other Nⱼ count as remainders.
+        // The quotients and remainders of all terms N₀ by g; the other terms Nⱼ count as
+        // remainders.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };

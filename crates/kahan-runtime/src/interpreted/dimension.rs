@@ -1,7 +1,7 @@
-//! A run-time system in one type for up to [`LARGEST_DIMENSION`] variables.
+//! One type for run-time systems of up to [`LARGEST_DIMENSION`] variables.
 //!
-//! Generic code is compiled for the most variables; smaller systems are padded with constant
-//! variables ([`Map::as_padded_kahan_map`]). One type for each dimension would take eight times as
+//! Generic code is compiled for the largest dimension; smaller systems are padded with constant
+//! variables ([`Map::as_padded_kahan_map`]). A type for each dimension would take eight times as
 //! long to compile. Padding does not slow interpreted steps.
 
 use kahan_core::Scalar;
@@ -9,7 +9,7 @@ use kahan_core::Scalar;
 use super::Interpreted;
 use crate::Map;
 
-/// The most variables of a [`Padded`] system.
+/// The largest number of variables of a [`Padded`] system.
 pub const LARGEST_DIMENSION: usize = 8;
 
 /// A run-time system padded to [`LARGEST_DIMENSION`] variables; made by
@@ -41,7 +41,7 @@ impl Map {
     /// [`LARGEST_DIMENSION`] variables; the added variables stay constant.
     ///
     /// # Errors
-    /// [`UnsupportedDimension`] beyond [`LARGEST_DIMENSION`].
+    /// [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`] variables.
     pub fn as_padded_kahan_map<T: Scalar>(&self) -> Result<Padded<T>, UnsupportedDimension> {
         self.as_kahan_map().map_err(|why| UnsupportedDimension(why.expected()))
     }

@@ -1,7 +1,7 @@
-//! [`KahanMap`] for an interpreted system.
+//! Implements [`KahanMap`] for an interpreted system.
 //!
-//! In: a state, and ε. Out: every object of the map by its straight-line program, or, where that
-//! has too many terms, by matrices computed from the field.
+//! In: a state, and ε. Out: every object of the map, computed by its straight-line program. An
+//! object that has too many terms for a program is computed from the matrices of the field.
 
 use std::marker::PhantomData;
 use std::sync::Arc;

@@ -1,8 +1,9 @@
-//! A run-time system as a map over any scalar, with the traits of generated code.
+//! A run-time system as a map over any scalar, with the traits that generated code implements.
 //!
 //! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of generated
-//! code. Code generic over maps (orbits, compositions, the step with an error bound) thus accepts
-//! fields from the command line. Interpretation is several times slower than generated code.
+//! code. Code that is generic over maps (orbits, compositions, the step with an error bound) thus
+//! accepts fields from the command line. Interpretation is several times slower than generated
+//! code.
 
 mod dimension;
 mod map;
@@ -28,7 +29,8 @@ pub use step::InterpretedStep;
 /// A run-time system over the scalar T in N variables; made by
 /// [`Map::as_kahan_map`](crate::Map::as_kahan_map).
 ///
-/// Clones share their field. Two systems are equal if they share it and have equal parameters.
+/// Clones share their field. Two systems are equal if they share their field and have equal
+/// parameters.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -59,12 +61,13 @@ impl<const N: usize> Interpreted<BigRational, N> {
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// Wraps the map at parameters at which the field is defined; N is at least its dimension.
+    /// Wraps the map of a field that is defined at these parameters; N is at least the field's
+    /// dimension.
     pub(crate) fn of(engine: &Arc<Engine>, parameters: Arc<[T]>) -> Self {
         Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
 
-    /// Returns the cost of a step of the generated code.
+    /// Returns the cost of a step, in the code that `kahan!` would generate.
     #[must_use]
     pub fn cost(&self) -> StepCost {
         let of_plan = |plan::StepCost { operations, divisions, critical_path }| StepCost {
@@ -82,11 +85,11 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         }
     }
 
-    /// Returns the system at other parameters, in their order. If the field divides by zero there,
-    /// a float step is not finite and an exact one panics.
+    /// Returns the system with these parameter values, given in the order of declaration. If the
+    /// field divides by zero at these values, a float step is not finite, and an exact step panics.
     ///
     /// # Panics
-    /// If the number of parameters differs.
+    /// If the number of values is not the number of parameters.
     #[must_use]
     pub fn with_parameters(&self, parameters: &[T]) -> Self {
         assert_eq!(parameters.len(), self.parameters.len(), "a system has as many parameters as it declares");
@@ -99,13 +102,14 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         &self.engine.derived.system.field.symbols.states
     }
 
-    /// Returns the names of the integrals that the block claims without `when`, in order.
+    /// Returns the names of the integrals that the block claims without a condition `when`, in
+    /// order.
     pub fn integral_names(&self) -> impl ExactSizeIterator<Item = &str> {
         self.engine.derived.integral_names.iter().map(String::as_str)
     }
 
-    /// Returns the integrals at x, where ε, half the time step, is `eps`. `None` stands for an
-    /// integral that divides by zero at x in an exact scalar.
+    /// Returns the integrals at x and at ε = `eps`, half the time step. In an exact scalar, an
+    /// integral that divides by zero at x is `None`.
     pub fn integrals(&self, x: &SVector<T, N>, eps: &T) -> Vec<Option<T>> {
         let value = |line: &Line| {
             let mut registers = Registers::new();
@@ -115,7 +119,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.engine.single_integrals().iter().map(value).collect()
     }
 
-    /// Returns x̃ − x by sparse elimination; `None` for a dense field, or for a small pivot.
+    /// Returns x̃ − x by sparse elimination; `None` for a dense field, or if a pivot is small.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
         let mut velocity = self.list(self.engine.known_line(self.engine.at_eps(Object::Field)), state, eps);
@@ -138,7 +142,8 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.parameters.iter().chain([eps]).cloned()
     }
 
-    /// Runs a program and passes its results to `see`; `eps` is unused by programs without ε.
+    /// Runs a program and passes its results to `see`; programs that do not depend on ε ignore
+    /// `eps`.
     ///
     /// # Panics
     /// For exact scalars, at a division by zero.
@@ -151,7 +156,8 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Resizes the registers and returns them as a slice, so that stack or heap is decided once.
+/// Resizes the registers and returns them as a slice, so that code checks only once whether they
+/// are on the stack or on the heap.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

@@ -9,16 +9,16 @@ use crate::line::has_value;
 
 use super::{Interpreted, Registers, sized};
 
-/// The step of an [`Interpreted`] system at one ε: its constants and its kernel.
+/// The step of an [`Interpreted`] system at one ε: the constants and the kernel of the step.
 ///
-/// The associated `COST` is that of elimination, because a type cannot depend on the system; use
-/// [`Interpreted::cost`] instead.
+/// The associated constant `COST` is the cost of elimination, because a type cannot depend on the
+/// system; use [`Interpreted::cost`] instead.
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,
     eps: T,
     is_general: bool,
-    /// The kernel's registers that do not depend on the state.
+    /// The registers of the kernel that do not depend on the state.
     kept: Arc<[T]>,
 }
 
@@ -26,7 +26,7 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
     /// Computes the constants from ε and the parameters.
     ///
     /// # Panics
-    /// For exact scalars, where the field divides by zero at the parameters.
+    /// For exact scalars, if the field divides by zero at the parameters.
     pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
         let is_general = map.engine.steps().are_general(&eps);
         let kept = match map.engine.steps().form(is_general).lines() {
@@ -45,7 +45,7 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
-    /// Ensembles of an interpreted system advance one trajectory at a time.
+    /// An ensemble of an interpreted system advances one trajectory at a time.
     type Wide<L: Scalar> = InterpretedStep<L, N>;
 
     #[inline]

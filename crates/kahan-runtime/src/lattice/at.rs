@@ -1,7 +1,8 @@
 //! A family at one ε, for chains of one length.
 //!
-//! In: a state, site by site, with the arrays interleaved. Out: the next state in place, linear
-//! integrals and the modified energy. Steps use preallocated memory, or the caller's workspace.
+//! In: a state, site by site, with the arrays interleaved. Out: the next state in place of the old
+//! one, linear integrals, and the modified energy. Steps use preallocated memory, or the caller's
+//! workspace.
 
 use std::sync::Arc;
 
@@ -19,7 +20,8 @@ use super::{LatticeCode, LatticeError};
 
 /// The map of a family at a fixed ε, half the time step, for a fixed number of sites.
 ///
-/// A state lists site by site the value of each array. [`step`](Self::step) does not allocate.
+/// For each site in order, a state holds the value of each array. [`step`](Self::step) does not
+/// allocate.
 #[derive(Debug)]
 pub struct ChainAt {
     code: Arc<LatticeCode>,
@@ -74,8 +76,8 @@ impl ChainAt {
         Ok(ChainAt { code: Arc::clone(&code), at })
     }
 
-    /// Returns the chain with steps on another level; `None` if the processor lacks it. For long
-    /// chains, levels differ in the last bits.
+    /// Returns the chain with steps at another instruction-set level; `None` if the processor lacks
+    /// the level. In long chains, the last bits depend on the level.
     #[must_use]
     pub fn at_level(self, level: Level) -> Option<Self> {
         Some(ChainAt { at: self.at.at_level(level)?, ..self })
@@ -87,7 +89,7 @@ impl ChainAt {
         self.at.sites() * self.code.sizes.block
     }
 
-    /// Replaces x by x̃, one step; at a pole the numbers are not finite.
+    /// Replaces x by x̃, the state one step later. At a pole, the numbers are not finite.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.
@@ -106,7 +108,8 @@ impl ChainAt {
         Ok(self.at.integrals(state))
     }
 
-    /// Returns H(x), which the flow preserves and the map does not; `None` without a Hamiltonian.
+    /// Returns the Hamiltonian H(x), which the flow preserves and the map does not; `None` if the
+    /// family has no Hamiltonian.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.
@@ -115,9 +118,9 @@ impl ChainAt {
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves for H of degree at most
-    /// 3. `None` without a Hamiltonian. Cost: one step, since x̃ − x = 2ε A⁻¹ f, and a copy of the
-    /// state.
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves if H has a degree of at
+    /// most three. `None` if the family has no Hamiltonian H. Cost: one step, since x̃ − x = 2ε A⁻¹
+    /// f, and a copy of the state.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.
@@ -131,7 +134,8 @@ impl ChainAt {
     }
 }
 
-/// Uses the workspace's memory, so that threads can share a chain; panics for a wrong length.
+/// Steps use the memory of the workspace, so that threads can share a chain. A state of the wrong
+/// length causes a panic.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

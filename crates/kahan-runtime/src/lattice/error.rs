@@ -8,7 +8,7 @@ use crate::ParameterError;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LatticeError {
-    /// The number of sites is 0.
+    /// The requested number of sites is 0.
     NoSites,
     /// A parameter is unknown, missing, given twice, or not finite, or the field divides by zero.
     Parameter(
@@ -17,7 +17,7 @@ pub enum LatticeError {
     ),
     /// ε is not a finite number.
     Eps,
-    /// A parameter has too few or too many numbers.
+    /// A parameter has a wrong number of values.
     Values {
         /// The name of the parameter.
         name: String,

@@ -2,8 +2,9 @@
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
 //! and parameters. Out: steps in `f64`. The program of a site is interpreted for many sites at
-//! once; the solver is that of compiled families. Bits are those of compiled families, except for
-//! long chains whose stencil is missing in the solver's [`StencilMenu`]: they are eliminated as a whole.
+//! once; the linear solver is the one of compiled families. Results have the bits of compiled
+//! families, with one exception: long chains whose stencil is missing in the solver's
+//! [`StencilMenu`] are eliminated as a whole.
 
 mod at;
 mod error;
@@ -37,15 +38,16 @@ pub struct Lattice {
 struct LatticeCode {
     family: Family,
     boundary: core::Boundary,
-    /// The program from the parameters of the chain and ε to the prepared constants.
+    /// The program that computes the prepared constants from the parameters of the chain and ε.
     constants: Line,
-    /// Numbers in the equations, stored after the prepared constants.
+    /// The numbers in the equations; in memory they follow the prepared constants.
     literals: Vec<Literal>,
-    /// The program of the field, one result for each array, then of the rows of A.
+    /// The program that computes the field, one result for each array, and then the rows of A.
     rows: Program,
-    /// The program of the densities of the integrals, then of the Hamiltonian.
+    /// The program that computes the densities of the integrals, and then the density of the
+    /// Hamiltonian.
     sums: Program,
-    /// The structurally nonzero entries of A.
+    /// The indices of the entries of A that may differ from 0.
     entries: Vec<usize>,
     sizes: Sizes,
 }
@@ -96,7 +98,7 @@ impl LatticeCode {
 }
 
 impl Lattice {
-    /// Prepares the lattice of a family; the claims of the family are not proved again.
+    /// Prepares the lattice of a family; does not prove the claims of the family again.
     #[must_use]
     pub fn of(family: &Family) -> Self {
         Lattice { code: Arc::new(LatticeCode::of(family)) }
@@ -134,11 +136,12 @@ impl Lattice {
 
     /// Prepares the map at ε, half the time step, for chains of `sites` sites.
     ///
-    /// `values` pairs each parameter's name with its numbers, in any order. A parameter of the
-    /// chain has one number; a parameter of sites has one number, or one for each site.
+    /// `values` holds the name and the numbers of each parameter, in any order. A parameter of the
+    /// whole chain has one number. A parameter of sites has one number for all sites, or one number
+    /// for each site.
     ///
     /// # Errors
-    /// [`LatticeError`] for no sites, an ε that is not finite, and wrong parameters.
+    /// [`LatticeError`] for 0 sites, an ε that is not finite, or wrong parameters.
     ///
     /// ```
     /// use kahan_runtime::{FieldText, Lattice};

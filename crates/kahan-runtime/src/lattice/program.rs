@@ -1,8 +1,8 @@
 //! The straight-line program of a site, run over one scalar or for several sites in SIMD lanes.
 //!
-//! In: a plan. Out: its results, in the first registers. Operations and order are the plan's, so
-//! that bits equal those of a compiled family. Over lanes an instruction is decoded once for
-//! [`ROOM`] numbers of consecutive sites.
+//! In: a plan. Out: its results, in the first registers. Operations and their order are those of
+//! the plan, so that bits equal those of a compiled family. In SIMD lanes, an instruction is
+//! decoded once for the [`ROOM`] numbers of consecutive sites.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -12,16 +12,17 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The numbers per decoded instruction, a multiple of every level's lanes.
+/// The number of sites for which an instruction is decoded once; a multiple of the number of lanes
+/// of every instruction set.
 const ROOM: usize = 128;
 
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// The number of results, which occupy the first registers exclusively.
+    /// The number of results. They occupy the first registers, which no other value uses.
     results: usize,
     registers: usize,
-    /// The number of arrays; `parameters` counts those of a site.
+    /// The number of arrays; the field `parameters` is the number of parameters of a site.
     block: usize,
     parameters: usize,
     reach: usize,
@@ -30,15 +31,15 @@ pub(super) struct Program {
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     kind: Kind,
-    /// The register of the result, different from all operands.
+    /// The register of the result; it is different from all operands.
     to: usize,
-    /// The operands; an instruction with fewer than three repeats its last one.
+    /// The operands. An instruction with fewer than three operands repeats its last one.
     operands: [Operand; 3],
-    /// The operands' positions in the memory of gathered sites.
+    /// The positions of the operands in the memory that holds several sites.
     places: [OperandOffset; 3],
 }
 
-/// The offset of an operand: `numbers`, plus `registers` times the width of the lanes.
+/// The offset of an operand in memory: `numbers` + `registers` × (width of the lanes).
 #[derive(Clone, Copy, Debug, Default)]
 struct OperandOffset {
     numbers: usize,
@@ -58,7 +59,7 @@ enum Kind {
     SubtractProduct,
 }
 
-/// An operand; sites are counted from the first one in the stencil.
+/// An operand. Sites are counted from the first site of the stencil.
 #[derive(Clone, Copy, Debug)]
 enum Operand {
     Constant(usize),
@@ -72,12 +73,12 @@ pub(super) struct Numbering<'a> {
     pub(super) block: usize,
     pub(super) stencil: usize,
     pub(super) site_parameters: usize,
-    /// The number of prepared constants; the plan's literals follow them.
+    /// The number of prepared constants; in memory, the plan's literals follow them.
     pub(super) prepared: usize,
 }
 
 impl Program {
-    /// Compiles a plan with results in the registers `places`, all below `results`.
+    /// Compiles a plan whose results go to the registers `places`; all are below `results`.
     pub(super) fn of(
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,
@@ -124,7 +125,7 @@ impl Program {
             });
             program.put(kind, to, operation.operands().map(|operand| values[operand.0]));
             values.push(Operand::Register(to));
-            // Frees registers after their last use; both operands may be one register.
+            // Frees registers after their last use. Both operands may be in one register.
             for operand in operation.operands().filter(|operand| last_use[operand.0] == k) {
                 if let Operand::Register(register) = values[operand.0]
                     && register >= results
@@ -139,7 +140,7 @@ impl Program {
                 program.put(Kind::Copy, place, [values[node.0]].into_iter());
             }
         }
-        // Constants follow all registers, whose number is known only now.
+        // Constants come after all registers; the number of registers is known only now.
         for k in 0..program.instructions.len() {
             program.instructions[k].places =
                 program.instructions[k].operands.map(|operand| program.place(operand));
@@ -155,9 +156,9 @@ impl Program {
         self.instructions.push(Instruction { kind, to, operands, places });
     }
 
-    /// Returns the position of an operand. Registers come first, [`ROOM`] numbers each; then
-    /// inputs, one array or parameter after the other, so that the next site is one register of
-    /// lanes further; then constants, `ROOM` numbers each.
+    /// Returns the position of an operand. Registers come first, with [`ROOM`] numbers each. Inputs
+    /// follow, one array or parameter after the other, so that the next site is one register of
+    /// lanes further. Constants come last, with `ROOM` numbers each.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * ROOM, 0),
@@ -168,12 +169,12 @@ impl Program {
         OperandOffset { numbers, registers }
     }
 
-    /// Returns the offset of an array or, from index `block` on, of a site parameter.
+    /// Returns the offset of an array; for an index from `block` on, that of a site parameter.
     fn array(&self, index: usize) -> usize {
         self.registers * ROOM + index * (ROOM + 2 * self.reach * f64::MOST)
     }
 
-    /// Returns the size of the memory for gathered sites, in registers of the widest lanes.
+    /// Returns the size of the memory that holds several sites, in registers of the widest lanes.
     pub(super) fn registers_abreast(&self, constants: usize) -> usize {
         self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
@@ -204,7 +205,8 @@ impl Program {
         }
     }
 
-    /// Returns the program's results at the next site, computing several sites at once when needed.
+    /// Returns the program's results at the next site; computes several sites at once when none is
+    /// left.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -250,8 +252,8 @@ impl Program {
 }
 
 impl Numbering<'_> {
-    /// Returns the operand of an input. Symbols number site parameters parameter by parameter,
-    /// after the states; operands number them site by site.
+    /// Returns the operand of an input. Symbols count site parameters after the states, one
+    /// parameter after the other; operands count them site by site.
     fn operand(&self, symbol: Symbol) -> Operand {
         let states = self.stencil * self.block;
         match symbol {
@@ -288,7 +290,8 @@ impl OverLanes<f64> for Run<'_> {
             for index in 0..count {
                 let to = &mut self.numbers[program.array(array + index)..];
                 let from = &gathered[(site - program.reach) * count * width..];
-                // The last stencils may reach beyond the end; no result of those sites is read.
+                // The last stencils may reach beyond the end of the chain; results of those sites
+                // are never read.
                 let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
                 for site in 0..seen {
                     for register in 0..width / L::WIDTH {
@@ -302,7 +305,8 @@ impl OverLanes<f64> for Run<'_> {
         for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * ROOM);
             let (result, after) = rest.split_at_mut(ROOM);
-            // A macro, because closures may not be compiled with the level's instructions.
+            // This is a macro, because closures may not be compiled with the level's instruction
+            // set.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(

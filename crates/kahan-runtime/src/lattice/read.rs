@@ -1,4 +1,4 @@
-//! A family with parameter values, as the [`LatticeMap`] of `kahan-core`'s solver.
+//! A family with parameter values, as the [`LatticeMap`] that `kahan-core`'s solver steps.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ pub(super) struct RuntimeFamily {
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
-/// Names and sizes are run-time values; the constants of the trait are placeholders. Callers ask
-/// for the energy only if the family has a Hamiltonian.
+/// Names and sizes are known at run time, so the constants of the trait are placeholders. Callers
+/// ask for the energy only if the family has a Hamiltonian.
 impl LatticeMap<f64> for RuntimeFamily {
     const ARRAYS: &'static [&'static str] = &[];
     const REACH: usize = 0;

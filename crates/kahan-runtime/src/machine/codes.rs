@@ -14,17 +14,18 @@ use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
 use super::{GroupKind, StepKind, programs};
 
-/// Whether code can run. Without the feature no program is traced, and the binary contains neither
-/// the compiler nor the tracing numbers.
+/// Whether machine code can run. Without the feature `jit` no program is traced, and the binary
+/// contains neither the compiler nor the tracing numbers.
 const CAN_RUN: bool = cfg!(feature = "jit");
 
-/// The steps of a field before the code of an elimination is compiled. Compiling pays after some
-/// 300 steps of 9 dense variables, 2000 of 40 sparse ones (13 000 operations), 7000 of 50 (28 000).
+/// The number of steps that a field makes before the code of an elimination is compiled. Compiling
+/// pays after some 300 steps for 9 dense variables, 2000 for 40 sparse ones (13 000 operations),
+/// and 7000 for 50 sparse ones (28 000 operations).
 const STEPS_BEFORE_CODE: u64 = 256;
-/// Operations per step that delay the compilation by one further step.
+/// The number of operations of a step that delays the compilation by one further step.
 const OPERATIONS_A_STEP: u64 = 8;
 
-/// Code by key; `None` if compilation failed.
+/// The code for each key; `None` if compilation failed.
 #[derive(Debug)]
 struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
 
@@ -39,13 +40,13 @@ impl<K: Eq + Hash, C> Table<K, C> {
         if !CAN_RUN {
             return None;
         }
-        // A panic under the lock comes from `compile`, and would recur.
+        // A panic under the lock comes from `compile`, and would occur again.
         let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         table.entry(key).or_insert_with(|| compile().map(Arc::new)).clone()
     }
 }
 
-/// The compiled code of a field over one float.
+/// The compiled code of a field over one float type.
 #[derive(Debug, Default)]
 pub struct FloatCodes<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
@@ -54,12 +55,12 @@ pub struct FloatCodes<T> {
     abreast: Table<(GroupKind, InstructionSet), Sweep<T>>,
 }
 
-/// The compiled code of a field.
+/// The compiled code of a field over all float types.
 #[derive(Debug, Default)]
 pub struct Codes {
     pub(crate) single: FloatCodes<f32>,
     pub(crate) double: FloatCodes<f64>,
-    /// The steps requested before the code of an elimination was compiled.
+    /// The number of steps requested while the code of an elimination was not compiled.
     steps: AtomicU64,
     operations: OnceLock<Option<u32>>,
 }
@@ -74,13 +75,14 @@ pub(crate) struct OrbitCode<T> {
 enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
-    /// The compiled loops for dense fields, without machine code.
+    /// Loops of a dense field, which were compiled with this crate.
     Loops(StepKind),
 }
 
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
-    /// Maps parameters and ε of one register of trajectories to the constants of their step.
+    /// The code that computes the constants of a step from parameters and ε, for one register of
+    /// trajectories.
     constants: Function<T>,
     shared: Sweep<T>,
     own: Sweep<T>,
@@ -88,14 +90,16 @@ pub(crate) struct ColumnsCode<T> {
 }
 
 impl Codes {
-    /// Returns the operations of a step of `engine`, which owns this, if the step eliminates.
+    /// Returns the number of operations of a step, if the step eliminates; `engine` owns this
+    /// table.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
             .operations
             .get_or_init(|| Some(engine.derived.couplings()?.cost(engine.derived.field()).operations))
     }
 
-    /// Counts further steps, and returns whether compiling pays; a straight-line step always does.
+    /// Counts further steps, and returns whether compiling pays. For a straight-line step it always
+    /// pays.
     pub(crate) fn is_worth_compiling(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;
@@ -126,7 +130,8 @@ impl Codes {
         })
     }
 
-    /// Returns the code of points in lanes, each with its own constants, or `None`.
+    /// Returns the code of points in lanes, each with its own constants; `None` if it cannot be
+    /// compiled.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -144,7 +149,7 @@ impl Codes {
         })
     }
 
-    /// Returns the code of an object, without fused multiply-adds, or `None`.
+    /// Returns the code of an object, without fused multiply-adds; `None` if it cannot be compiled.
     pub(crate) fn function<T: MachineFloat>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
         if !CAN_RUN {
             return None;
@@ -180,7 +185,8 @@ impl<T: MachineFloat> OrbitCode<T> {
         matches!(self.step, StepCode::Loops(_))
     }
 
-    /// Returns whether a guard, initially 0, follows the numbers of a state.
+    /// Returns whether a guard follows the numbers of a state. A guard is a number, initially 0,
+    /// that shows whether steps must be repeated.
     ///
     /// The guard is at most [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while each
     /// step has the interpreter's operations or leads to a nonfinite number.
@@ -188,7 +194,8 @@ impl<T: MachineFloat> OrbitCode<T> {
         self.is_guarded
     }
 
-    /// Writes the state one step later into `next`; `stages` as in [`advance`](Self::advance).
+    /// Writes the state one step later into `next`; `stages` are those of
+    /// [`advance`](Self::advance).
     pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
         match &self.step {
             StepCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
@@ -199,8 +206,8 @@ impl<T: MachineFloat> OrbitCode<T> {
         }
     }
 
-    /// Advances the numbers of a state by `steps` steps. Each entry of `stages` holds one distinct
-    /// stage's constants; the middle stage is last.
+    /// Advances the numbers of a state by `steps` steps. Each entry of `stages` holds the constants
+    /// of one distinct stage; the middle stage is last.
     pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
         match &self.step {
             StepCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
@@ -220,7 +227,8 @@ impl<T: MachineFloat> ColumnsCode<T> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
         Some(ColumnsCode {
-            // Constants are never fused, since each is rounded once.
+            // Constants are computed without fused multiply-adds, since each operation is rounded
+            // once.
             constants: Function::compile(&prepared, Shape { fuses: false, ..shape }).ok()?,
             shared: Sweep::compile(&program, shape, Constants::Shared).ok()?,
             own: Sweep::compile(&program, shape, Constants::Own).ok()?,

@@ -1,9 +1,10 @@
-//! Double-double arithmetic as a program of doubles, with the operations of [`Dd`](kahan_core::Dd)
-//! in their order, in the absence of overflow and underflow.
+//! Double-double arithmetic as a program of doubles. Without overflow and underflow, the program
+//! has the operations of [`Dd`](kahan_core::Dd) in their order.
 //!
-//! The program does not branch. Operations that need moderate sizes add to a guard, which is 0
-//! while all sizes are moderate, and NaN from the first exception on. The caller checks the guard
-//! from time to time; if it is not 0, the interpreter repeats the steps.
+//! The program does not branch. Some operations are correct only if sizes are moderate, that is far
+//! from overflow and underflow. They check this by adding to a guard, which is 0 while all sizes
+//! are moderate, and NaN after the first exception. The caller checks the guard from time to time;
+//! if it is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;
@@ -25,10 +26,10 @@ pub(super) struct Pair {
 
 #[derive(Debug, Default)]
 struct GuardNotes {
-    /// Whether products use fused multiply-adds for their rounding errors.
+    /// Whether the rounding errors of products are computed by fused multiply-adds.
     fuses: bool,
     of_sizes: Vec<Double>,
-    /// High parts known to be moderate.
+    /// High parts that are known to be far from overflow and underflow.
     moderate: Vec<Double>,
 }
 
@@ -36,17 +37,17 @@ thread_local! {
     static NOTES: RefCell<GuardNotes> = RefCell::default();
 }
 
-/// Divisors between 2^−DIVISORS and 2^DIVISORS cannot overflow or underflow.
+/// A divisor a with 2^−DIVISORS < |a| < 2^DIVISORS causes neither overflow nor underflow.
 const DIVISORS: i32 = 400;
 
-/// Traces the numbers that `compute` returns, two doubles each, and the guard as the last result.
+/// Traces the numbers that `compute` returns, as two doubles each; the last result is the guard.
 pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
     NOTES.set(GuardNotes { fuses, ..GuardNotes::default() });
     traced::program(|| {
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // A separate sum, so that it need not wait for the previous step.
+        // The notes have a sum of their own, so that this sum need not wait for the previous step.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
@@ -61,24 +62,25 @@ fn fuses() -> bool {
     NOTES.with_borrow(|notes| notes.fuses)
 }
 
-/// Adds to the guard: 0 where |a|·2^exponent is finite, else NaN.
+/// Sets the guard to NaN unless |a|·2^exponent is finite.
 fn guard_below(a: Double, exponent: i32) {
     let note = a * Double::number(power_of_two(exponent)) * Double::number(0.0);
     NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
-/// Adds to the guard unless 2^−DIVISORS < |a| < 2^DIVISORS; `inverse` is near 1/a.
+/// Sets the guard to NaN unless 2^−DIVISORS < |a| < 2^DIVISORS; `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
     guard_below(a, 1024 - DIVISORS);
     guard_below(inverse, 1024 - DIVISORS);
 }
 
-/// Adds to the guard unless |leading| < 2^1022, which leaves room for the lower terms of the sum.
+/// Sets the guard to NaN unless |leading| < 2^1022, which leaves room for the lower terms of the
+/// sum.
 fn guard_headroom(leading: Double) {
     guard_below(leading, 1024 - 1022);
 }
 
-/// Returns a + b and its rounding error (Knuth).
+/// Returns a + b and the rounding error of the sum (Knuth).
 fn two_sum(a: Double, b: Double) -> (Double, Double) {
     let sum = a + b;
     let from_a = sum - b;
@@ -86,13 +88,14 @@ fn two_sum(a: Double, b: Double) -> (Double, Double) {
     (sum, (a - from_a) + (b - from_b))
 }
 
-/// Returns a + b and its rounding error where |a| ≥ |b| (Dekker).
+/// Returns a + b and the rounding error of the sum, for |a| ≥ |b| (Dekker).
 fn fast_two_sum(a: Double, b: Double) -> Pair {
     let high = a + b;
     Pair { high, low: b - (high - a) }
 }
 
-/// Returns a·b and its rounding error, by a fused operation or by splitting (Dekker).
+/// Returns a·b and the rounding error of the product, by a fused multiply-add or by splitting
+/// (Dekker).
 fn two_product(a: Double, b: Double) -> (Double, Double) {
     let product = a * b;
     if fuses() {
@@ -103,7 +106,7 @@ fn two_product(a: Double, b: Double) -> (Double, Double) {
     (product, left + a_low * b_low)
 }
 
-/// Splits a into two floats of 26 bits (Veltkamp); adds to the guard beyond 2⁹⁹⁵.
+/// Splits a into two floats of 26 bits (Veltkamp). Sets the guard to NaN if |a| is above 2⁹⁹⁵.
 fn split(a: Double) -> (Double, Double) {
     guard_below(a, 1024 - 995);
     let spread = Double::number(power_of_two(27) + 1.0) * a;
@@ -144,7 +147,7 @@ impl Pair {
         let reciprocal = Double::number(1.0) / divisor.high;
         note_moderate(divisor.high, reciprocal);
         let is_ordinary = self.high.literal().is_some_and(|value| {
-            // The range leaves room for another division of the quotient.
+            // The range leaves room for a further division of the quotient.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {

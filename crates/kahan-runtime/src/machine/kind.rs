@@ -1,4 +1,4 @@
-//! The kinds of step that can be compiled, keys of the code tables.
+//! The kinds of step that can be compiled; they are the keys of the code tables.
 
 use kahan_core::Constant;
 use kahan_dynamics::Precision;
@@ -7,11 +7,11 @@ use crate::engine::RuntimeFloat;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct StepKind {
-    /// The precisions of state and step.
+    /// The precision of the state, and the precision in which a step is computed.
     pub(crate) precision: Precision,
     pub(crate) compensated: bool,
-    /// Whether the step uses the formula for every scalar and every ε, instead of the one for
-    /// single orbits at ordinary ε.
+    /// Whether the step uses the formula that is valid for every scalar and every ε. Otherwise it
+    /// uses the formula for single orbits at ordinary ε.
     pub(crate) is_general: bool,
     pub(crate) rounds_increments: bool,
     pub(crate) fuses: bool,
@@ -21,17 +21,17 @@ pub(crate) struct StepKind {
 pub(crate) enum GroupKind {
     Steps(StepKind),
     Carrying(TangentKind),
-    /// Integrals, written after the points; the constants are the parameters and ε.
+    /// Integrals, which the code writes after the points; the constants are the parameters and ε.
     Integrals,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct TangentKind {
-    /// The step of the point, or of the variational field.
+    /// The kind of the step, either of the point or of the variational field.
     pub(crate) kind: StepKind,
-    /// Whether `kind` is the step of the variational field. Otherwise the program of
-    /// [`Object::Tangent`](crate::engine::Object) propagates vectors; its constants, the parameters
-    /// and ε, follow those of the step.
+    /// Whether `kind` is a step of the variational field. If not, the program of
+    /// [`Object::Tangent`](crate::engine::Object) propagates vectors. Its constants, the parameters
+    /// and ε, follow the constants of the step.
     pub(crate) is_variational: bool,
     pub(crate) vectors: usize,
     pub(crate) has_squares: bool,

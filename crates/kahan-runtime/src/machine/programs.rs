@@ -1,7 +1,7 @@
 //! Programs to compile, written by running the interpreter over [`Traced`] numbers.
 //!
-//! In: an engine with its plans. Out: a `Program` of `kahan-jit` with the interpreter's operations
-//! in their order, or `None` for a step that branches or is too long.
+//! In: an engine with its plans. Out: a `Program` of `kahan-jit` that has the interpreter's
+//! operations in their order; `None` for a step that branches or is too long.
 
 use kahan_core::Scalar;
 use kahan_dynamics::Precision;
@@ -19,11 +19,12 @@ use super::{InstructionSet, StepKind, TangentKind};
 const MOST_OPERATIONS: u32 = 50_000;
 
 impl StepKind {
-    /// Returns the program from a state to the next one, with the prepared constants of the step.
-    /// `None` for a step that branches, and for compensated double-double.
+    /// Returns the program that computes the next state from a state, with the prepared constants
+    /// of the step. `None` for a step that branches, and for compensated double-double.
     ///
-    /// A state is x₁, …, xₙ, followed by n rounding errors if compensated. In double-double each xᵢ
-    /// is two numbers, the high one first, and the guard comes last.
+    /// A state is x₁, …, xₙ; a compensated state has n rounding errors after it. In double-double
+    /// each xᵢ is two numbers, the high one first, and the guard of
+    /// [`double_double`](super::double_double) comes last.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
@@ -47,10 +48,11 @@ impl StepKind {
         }
     }
 
-    /// Returns the program of a step that eliminates, with the parameters and ε as constants and a
-    /// guard as the last number. The guard is at most [`LARGEST_FACTOR`] while the interpreter
-    /// accepts all pivots and all numbers are finite. `None` in double-double, for multiply-adds
-    /// other than this build's, and beyond [`MOST_OPERATIONS`].
+    /// Returns the program of a step that eliminates. The constants are the parameters and ε; the
+    /// last number is a guard. The guard is at most [`LARGEST_FACTOR`] while the interpreter
+    /// accepts all pivots and all numbers are finite. Returns `None` in double-double, if
+    /// multiply-adds differ from those of this build, and for more than [`MOST_OPERATIONS`]
+    /// operations.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
@@ -86,8 +88,9 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step that eliminates can be compiled: on a supported processor, with one
-    /// float per number, this build's multiply-adds, and at most [`MOST_OPERATIONS`] operations.
+    /// Returns whether a step that eliminates can be compiled. This needs a supported processor,
+    /// one float for each number, multiply-adds as in this build, and at most [`MOST_OPERATIONS`]
+    /// operations.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble
@@ -120,7 +123,8 @@ impl StepKind {
 
 impl TangentKind {
     /// Returns the program of a point with tangent vectors after it; `None` for a step that
-    /// branches. Squared lengths are further states, which are only written.
+    /// branches. If squared lengths are requested, they follow as states that are written but not
+    /// read.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.kind.is_general);
         let n = engine.dimension() / if self.is_variational { 2 } else { 1 };
@@ -132,7 +136,7 @@ impl TangentKind {
             };
             let mut squares = Vec::new();
             for k in 1..=self.vectors {
-                // All vectors share one point; common subexpressions are compiled once.
+                // All vectors belong to one point; common subexpressions are compiled once.
                 let v = Traced::states(k * n..(k + 1) * n);
                 let carried = if self.is_variational {
                     let mut next = self.kind.next(step, [&x[..], &v].concat())?;
@@ -153,8 +157,8 @@ impl TangentKind {
     }
 }
 
-/// Returns the tangent vector at the next point, from a state of [`Object::Tangent`]. The constants
-/// of the step precede the parameters and ε.
+/// Returns the tangent vector at the next point, from a state as in [`Object::Tangent`]. The
+/// constants of the step come before the parameters and ε.
 fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]) -> Option<Vec<Traced<T>>> {
     let [prepared, _] = engine.steps().form(kind.is_general).lines()?;
     let (line, first) = (engine.line(Object::Tangent)?, prepared.outputs());
@@ -163,7 +167,8 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// Returns the program of an object from a state, if the field has a straight-line one.
+/// Returns the program that computes an object from a state; `None` unless the object has a
+/// straight-line program.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();

@@ -1,5 +1,5 @@
-//! A number that records its operations: over [`Traced`] numbers, the interpreter writes the
-//! program of its own operations in their order.
+//! A number that records its operations. If the interpreter runs over [`Traced`] numbers, it writes
+//! the program of its own operations in their order.
 
 use core::ops::Neg;
 use std::cell::{Cell, RefCell};
@@ -15,11 +15,12 @@ use kahan_program::{Float, Node};
 
 thread_local! {
     static OPERATIONS: RefCell<Vec<Instruction>> = RefCell::default();
-    /// Whether multiply-adds are recorded as products and sums.
+    /// Whether a multiply-add is recorded as a product and a sum.
     static IS_UNFUSED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Records the multiply-adds of `compute` as two operations each, even in a program that fuses.
+/// Runs `compute`, and records each of its multiply-adds as two operations, even in a program that
+/// fuses.
 pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
     IS_UNFUSED.set(true);
     let result = compute();
@@ -27,7 +28,8 @@ pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Returns the program of the numbers that `compute` returns; `None` if `compute` does.
+/// Returns the program that computes the numbers that `compute` returns; `None` if `compute`
+/// returns `None`.
 pub(super) fn program<T>(compute: impl FnOnce() -> Option<Vec<Traced<T>>>) -> Option<Program> {
     OPERATIONS.take();
     let outputs = compute()?.into_iter().map(|number| number.place).collect();
@@ -81,7 +83,8 @@ impl<T> Traced<T> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
-    /// Returns a with self = −a, if known, since b − a has the bits of b + self.
+    /// Returns the node a with self = −a, if it is known. The bits of b − a then equal those of b +
+    /// self.
     fn negated(self) -> Option<Node> {
         if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }
@@ -115,7 +118,7 @@ impl<T: Copy> Zero for Traced<T> {
         Self::number(0.0)
     }
 
-    /// Returns `false`: values are unknown while tracing.
+    /// Returns `false`, because values are unknown while a program is traced.
     fn is_zero(&self) -> bool {
         false
     }

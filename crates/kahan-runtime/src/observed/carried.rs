@@ -1,9 +1,9 @@
 //! Observation of a group of orbits whose points and tangent vectors advance by machine code.
 //!
 //! In: maps, points, and observers that do not need every point. Out: points and reports, with the
-//! bits of single orbits. The code makes [`PAUSE`] steps in one call, after which observers that
-//! are due read their vectors. An orbit that has left the range of floats repeats the last call's
-//! steps singly.
+//! bits of single orbits. The code makes [`PAUSE`] steps in one call; observers that are due then
+//! read their vectors. If an orbit has left the range of floats, the steps of the last call are
+//! repeated one by one for this orbit.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;
@@ -13,10 +13,11 @@ use kahan_core::observe::{GROUP, Group, Observer, PAUSE, are_moderate};
 use crate::at::group::{AlignedGroups, MOST, RuntimeGroup};
 use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 
-/// The largest number of columns of a group: points, and three tangent vectors.
+/// The largest number of columns of a group: those of the points, and of three tangent vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
-/// Follows a group of orbits by machine code; returns `false`, with nothing done, if it cannot.
+/// Follows a group of orbits by machine code. If this is not possible, does nothing and returns
+/// `false`.
 pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     maps: [&MapAt<T>; GROUP],
     points: &mut RuntimeGroup<T>,

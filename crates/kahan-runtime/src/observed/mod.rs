@@ -1,8 +1,8 @@
-//! Observables of orbits, and the loops that observe orbits over `f32` and `f64`.
+//! The observables of orbits, and the loops that observe orbits over `f32` and `f64`.
 //!
 //! In: maps, first points, and a list of observables. Out: the observed values, in the order of the
-//! list. The loops are instantiated in this crate, beside the steps that they call: in another
-//! compilation unit they take up to twice the time.
+//! list. The loops are instantiated in this crate, beside the steps that they call. In another
+//! compilation unit they would take up to twice the time.
 
 mod carried;
 mod observable;
@@ -19,20 +19,20 @@ pub use observable::ObservedValue;
 pub use running::Observable;
 pub use tangent::Relations;
 
-/// A request: observables of orbits, with settings.
+/// A request for observables of orbits, with settings.
 #[derive(Clone, Copy, Debug)]
 pub struct ObservationRequest<'a> {
     /// The observables, each once.
     pub of: &'a [Observable],
     /// The largest number of steps of each orbit.
     pub steps: u64,
-    /// Steps between two orthonormalizations of the tangent vectors, at least 1.
+    /// The number of steps between two orthonormalizations of the tangent vectors, at least 1.
     pub renormalize: u64,
     /// The number of Lyapunov exponents in the spectrum, largest first; at least 1.
     pub exponents: usize,
-    /// The bound on |xᵢ| beyond which an orbit has escaped and ends, if any.
+    /// The bound on |xᵢ| beyond which an orbit has escaped and ends; `None` for no bound.
     pub escape: Option<f64>,
-    /// The relations of a lifted field, for tangent vectors of the original variables.
+    /// The relations of a lifted field, if tangent vectors are in the original variables.
     pub relations: Option<&'a dyn Relations>,
 }
 
@@ -49,8 +49,8 @@ impl ObservationRequest<'_> {
 pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// Observes the orbit of `start`, which ends at a nonfinite point or beyond the bound.
     ///
-    /// `step` makes the orbit, or `at` if `step` is `None`; observers always evaluate `at`. The
-    /// callback `tell` receives numbers of steps, and may stop the orbit.
+    /// `step` makes the steps of the orbit; if `step` is `None`, `at` makes them. Observers always
+    /// evaluate `at`. The callback `tell` receives numbers of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if `start` does not have one entry for each variable.
@@ -62,10 +62,11 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Followed<Vec<ObservedValue>>, DimensionError>;
 
-    /// Observes many orbits, in SIMD lanes where machine code allows it.
+    /// Observes many orbits, in SIMD lanes where machine code supports this.
     ///
     /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
-    /// Numbers equal those of [`observe_one`](Self::observe_one), but are meaningless if `tell` stops the work.
+    /// The numbers equal those of [`observe_one`](Self::observe_one). If `tell` stops the work,
+    /// they are meaningless.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.

@@ -1,5 +1,5 @@
-//! Descriptions of observables (name, table columns, position in results and charts), and observed
-//! values as numbers of these columns.
+//! Descriptions of observables (name, table columns, position in results and charts), and the
+//! conversion of observed values into numbers for the columns.
 //!
 //! The list of observables, with their observers, is in `running.rs`.
 
@@ -12,7 +12,8 @@ use crate::PassedPoleCount;
 pub(super) struct ObservableInfo {
     pub(super) name: &'static str,
     of: ColumnScope,
-    /// Column names, with `{}` for a variable, integral or number, and their meanings.
+    /// The names of the columns and their meanings; `{}` stands for a variable, an integral or a
+    /// number.
     columns: &'static [(&'static str, &'static str)],
     follows: ObservedPart,
     is_usual: bool,
@@ -20,13 +21,13 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// The scope of an observable's columns.
+/// The items for each of which an observable has columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,
     Variables,
     Integrals,
-    /// Columns for each number from 1 to the number of variables.
+    /// The numbers from 1 to the number of variables; each has columns.
     Numbers,
 }
 
@@ -59,7 +60,7 @@ impl ObservableInfo {
         ObservableInfo { is_usual: true, ..self }
     }
 
-    /// Offers the observable as the colour of charts, with this label in the legend.
+    /// Offers the observable as the colour of charts; `label` is its text in the legend.
     pub(super) const fn colour(self, label: &'static str) -> Self {
         ObservableInfo { label: Some(label), ..self }
     }
@@ -86,7 +87,7 @@ pub enum ObservedValue {
     Number(f64),
     /// The rotation of each variable, in full turns per step.
     Turns(Vec<RotationNumber>),
-    /// The step of the escape; `None` without one.
+    /// The number of steps before the escape; `None` if the orbit did not escape.
     Step(Option<u64>),
     /// The number of steps over poles of the map.
     Passed(PassedPoleCount),
@@ -99,7 +100,8 @@ impl Observable {
         Self::ALL.iter().copied().find(|one| one.name() == name)
     }
 
-    /// Returns the observable called `name`, or else the one with a column of this name.
+    /// Returns the observable called `name`, or otherwise the observable that has a column called
+    /// `name`.
     #[must_use]
     pub fn of_column(name: &str) -> Option<Self> {
         let is_its = |(column, _): &(&str, &str)| match column.split_once("{}") {
@@ -116,21 +118,22 @@ impl Observable {
         Self::ALL.iter().copied().filter(|one| one.about().is_usual).collect()
     }
 
-    /// Returns the name in requests.
+    /// Returns the name of the observable in requests.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.about().name
     }
 
-    /// Returns the name in results: for observables of the whole orbit, that of the first column.
+    /// Returns the name in results. For an observable of the whole orbit, it is the name of the
+    /// first column.
     #[must_use]
     pub fn key(self) -> &'static str {
         let ObservableInfo { name, of, columns, .. } = self.about();
         if of == ColumnScope::Orbit { columns[0].0 } else { name }
     }
 
-    /// Returns whether the observable needs tangent vectors (in a lifted field those of the
-    /// original variables).
+    /// Returns whether the observable needs tangent vectors; in a lifted field these are in the
+    /// original variables.
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
         self.about().follows == ObservedPart::TangentVectors
@@ -142,19 +145,19 @@ impl Observable {
         self.about().follows == ObservedPart::Points
     }
 
-    /// Returns the number of passes over the orbit.
+    /// Returns the number of times that the orbit must be run.
     #[must_use]
     pub fn runs(self) -> u64 {
         if self == Self::Rotation { 2 } else { 1 }
     }
 
-    /// Returns the legend's label, for observables that can colour a chart.
+    /// Returns the label in a legend; `None` unless the observable can colour a chart.
     #[must_use]
     pub fn label(self) -> Option<&'static str> {
         self.about().label
     }
 
-    /// Returns whether charts use a logarithmic scale.
+    /// Returns whether charts show the observable on a logarithmic scale.
     #[must_use]
     pub fn is_logarithmic(self) -> bool {
         self.about().is_logarithmic
@@ -179,7 +182,7 @@ impl Observable {
 }
 
 impl ObservedValue {
-    /// Returns the numbers of the columns, in their order; NaN stands for a missing value.
+    /// Returns the numbers for the columns, in their order; NaN stands for a missing value.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {
         match self {

@@ -1,11 +1,14 @@
 //! The list of observables with their observers, and the observation of one or many orbits.
 //!
-//! In: a map for each orbit, first points, and observables. Out: the observed values, in the
-//! requested order, equal for an orbit singly and in a group.
+//! In: a map for each orbit, first points, and observables. Out: the observed values in the
+//! requested order, equal for an orbit singly or in a group.
+//!
+//! # Files
 //!
 //! An observable with an observer of its own is a file in `running/` such as `last.rs`: `ABOUT`
-//! describes it, `Own` is the observer's type, `observer` makes one, `seen` reads it. The list
-//! itself names observers of `kahan_core`. Its order is that of results.
+//! describes the observable, `Own` is the observer's type, `observer` makes an observer, `seen`
+//! reads its report. The list names the observers of `kahan_core` directly. Results have the order
+//! of the list.
 
 use std::ops::ControlFlow;
 
@@ -23,7 +26,8 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable and of each rate of change; orbits rotate around their middles.
+/// The extremes of each variable, and of its rate of change. Orbits rotate around the middles of
+/// extremes.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -44,7 +48,7 @@ macro_rules! observables {
             /// All observables.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
-            /// The names of [`ALL`](Self::ALL), in its order.
+            /// The names of all observables, in the order of [`ALL`](Self::ALL).
             pub const NAMES: &'static [&'static str] = &[$(($($module::ABOUT)? $($about)?).name),*];
 
             /// Returns the meaning, as a sentence.
@@ -62,8 +66,8 @@ macro_rules! observables {
             }
         }
 
-        /// The observer of one observable; `M` finds the extremes for rotations, `B` detects
-        /// escapes.
+        /// The observer of one observable. The type `M` finds the extremes for rotations; `B`
+        /// detects escapes.
         enum Running<'a, T: MachineFloat + EmbedScalar, M, B> {
             $($name($($module::Own<'a, T>)? $($type)?),)*
         }
@@ -91,7 +95,8 @@ macro_rules! observables {
                 }
             }
 
-            /// Shows a burst to the observers of one observable, all of one variant.
+            /// Shows a burst of points to the observers of one observable, which are all of one
+            /// variant.
             fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
                 match &own[0] {
                     $(Some(Running::$name(_)) => {
@@ -164,7 +169,7 @@ observables! {
     Rotation, "The rotation number of each variable, in turns per step.",
         M = at.extremes(), one => {
             *middles = Some(one.report());
-            // The second pass replaces this placeholder.
+            // This placeholder is replaced after the second pass.
             ObservedValue::Turns(Vec::new())
         },
         ObservableInfo::new("rotation", ColumnScope::Variables, &[
@@ -204,7 +209,7 @@ fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
     Extremes { least: of.least.approximate(), greatest: of.greatest.approximate() }
 }
 
-/// The observers of one orbit; reports the values, and the extremes for a second pass.
+/// The observers of one orbit. The report holds the values, and the extremes for a second pass.
 struct AllObservers<'a, T: MachineFloat + EmbedScalar, M, B> {
     carrier: Carrier<'a, T>,
     running: Vec<(Observable, Running<'a, T, M, B>)>,
@@ -239,8 +244,9 @@ where
         }
     }
 
-    /// Shows a burst to one observable after the other, for all orbits at once, so that tangent
-    /// vectors and integrals use SIMD lanes. With the plane of a lifted field, orbits take turns.
+    /// Shows a burst of points to one observable after the other, for all orbits at once, so that
+    /// tangent vectors and integrals use SIMD lanes. For a lifted field with a plane of tangent
+    /// vectors, shows the burst to one orbit after the other.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
         if first.carrier.plane.is_some() {
@@ -302,7 +308,8 @@ where
     }
 }
 
-/// Observes the orbit of `start` under `step`; a second pass finds rotations, if requested.
+/// Observes the orbit of `start` under `step`. If rotations are requested, a second pass finds
+/// them.
 pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,
@@ -314,10 +321,10 @@ pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     let observers = WhileFinite::within(bound, all(at, asked));
     let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
-    // The observers' end, if any, replaces the run's.
+    // If an observer ended the orbit, this end replaces the end of the run.
     let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
-        // If the first pass was stopped, there is no second one.
+        // If the first pass was stopped, the second pass is left out.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;

@@ -1,10 +1,14 @@
-//! The tangent map of an orbit, in a lifted field for vectors of the original variables.
+//! The tangent map of an orbit; in a lifted field, for tangent vectors in the original variables.
 //!
-//! Lifting adds variables w = g(x); a tangent vector e of x then corresponds to (e, Dg·e). The
-//! plane of these vectors is propagated from point to point. It stays near the vectors (e, Dg·e) if
-//! the map preserves the relations. Resetting it to (e, Dg·e) at every step would change exponents
-//! by a multiple of ε, and make vectors on regular orbits grow exponentially. So the plane is reset
-//! only if its distance from (e, Dg·e) exceeds [`FARTHEST`].
+//! Lifting adds variables w = g(x). A tangent vector e of x then corresponds to (e, Dg·e), where Dg
+//! is the Jacobian of g. The plane of these vectors is propagated from point to point.
+//!
+//! # Resets
+//!
+//! If the map preserves the relations, the propagated plane stays near the vectors (e, Dg·e).
+//! Resetting the plane at every step would change exponents by a multiple of ε, and make vectors on
+//! regular orbits grow exponentially. Therefore the plane is reset only if its distance from (e,
+//! Dg·e) exceeds [`FARTHEST`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -16,7 +20,8 @@ use kahan_core::{EmbedScalar, Scalar, Step, Stopped, Workspace};
 use crate::engine::determinant;
 use crate::{MachineFloat, MapAt};
 
-/// Relations w = g(x) of a lifted field: the added variables w stand for functions of x.
+/// The relations w = g(x) of a lifted field. The added variables w are functions of the original
+/// ones x.
 pub trait Relations: fmt::Debug + Sync {
     /// Returns the number of original variables x, which come first.
     fn originals(&self) -> usize;
@@ -25,14 +30,14 @@ pub trait Relations: fmt::Debug + Sync {
     fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
 }
 
-/// The largest error of a propagated derivative before the plane is reset, relative to the
-/// function's largest derivative. A map that preserves the relations has errors of order ε².
+/// The largest error of a propagated derivative at which the plane is not reset, relative to the
+/// function's largest derivative. If the map preserves the relations, errors are of order ε².
 const FARTHEST: f64 = 1.0 / 64.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct Carrier<'a, T: MachineFloat> {
     map: &'a MapAt<T>,
-    /// The propagated plane of a lifted field; `None` if tangent vectors have all variables.
+    /// The propagated plane of a lifted field; `None` if tangent vectors are in all variables.
     pub(super) plane: Option<Rc<RefCell<CarriedPlane<'a, T>>>>,
 }
 
@@ -42,11 +47,11 @@ pub(super) struct CarriedPlane<'a, T: MachineFloat> {
     relations: &'a dyn Relations,
     parameters: Vec<f64>,
     place: Vec<T>,
-    /// Row i: the tangent vector whose original entries are those of axis i.
+    /// The rows are tangent vectors. In the original variables, row i is the unit vector of axis i.
     basis: Vec<Vec<T>>,
-    /// Row i: the original-variable entries of the image of `basis[i]` under the last step.
+    /// The images of the rows of `basis` under the last step, restricted to the original variables.
     images: Vec<Vec<T>>,
-    /// The largest squared norm of each function's gradient so far.
+    /// For each function g, the largest squared norm of its gradient so far.
     largest: Vec<f64>,
 }
 
@@ -105,7 +110,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
         self.replace_if_far(x, true);
     }
 
-    /// Resets the plane to (e, Dg·e) if it is farther away than [`FARTHEST`], or if `must`.
+    /// Resets the plane to (e, Dg·e) if its error exceeds [`FARTHEST`], or if `must` is set.
     fn replace_if_far(&mut self, x: &[T], must: bool) {
         let (n, slopes) = (self.basis.len(), self.slopes(x));
         let mut is_far = must;
@@ -114,7 +119,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
             *largest = largest.max(row.iter().copied().fold(0.0, squares));
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
-            // Variables without a function have slope 0, and occur in no equation.
+            // A variable without a function has slope 0, and does not occur in the equations.
             let is_near = error <= FARTHEST * FARTHEST * *largest;
             is_far |= *largest > 0.0 && !is_near;
         }
@@ -128,7 +133,7 @@ impl<T: MachineFloat + EmbedScalar> CarriedPlane<'_, T> {
     }
 }
 
-/// Brings rows to reduced row echelon form; returns `false` for a singular leading block.
+/// Brings rows to reduced row echelon form; returns `false` if the leading block is singular.
 fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     for k in 0..rows.len() {
         let better =
@@ -170,7 +175,8 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
 }
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
-    /// Propagates a vector: with a plane by the last step followed, otherwise by the map at `x`.
+    /// Propagates a vector. In a lifted field, uses the images of the last step; otherwise, the map
+    /// at `x`.
     fn push_forward(&self, x: &[T], v: &mut Vec<T>) {
         let Some(plane) = &self.plane else { return self.map.push_forward(x, v) };
         let mut sum = vec![T::zero(); v.len()];

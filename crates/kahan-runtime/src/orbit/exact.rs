@@ -1,7 +1,8 @@
-//! Exact orbits: projective integer coordinates between points, and fractions on demand.
+//! Exact orbits. Points are projective integer coordinates; fractions are computed on demand.
 //!
-//! An integral is constant along the orbit. Products check this (N q = D p for N/D at the point and
-//! p/q at the first one), which is far cheaper than the reduction of N/D, the fallback.
+//! An integral is constant along the orbit. If it is N/D at the point and was p/q at the first
+//! point, the products N q and D p are compared, which is far cheaper than reducing N/D. If they
+//! differ, N/D is reduced.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
@@ -21,7 +22,7 @@ pub struct ExactOrbit {
 }
 
 impl Map {
-    /// Begins the orbit in exact numbers at ε, half the time step, from a first point. Substitutes
+    /// Begins the orbit of a first point in exact numbers, at ε, half the time step. Substitutes
     /// the parameters into the reduced map.
     ///
     /// # Errors
@@ -31,12 +32,12 @@ impl Map {
         let (system, parameters) = (self.field().system(), self.parameters());
         let map = match &self.field().derived().map {
             map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
-            // In many variables there is no plan for a rational map.
+            // In many variables, the field has no plan for a rational map.
             None => ProjectiveMap::new(system, parameters, eps),
         };
         let map = map.expect("a map is at parameters where its field is defined");
         let mut orbit = HeightsOrbit::begin(map, start);
-        // The iterator yields the first point itself first.
+        // The first item of the iterator is the first point itself.
         orbit.next();
         let mut exact = ExactOrbit { map: self.clone(), eps: eps.clone(), orbit, first: Vec::new() };
         let first = exact.integrals(&exact.state());
@@ -46,7 +47,7 @@ impl Map {
 }
 
 impl ExactOrbit {
-    /// Makes one step; returns `false` at a pole, det A = 0.
+    /// Makes one step; returns `false` at a pole, where det A = 0.
     ///
     /// Cost: products and gcds of numbers as long as the coordinates.
     pub fn advance(&mut self) -> bool {
@@ -54,7 +55,7 @@ impl ExactOrbit {
     }
 
     /// Returns the coordinates of the point, and the integrals claimed without `when`, all in
-    /// lowest terms. `None` stands for an integral that divides by zero at the point.
+    /// lowest terms. An integral that divides by zero at the point is `None`.
     ///
     /// Cost: a gcd and two divisions for each coordinate, and some products for each integral.
     #[must_use]

@@ -1,8 +1,8 @@
 //! Orbits through poles, over a scalar chosen at compile time.
 //!
 //! In: a map of at most [`LARGEST_DIMENSION`](crate::interpreted::LARGEST_DIMENSION) variables, ε,
-//! and a first point. Out: points, including those at infinity. Generic code is compiled once, in
-//! this crate, for all callers.
+//! and a first point. Out: points, including those at infinity. The generic code is compiled once,
+//! in this crate, for all callers.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
@@ -17,14 +17,14 @@ pub trait ProjectiveOrbit<T> {
     /// Makes one step, or returns why there is no next point.
     fn advance(&mut self) -> Result<(), Option<SingularStep>>;
 
-    /// Returns the coordinates; for a point at infinity, its finite ones are 0.
+    /// Returns the coordinates. At a point at infinity, finite coordinates are returned as 0.
     fn coordinates(&self) -> &[T];
 
     /// Returns whether the point is at infinity.
     fn is_infinite(&self) -> bool;
 
-    /// Returns the integrals claimed without `when`, at a finite point. `None` stands for an
-    /// integral that divides by zero there in an exact scalar.
+    /// Returns the integrals claimed without `when`, at a finite point. In an exact scalar, an
+    /// integral that divides by zero is `None`.
     fn integrals(&self) -> Vec<Option<T>>;
 }
 
@@ -35,7 +35,8 @@ pub trait ProjectiveScalar: ThroughPoles {
     fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>>;
 }
 
-/// Implements the trait in this crate; a provided method would be compiled in each caller's crate.
+/// Implements the trait in this crate. A provided method would be compiled again in each caller's
+/// crate.
 macro_rules! compile_for {
     ($($scalar:ty),*) => {$(
         impl ProjectiveScalar for $scalar {
@@ -49,8 +50,8 @@ macro_rules! compile_for {
 compile_for!(f32, f64, Dd, BigRational);
 
 impl Map {
-    /// Begins the orbit through poles at ε, half the time step, from a first point. Each number is
-    /// rounded once; coordinates missing in `start` are 0.
+    /// Begins the orbit through poles of a first point, at ε, half the time step. Each number is
+    /// rounded once; coordinates that `start` lacks are 0.
     ///
     /// # Errors
     /// [`UnsupportedDimension`] if the field has more than [`LARGEST_DIMENSION`] variables.
@@ -76,7 +77,7 @@ impl<T: ThroughPoles> ProjectivePosition<T> {
             SVector::from_fn(|i, _| start.get(i).map_or_else(T::zero, round));
         let eps: T = round(eps);
         let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
-        // The iterator yields the first point itself first.
+        // The first item of the iterator is the first point itself.
         orbit.next();
         Box::new(ProjectivePosition { map, eps, orbit, point: start.into() })
     }

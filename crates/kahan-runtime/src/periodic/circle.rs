@@ -1,4 +1,5 @@
-//! Positions of the roots of a rational polynomial relative to the unit circle, decided exactly.
+//! Decides exactly whether roots of a rational polynomial lie inside, on, or outside the unit
+//! circle.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::rational::Rational;
@@ -19,7 +20,8 @@ pub(super) fn product(a: &Matrix, b: &Matrix) -> Vec<Vec<Rational>> {
 pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
     let n = matrix.len();
     let mut terms = vec![(Monomial::power(Z, n as u32), Rational::one())];
-    // Nₖ = M·(Nₖ₋₁ + c·I) with the previous coefficient c; the next coefficient is −tr Nₖ/k.
+    // The recurrence is Nₖ = M·(Nₖ₋₁ + c·I), where c is the previous coefficient; the next
+    // coefficient is −tr Nₖ/k.
     let mut power = vec![vec![Rational::zero(); n]; n];
     for k in 1..=n {
         let (_, last) = &terms[k - 1];
@@ -35,7 +37,7 @@ pub(super) fn characteristic_polynomial(matrix: &Matrix) -> Polynomial {
 
 pub(super) fn stability(polynomial: &Polynomial) -> Stability {
     let reversed = reversed(polynomial);
-    // A root 0 lowers the degree of the reversed polynomial.
+    // If 0 is a root, the reversed polynomial has a lower degree.
     let is_smaller = reversed.degree() < polynomial.degree() || has_root_outside(&reversed);
     match (has_root_outside(polynomial), is_smaller) {
         (true, true) => Stability::Saddle,
@@ -56,19 +58,19 @@ fn reversed(polynomial: &Polynomial) -> Polynomial {
 }
 
 fn has_root_outside(polynomial: &Polynomial) -> bool {
-    // Roots on the circle, and pairs m, 1/m, are common to the polynomial and its reversal, since
-    // the conjugate of a root on the circle is its reciprocal.
+    // The conjugate of a root on the circle is its reciprocal. Therefore roots on the circle, and
+    // pairs m, 1/m, are also roots of the reversed polynomial.
     let shared = gcd(polynomial, &reversed(polynomial));
-    // Cohn: a self-reciprocal polynomial has all roots on the circle iff its derivative has no root
-    // outside.
+    // By Cohn's theorem, all roots of a self-reciprocal polynomial lie on the circle if and only if
+    // no root of its derivative lies outside.
     if shared.as_constant().is_none() && has_root_outside(&shared.derivative(Z)) {
         return true;
     }
     let Some(mut rest) = polynomial.checked_div(&shared) else { return false };
-    // Schur and Cohn: the remaining factor has no root on the circle. Up to sign, the product of
-    // its roots is its last coefficient over its leading one. If that is at least 1 in size, a root
-    // lies outside. Otherwise, by Rouché, the next polynomial has equally many roots outside, and
-    // degree one less.
+    // The test of Schur and Cohn: the remaining factor has no root on the circle. Up to sign, the
+    // product of its roots is its constant coefficient over its leading one. If this quotient is at
+    // least 1 in size, a root lies outside. Otherwise, by Rouché's theorem, the next polynomial has
+    // as many roots outside, and one degree less.
     while rest.degree() > 0 {
         let leading = rest.coefficient(&Monomial::power(Z, rest.degree()));
         let last = rest.coefficient(&Monomial::one());
@@ -95,12 +97,12 @@ mod tests {
         let of = |coefficients: &[i64], below: i64| {
             polynomial(&coefficients.iter().map(|c| Rational::new(*c, below)).collect::<Vec<_>>())
         };
-        // Each factor with whether it has roots inside, on, and outside the circle.
+        // Each polynomial is paired with whether it has roots inside, on, and outside the circle.
         let factors = [
             (of(&[0, 1], 1), [true, false, false]),
             (of(&[-1, 2], 2), [true, false, false]),
             (of(&[1, 6], 1), [true, false, false]),
-            // 0.6 ± 0.79i, of size 0.99.
+            // The roots are 0.6 ± 0.79i, of size 0.99.
             (of(&[9801, -12000, 10000], 10000), [true, false, false]),
             (of(&[-1, 1], 1), [false, true, false]),
             (of(&[1, 1], 1), [false, true, false]),
@@ -109,7 +111,8 @@ mod tests {
             (of(&[-3, 1], 1), [false, false, true]),
             (of(&[2, 1], 1), [false, false, true]),
             (of(&[10201, -12000, 10000], 10000), [false, false, true]),
-            // (3 ± √5)/2, one over each other, and (1 ± √5)/2, whose product is −1.
+            // The roots are (3 ± √5)/2, reciprocals of each other; then (1 ± √5)/2, whose product
+            // is −1.
             (of(&[1, -3, 1], 1), [true, false, true]),
             (of(&[-1, -1, 1], 1), [true, false, true]),
         ];
@@ -133,7 +136,7 @@ mod tests {
     #[test]
     fn the_characteristic_polynomial_is_the_determinant() {
         let row = |row: [i64; 3]| row.map(Rational::from).to_vec();
-        // (z − 2)·((z − 1)(z − 3) + 4)
+        // The characteristic polynomial is (z − 2)·((z − 1)(z − 3) + 4).
         let matrix = [row([1, -2, 5]), row([2, 3, -7]), row([0, 0, 2])];
         assert_eq!(characteristic_polynomial(&matrix), polynomial(&[-14, 15, -6, 1].map(Rational::from)));
     }

@@ -1,7 +1,7 @@
 //! Periodic points of run-time maps, with exact proofs for rational cycles.
 //!
-//! In: a map at its ε for [`kahan_dynamics::periodic`], and a cycle found in floats. Out: fractions
-//! near the cycle whose orbit closes exactly ([`rational`]), and their stability ([`circle`]).
+//! In: a map at its ε for [`kahan_dynamics::periodic`], and a cycle found in floats. Out: a cycle
+//! of fractions near the given one ([`rational`]), and its stability ([`circle`]).
 
 mod circle;
 mod rational;
@@ -30,13 +30,13 @@ impl Differentiable for MapAt<f64> {
 #[derive(Clone, Debug)]
 pub struct ParametricAt {
     at: MapAt<f64>,
-    /// The index of the parameter; the number of parameters stands for ε.
+    /// The index of the parameter. The index after the last parameter stands for ε.
     place: usize,
 }
 
 impl MapAt<f64> {
-    /// Returns the map with its derivative with respect to a parameter, given by its index in
-    /// [`Field::parameters`](crate::Field::parameters), or to ε for `None`.
+    /// Returns the map with its derivative with respect to one parameter, given by its index in
+    /// [`Field::parameters`](crate::Field::parameters). `None` stands for ε.
     ///
     /// # Panics
     /// If the index is out of range.
@@ -49,7 +49,8 @@ impl MapAt<f64> {
 }
 
 impl ParametricAt {
-    /// Returns the index of the differentiated parameter; the number of parameters stands for ε.
+    /// Returns the index of the differentiated parameter. The index after the last parameter stands
+    /// for ε.
     #[must_use]
     pub fn place(&self) -> usize {
         self.place

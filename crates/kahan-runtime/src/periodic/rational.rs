@@ -1,7 +1,7 @@
-//! Rational cycles near cycles known in floats.
+//! Rational cycles near cycles that were found in floats.
 //!
-//! In: a cycle in floats. Out: fractions near it whose orbit closes exactly, and the exact
-//! characteristic polynomial of the derivative along the cycle.
+//! In: a cycle in floats. Out: a cycle of fractions near it, and the exact characteristic
+//! polynomial of the derivative along the cycle.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -14,26 +14,29 @@ use crate::heights::HeightsOrbit;
 
 use super::circle::{Z, characteristic_polynomial, product, stability};
 
-/// The most decimal digits of a coordinate of a rational cycle. On other orbits heights grow,
-/// usually by a factor in each step; on a cycle they return to their first values.
+/// The largest number of decimal digits of a coordinate of a rational cycle. On a cycle, numbers of
+/// digits return to their first values; on other orbits they grow, usually by a factor in each
+/// step.
 pub const MOST_DIGITS: u64 = 200;
-/// The most products of fractions for a characteristic polynomial.
+/// The largest number of products of fractions for a characteristic polynomial.
 const MOST_PRODUCTS: usize = 200_000;
 
 /// A cycle over ℚ, with its multipliers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RationalCycle {
-    /// The points; exact arithmetic maps each to the next, and the last to the first.
+    /// The points. Exact arithmetic maps each point to the next, and the last to the first.
     pub points: Vec<Vec<Rational>>,
-    /// det(z·I − ∂φᵖ/∂x) for the period p, in the variable z; its roots are the multipliers.
+    /// The polynomial det(z·I − ∂φᵖ/∂x) in z, where φ is the map and p the period. The multipliers
+    /// are its roots.
     pub polynomial: Polynomial,
-    /// The stability by the multipliers, decided without rounding.
+    /// The stability, which follows from the multipliers and is decided without rounding.
     pub stability: Stability,
 }
 
 impl RationalCycle {
-    /// Returns the cycle with its multipliers on the level set of `integrals` independent
-    /// integrals. Each integral accounts for one multiplier 1, which is divided out.
+    /// Returns the cycle with its multipliers on the level set of independent integrals;
+    /// `integrals` is their number. Each integral accounts for one multiplier 1, which is divided
+    /// out.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();
@@ -44,15 +47,16 @@ impl RationalCycle {
 }
 
 impl Map {
-    /// Searches for a rational cycle of the map at ε, half the time step, near one in floats.
+    /// Searches for a rational cycle near a cycle in floats, for the map at ε, half the time step.
     ///
-    /// Returns `None` if no fractions with small denominators form a cycle, beyond 200 digits, or
-    /// beyond 200 000 products (such as for a fixed point in more than 20 variables). Cost: for
-    /// each of up to four guesses an exact orbit over the period, and the exact derivative at each
-    /// point.
+    /// Returns `None` if no fractions with small denominators form a cycle. Also returns `None` for
+    /// more than 200 digits, or 200 000 products (such as for a fixed point in more than 20
+    /// variables). Cost: an exact orbit over the period for each of up to four guesses, and the
+    /// exact derivative at each point.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
-        /// The largest distances of the simplest fraction, relative to the size of the cycle.
+        /// Distances within which the simplest fraction is taken, relative to the size of the
+        /// cycle, in order of trial.
         const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;
@@ -89,7 +93,7 @@ impl Map {
     }
 }
 
-/// Counts the products of fractions for the derivative and its characteristic polynomial.
+/// Counts the products of fractions that the derivative and its characteristic polynomial need.
 fn products(variables: usize, period: usize) -> usize {
     variables.saturating_pow(3).saturating_mul(variables.saturating_add(period))
 }
@@ -104,7 +108,7 @@ fn simplest(x: f64, near: f64) -> Option<Rational> {
     if high < zero { Some(-between(&-high, &-low)?) } else { between(&low, &high) }
 }
 
-/// Returns the simplest fraction in [low, high], both positive, by continued fractions.
+/// Returns the simplest fraction in [low, high] by continued fractions; both ends are positive.
 fn between(low: &Rational, high: &Rational) -> Option<Rational> {
     let (mut low, mut high) = (low.clone(), high.clone());
     let mut taken = Vec::new();
@@ -120,7 +124,7 @@ fn between(low: &Rational, high: &Rational) -> Option<Rational> {
         let one = Rational::one();
         (low, high) = (one.checked_div(&(&high - &floor))?, one.checked_div(&(&low - &floor))?);
         taken.push(floor);
-        // Continued fractions of doubles are shorter.
+        // The continued fraction of a double has fewer terms than this.
         if taken.len() > 100 {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Derivatives and cycles known in closed form.
+//! Compares derivatives and cycles with closed forms.
 
 use std::ops::ControlFlow;
 
@@ -34,8 +34,8 @@ fn equilibria_of_the_flow_are_fixed_points_of_the_map() {
 
 #[test]
 fn a_rational_cycle_of_three_is_proved() {
-    // In one variable the map is a Möbius transformation. Here it has order 3: the field has the
-    // discriminant −3, and the map turns by the angle with tangent √3.
+    // In one variable the map is a Möbius transformation. The field has the discriminant −3, and
+    // the map turns by the angle with tangent √3, so the map has order 3.
     let map = Field::parse("xdot = x^2 + x + 1;").unwrap().map().unwrap();
     let eps = Rational::one();
     let at = map.at(1.0);
@@ -44,13 +44,14 @@ fn a_rational_cycle_of_three_is_proved() {
     let proved = map.rational_cycle(&eps, &cycle).unwrap();
     let points = [(1, 5), (-6, 1), (-5, 6)].map(|(above, below)| [Rational::new(above, below)]);
     assert_eq!(proved.points, points);
-    // All points have period 3, so that the multiplier is 1.
+    // All points have period 3, so the multiplier is 1.
     assert_eq!((proved.polynomial, proved.stability), (polynomial(&[(-1, 1), (1, 1)]), Stability::Neutral));
 }
 
 #[test]
 fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
-    // (x̃ − x)/2ε = F(x,x̃) gives A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε and A(x,ε) ∂x̃/∂p = 2ε ∂F/∂p.
+    // The equation (x̃ − x)/2ε = F(x,x̃) gives A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε, and A(x,ε) ∂x̃/∂p = 2ε
+    // ∂F/∂p for a parameter p.
     let text = "xdot = r*x*y + s; ydot = y - x^2/r;";
     let map = Field::parse(text).unwrap().with([("r", 0.75), ("s", 1.5)]).unwrap();
     let (eps, x) = (0.125, [0.5, -0.25]);
@@ -59,7 +60,7 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
     let mut rows = [0.0; 4];
     at.matrix(&x, &mut rows).unwrap();
     let moved = [next[0] - x[0], next[1] - x[1]];
-    // ∂F/∂r = ((x·ỹ + x̃·y)/2, x·x̃/r²) and ∂F/∂s = (1, 0)
+    // Here ∂F/∂r = ((x·ỹ + x̃·y)/2, x·x̃/r²) and ∂F/∂s = (1, 0).
     let by_r = [(x[0] * next[1] + next[0] * x[1]) / 2.0, x[0] * next[0] / (0.75 * 0.75)];
     let expected = [
         (None, moved.map(|entry| entry / eps)),
@@ -70,7 +71,7 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
         let slope = at.by(parameter).by_parameter(&x);
         for i in 0..2 {
             let left = rows[2 * i] * slope[0] + rows[2 * i + 1] * slope[1];
-            // Some ten roundings of numbers of size 1.
+            // The bound allows some ten roundings of numbers of size 1.
             assert!((left - right[i]).abs() < 1e-15 * 4.0, "{parameter:?}: {left} for {}", right[i]);
         }
     }
@@ -88,7 +89,7 @@ fn the_derivative_by_eps_goes_through_elimination_too() {
     at.matrix(&x, &mut rows).unwrap();
     for (i, row) in rows.chunks(10).enumerate() {
         let left: f64 = row.iter().zip(&slope).map(|(entry, slope)| entry * slope).sum();
-        // The slopes are below 4, with some tens of roundings.
+        // The bound allows some tens of roundings of slopes below 4.
         assert!((left - (next[i] - x[i]) / eps).abs() < 1e-14, "{i}: {left}");
     }
 }
@@ -103,7 +104,7 @@ fn a_cycle_between_fractions_is_not_taken_for_one_of_fractions() {
 
 #[test]
 fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
-    // The map is linear in y and z, with another rotation at each point of the cycle in x.
+    // In y and z the map is linear, with another rotation at each point of the cycle in x.
     let text = "xdot = x^2 + x + 1; ydot = x*z + y; zdot = x*y/2 - 2*z - y;";
     let map = Field::parse(text).unwrap().map().unwrap();
     let at = map.at(1.0);
@@ -111,14 +112,14 @@ fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
     let after_three = |x: &[f64]| (0..3).fold(x.to_vec(), |x, _| at.image(&x));
     let [first, second] = [after_three(&[0.2, 1.0, 0.0]), after_three(&[0.2, 0.0, 1.0])];
     let (trace, determinant) = (first[1] + second[2], first[1] * second[2] - first[2] * second[1]);
-    // (z − 1)(z² − trace·z + determinant)
+    // The polynomial is (z − 1)(z² − trace·z + determinant).
     let expected = [-determinant, determinant + trace, -(1.0 + trace), 1.0];
     let proved = map.rational_cycle(&Rational::one(), &cycle).unwrap().polynomial;
     let [a, b, c] = cycle.multipliers[..] else { panic!("three") };
     let found = [-(a * b * c), a * b + a * c + b * c, -(a + b + c), Complex::new(1.0, 0.0)];
     for ((k, expected), found) in (0..).zip(expected).zip(found) {
         let exact = proved.coefficient(&Monomial::power(Variable(0), k)).to_f64();
-        // Some tens of roundings of numbers of this size.
+        // The bound allows some tens of roundings of numbers of this size.
         let bound = 1e-13 * (1.0 + determinant.abs() + trace.abs());
         assert!(
             (exact - expected).abs() < bound && (found - expected).norm1() < bound,
@@ -132,8 +133,8 @@ const HENON_HEILES: &str = "xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = -y -
 
 /// Returns a cycle of three points of the Hénon–Heiles system in the plane x = p = 0.
 ///
-/// The map takes (y, q) = (d, 0) to (b, c), to (b, −c), and back, where b = (ε² − 3)/2ε²,
-/// c = ε(b − b²) and d = b − εc.
+/// The map takes (y, q) = (d, 0) to (b, c), then to (b, −c), and back to (d, 0). Here b = (ε² −
+/// 3)/2ε², c = ε(b − b²) and d = b − εc.
 fn cycle_of_three(eps: &Rational) -> [[Rational; 4]; 3] {
     let square = eps * eps;
     let b = (&square - &Rational::from(3)).checked_div(&(&square + &square)).unwrap();
@@ -152,24 +153,26 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
         let cycle = periodic_point(&map.at(eps.to_f64()), &start, 3).unwrap();
         let proved = map.rational_cycle(&eps, &cycle).unwrap();
         assert_eq!(proved.points, expected);
-        // The map preserves a volume and an area in x = p = 0: multipliers are pairs m, 1/m.
+        // The map preserves a volume, and an area in the plane x = p = 0, so multipliers are pairs
+        // m, 1/m.
         let coefficient = |k| proved.polynomial.coefficient(&Monomial::power(Variable(0), k));
         assert_eq!([coefficient(0), coefficient(1)], [coefficient(4), coefficient(3)]);
         assert_eq!(proved.stability, Stability::Saddle);
         let [a, b, c, d] = cycle.multipliers[..] else { panic!("four") };
         for product in [a * d, b * c] {
-            // Some tens of roundings, times the condition of multipliers up to 100 apart.
+            // The bound allows some tens of roundings, times the condition of multipliers that
+            // differ by a factor of up to 100.
             assert!((product - Complex::new(1.0, 0.0)).norm1() < 1e-12, "{eps}: {product}");
         }
     }
     let plane = Field::parse("ydot = q; qdot = -y + y^2;").unwrap().map().unwrap();
     let cycle = periodic_point(&plane.at(2.0), &[-0.3, 0.01], 3).unwrap();
-    // (z − 15/8)(z − 8/15)
+    // The polynomial is (z − 15/8)(z − 8/15).
     let expected = polynomial(&[(1, 1), (-289, 120), (1, 1)]);
     assert_eq!(plane.rational_cycle(&Rational::from(2), &cycle).unwrap().polynomial, expected);
 }
 
-/// Returns whether a branch has these bifurcations, each within a bound of its parameter.
+/// Returns whether a branch has exactly these bifurcations, each with its parameter within a bound.
 fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
     let pairs = branch.turns.iter().zip(expected);
     let is_near = |(turn, (change, at, bound)): (&ChangePoint, &(BranchChange, f64, f64))| {
@@ -180,15 +183,16 @@ fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
 
 #[test]
 fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
-    // At ε = 2 the multipliers across the plane x = p = 0 are m and 1/m with m + 1/m − 2 = (11 −
-    // 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)). They leave the circle at a = 11/8.
+    // At ε = 2, let m and 1/m be the multipliers across the plane x = p = 0. Then m + 1/m − 2 = (11
+    // − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)), so they leave the circle at a = 11/8.
     let field = Field::parse(HENON_HEILES).unwrap();
     let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0).by(Some(0));
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
     for (from, to) in [(1.0, 2.0), (2.0, 1.0)] {
         let cycle = periodic_point(&map(from), &start, 3).unwrap();
         let branch = branch(map, &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
-        // A multiplier leaves the circle from 1 + 10⁻⁶ on, at a distance of about the square in a.
+        // A multiplier counts as off the circle from 1 + 10⁻⁶ on; the parameter a then differs by
+        // about the square of 10⁻⁶.
         assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
     }
 }
@@ -207,15 +211,15 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let origin = periodic_point(&map(0.5), &[0.0; 3], 1).unwrap();
     for steps in [1, 7] {
         let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
-        // The multiplier is known up to rounding, and differs from 1 by 2ε·10/11 times r − 1.
+        // The multiplier is known up to rounding; its difference from 1 is (r − 1)·2ε·10/11.
         assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
-    // At r = 1 the two other equilibria meet at the origin: a fold of their branch.
+    // At r = 1 the other two equilibria meet at the origin, where their branch has a fold.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
     // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is the square
-    // of the distance: 10⁻¹² gives 10⁻⁸.
+    // of this distance. A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
     let fold = (BranchChange::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();
@@ -224,8 +228,8 @@ fn the_lorenz_system_changes_where_the_flow_does() {
 
 #[test]
 fn cycles_of_maps_that_keep_a_volume_keep_it() {
-    // A density has equal values at the beginning and end of a cycle, so the product of the
-    // multipliers is 1: in the plane they are m and 1/m.
+    // A density has equal values at the beginning and the end of a cycle, so the product of the
+    // multipliers is 1. In the plane they are m and 1/m.
     let plane = "xdot = y - x^2/3 + y^2; ydot = -x + 2*x*y/3 - x^2/2;";
     let top = "xdot = y*z; ydot = -2*x*z; zdot = x*y;";
     let cycles = [
@@ -241,14 +245,15 @@ fn cycles_of_maps_that_keep_a_volume_keep_it() {
         assert_eq!(cycle.points.len(), period, "{text}");
         let one = Complex::new(1.0, 0.0);
         let product = cycle.multipliers.iter().fold(one, |product, multiplier| product * multiplier);
-        // Some tens of roundings in each step, in derivatives with entries below 100.
+        // The bound allows some tens of roundings in each step, in derivatives with entries below
+        // 100.
         assert!((product - one).norm1() < 1e-12, "{text}: {product}");
     }
 }
 
 #[test]
 fn rounding_of_multipliers_of_1_is_no_change() {
-    // All multipliers are 1, of a derivative that is not diagonalisable and has entries up to 100.
+    // All multipliers are 1. The derivative is not diagonalisable, and has entries up to 100.
     let top = Field::parse("xdot = y*z; ydot = -2*x*z; zdot = x*y;").unwrap().map().unwrap();
     let map = |eps: f64| top.at(eps).by(None);
     let cycle = periodic_point(&map(0.5), &[0.2, 1.6, 0.4], 7).unwrap();

@@ -1,4 +1,4 @@
-//! Heights of any field: orbits against rational arithmetic, growth, poles, bounds.
+//! Heights of any field: tests orbits against rational arithmetic, growth, poles and bounds.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -79,7 +79,7 @@ fn orbits_are_those_of_rational_arithmetic() {
 
 #[test]
 fn a_field_without_a_reduced_map_is_solved_exactly() {
-    // Six variables, all coupled, are far beyond the budget of terms.
+    // In six variables that are all coupled, the reduced map has far too many terms.
     let equation = |i: usize| {
         let products: Vec<String> =
             (1..=6).map(|j| format!("{}*x{j}*x{}", (i * j) % 5 + 1, (i + 2 * j) % 6 + 1)).collect();
@@ -100,12 +100,12 @@ fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
     assert_eq!(growth("xdot = a*x;", "1", "1/5", "3/7", 60), Growth::Linear);
     assert_eq!(growth("xdot = y; ydot = -x;", "", "1/5", "3/7,2", 60), Growth::Linear);
     assert_eq!(growth("xdot = y; ydot = -x + 1/2; zdot = x - z;", "", "1/5", "3/7,2,0", 60), Growth::Linear);
-    // A constant field: x grows like n, and the height of x like log n.
+    // For a constant field, x grows like n, and the height of x like log n.
     assert_eq!(growth("xdot = 2/3;", "", "1/2", "0", 200), Growth::Logarithmic);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1,1", 20), Growth::Bounded);
-    // At ε = 1 the rotation turns by a right angle, with period 4.
+    // At ε = 1 the rotation is by a right angle, so orbits have period 4.
     assert_eq!(growth("xdot = y; ydot = -x;", "", "1", "3/7,2", 30), Growth::Bounded);
-    // A nonintegrable map, with few steps and with many.
+    // The map is not integrable; it is tested with few steps and with many.
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 7), Growth::Exponential);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 11), Growth::Exponential);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 3), Growth::Undecided);
@@ -163,7 +163,7 @@ fn bounds_end_an_orbit_and_keep_what_is_known() {
     assert_eq!(within_digits(1).heights.len(), 1);
 }
 
-/// Uses a clock that advances a second at each reading. Readings come before and after a step, so
+/// Uses a clock that advances a second at each reading. It is read before and after each step, so
 /// that step n ends at 2n + 1 seconds, and takes one second.
 #[test]
 fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
@@ -176,10 +176,10 @@ fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
         assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Seconds), None));
         survey.heights.len()
     };
-    // Without time no step is made. The first step begins at 2 seconds, without an estimate.
+    // If no time is left, no step is made. The first step begins at 2 seconds, without an estimate.
     assert_eq!([0.0, 1.9, 2.0].map(within), [1, 1, 2]);
-    // Digits double, so that a step is estimated at slightly more than four times the last one:
-    // step n to end slightly after 2n + 4 seconds.
+    // Digits double, so a step is estimated at slightly more than four times the duration of the
+    // previous one. Step n is thus expected to end slightly after 2n + 4 seconds.
     assert_eq!([20.0, 22.0].map(within), [8, 9]);
 }
 
@@ -203,7 +203,8 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// Noise that hides the growth gives `Undecided`; nearly constant heights, however large, too.
+/// If noise hides the growth, the class is `Undecided`. Nearly constant heights, however large, are
+/// `Undecided`, too.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {

@@ -13,7 +13,8 @@ fn the_other_systems_grow_as_the_paper_says() {
         ("e2", "", Growth::Logarithmic),
         ("e5", "", Growth::Linear),
         ("euler", "1,2,-3", Growth::Quadratic),
-        // E9 is E3 or E4 here, with equal growth, although a factor remains that cancels in E3.
+        // At this parameter E9 is E3 or E4, and heights grow equally, although a factor remains
+        // that cancels in E3.
         ("e9", "1", Growth::Linear),
         ("e9", "-1", Growth::Quadratic),
         ("e7", "1", Growth::Logarithmic),

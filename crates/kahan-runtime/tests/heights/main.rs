@@ -1,4 +1,4 @@
-//! The Diophantine test: heights to 15 digits, growth classes, poles, and bounds.
+//! The Diophantine test: heights to 15 digits, growth classes, poles and bounds.
 
 mod any_field;
 mod catalog;

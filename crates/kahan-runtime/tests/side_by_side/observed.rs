@@ -7,7 +7,7 @@ use kahan_runtime::{End, MapAt, Observable, ObservationRequest, ObservedFloat};
 
 use super::support::{columns, maps};
 
-/// The number of orbits, more than two groups.
+/// The number of orbits; they fill more than two groups.
 const ORBITS: usize = 37;
 
 fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &ObservationRequest<'_>) -> Vec<End> {
@@ -21,7 +21,7 @@ fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &Observation
     found.iter().map(|found| found.end).collect()
 }
 
-/// Numbers of steps that end at, between, and before the observers' sampling steps.
+/// The numbers of steps end at, between, and before the observers' sampling steps.
 #[test]
 fn observables_are_those_of_each_orbit_alone() {
     use Observable::{Extrema, Fli, Last, Lyapunov, Sali};

@@ -1,4 +1,4 @@
-//! Points and reports, bit for bit.
+//! Points and reports of orbits in groups equal those of single orbits, bit for bit.
 
 use std::fmt::Debug;
 use std::ops::ControlFlow;
@@ -22,7 +22,7 @@ fn observers<'a, T: MachineFloat + PartialOrd>(
     )
 }
 
-/// Returns the last point and the reports as text that shows every bit.
+/// Follows one orbit; returns its last point and its reports as text that shows every bit.
 fn alone<T: MachineFloat + PartialOrd>(map: &MapAt<T>, start: &[T]) -> String {
     let mut x = start.to_vec();
     let mut observers = observers(map);
@@ -57,7 +57,7 @@ fn agree<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], orbits: usize, what: 
 fn orbits_of_one_map_are_those_that_each_is_alone() {
     for (field, map) in maps() {
         for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
-            // Fields of many variables are interpreted, hence slow.
+            // Fields of many variables are interpreted, so fewer orbits are followed.
             for orbits in if field.variables().len() > 4 { &[3][..] } else { &COUNTS } {
                 let orbits = *orbits;
                 let what = (field.variables(), composition, orbits);
@@ -68,7 +68,8 @@ fn orbits_of_one_map_are_those_that_each_is_alone() {
     }
 }
 
-/// A step stretches vectors by 2⁴¹: unscaled, their squares would overflow after thirteen steps.
+/// A step stretches vectors by 2⁴¹. Without scaling, their squares would overflow after thirteen
+/// steps.
 #[test]
 fn vectors_are_scaled_before_they_leave_the_numbers() {
     let field = Field::parse("xdot = x; ydot = y/2;").expect("a field");
@@ -76,7 +77,7 @@ fn vectors_are_scaled_before_they_leave_the_numbers() {
     let mut columns = [[0.0; 3]; 2];
     let mut slices = columns.each_mut().map(|column| &mut column[..]);
     let reports = MapAt::observe_columns(&[&map], &mut slices, STEPS, |_| Fli::new(&map));
-    // Growth is along x, where the initial vector has a considerable component.
+    // Vectors grow along x, where the initial vector has a considerable component.
     let along_x = STEPS as f64 * 41.0 * std::f64::consts::LN_2;
     for indicator in reports.expect("columns that fit") {
         assert!(along_x - 2.0 < indicator && indicator < along_x, "{indicator} and {along_x}");
@@ -104,7 +105,7 @@ fn every_level_has_its_own_bits_side_by_side() {
     }
 }
 
-/// An ε of 0, or one too small to divide by, needs another formula of the step.
+/// If ε is 0, or too small to divide by, the step needs another formula.
 #[test]
 fn orbits_of_their_own_maps_are_those_that_each_is_alone() {
     for (text, parameters) in FIELDS {
@@ -158,8 +159,8 @@ fn maps_and_columns_have_to_fit() {
     assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
 }
 
-/// Counts the orbits from (1, 1, …) by how they end; each must end like a single orbit, with equal
-/// reports.
+/// Counts the orbits from (1, 1, …) by how they end. Each must end like a single orbit, and have
+/// equal reports.
 fn ends<O: Observer<f64, Report: Debug>>(
     maps: &[&MapAt<f64>],
     variables: usize,
@@ -181,7 +182,7 @@ fn ends<O: Observer<f64, Report: Debug>>(
     counts
 }
 
-/// Fields of one, two and nine variables; orbits end at different steps within a burst.
+/// Fields have one, two and nine variables; orbits end at different steps within a burst of points.
 #[test]
 fn orbits_end_side_by_side_where_each_ends_alone() {
     let nine = "adot = a; bdot = b; cdot = c; ddot = d; edot = e; fdot = f; gdot = g; hdot = h; idot = i/2;";

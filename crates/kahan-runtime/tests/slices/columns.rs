@@ -1,4 +1,4 @@
-//! Columns have the bits of ensembles, each trajectory at its own ε and parameters.
+//! Columns have the bits of ensembles; each trajectory has its own ε and parameters.
 
 use std::ops::ControlFlow;
 
@@ -29,7 +29,8 @@ fn advance<T: MachineFloat>(
     at.composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
 }
 
-/// Returns the map at each level of this processor; reports other levels as not run.
+/// Returns the map at each instruction-set level of this processor; reports that other levels were
+/// not run.
 fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, MapAt<T>)> {
     let at = map.at(eps);
     [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter_map(move |level| {
@@ -117,9 +118,11 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
     }
 }
 
-/// Compares a million points per level, some of them 0, subnormal, huge, or NaN.
+/// Compares a million points at each instruction-set level. Some entries are 0, subnormal, huge, or
+/// NaN.
 ///
-/// `cargo test --release -p kahan-runtime --test slices -- --ignored --nocapture` runs it.
+/// This command runs the test: `cargo test --release -p kahan-runtime --test slices -- --ignored
+/// --nocapture`
 #[test]
 #[ignore = "a million points at every level"]
 fn a_million_points_agree_at_every_level() {
@@ -185,8 +188,8 @@ fn a_trajectory_whose_field_divides_by_zero_is_no_number() {
     }
 }
 
-/// Trajectories overflow at different steps, or meet a pole; some stay finite. Some have an ε near
-/// zero, which needs another formula of the step.
+/// Trajectories overflow at different steps, meet a pole, or stay finite. Some have an ε near zero,
+/// for which the step needs another formula.
 #[test]
 fn a_trajectory_of_columns_ends_where_it_ends_alone_with_the_same_bits() {
     const STEPS: u64 = 3000;

@@ -1,4 +1,5 @@
-//! Random fields of up to 200 variables with all kinds of couplings, against partial pivoting.
+//! Compares steps of random fields with partial pivoting. Fields have up to 200 variables with all
+//! kinds of couplings.
 
 use kahan_runtime::Field;
 
@@ -6,7 +7,7 @@ use super::support::Random;
 
 #[derive(Clone, Copy, Debug)]
 enum Kind {
-    /// Each variable depends on this number of others, anywhere.
+    /// Each variable depends on this number of arbitrary variables.
     Anywhere(usize),
     /// Each variable depends on this number of variables up to itself.
     Triangular(usize),
@@ -68,7 +69,7 @@ fn norm(x: impl IntoIterator<Item = f64>) -> f64 {
     x.into_iter().fold(0.0, |most, entry| most.max(entry.abs()))
 }
 
-/// Returns ‖A·d − 2εf‖/(‖A‖·‖d‖ + ‖2εf‖).
+/// Returns the backward error ‖A·d − 2εf‖/(‖A‖·‖d‖ + ‖2εf‖) of a solution d of A·d = 2εf.
 fn backward_error(a: &[Vec<f64>], right: &[f64], d: &[f64]) -> f64 {
     let product = |row: &Vec<f64>| row.iter().zip(d).map(|(entry, d)| entry * d).sum::<f64>();
     let rest = norm(a.iter().zip(right).map(|(row, right)| product(row) - right));
@@ -76,9 +77,9 @@ fn backward_error(a: &[Vec<f64>], right: &[f64], d: &[f64]) -> f64 {
     rest / (size * norm(d.iter().copied()) + norm(right.iter().copied()))
 }
 
-/// Partial pivoting has a backward error of at most n·u if entries do not grow (Higham 2002, §9.3);
-/// the residual has equally many roundings. The bound lets products be 16 times as large as
-/// entries, and x̃ − x is rounded to the size of x.
+/// If entries do not grow, partial pivoting has a backward error of at most n·u, where u is the
+/// unit roundoff (Higham 2002, §9.3); the residual has as many roundings. The bound allows products
+/// 16 times as large as entries; x̃ − x is rounded to the size of x.
 #[test]
 fn steps_along_couplings_are_as_good_as_partial_pivoting() {
     let mut random = Random(29);

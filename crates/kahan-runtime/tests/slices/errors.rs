@@ -1,4 +1,4 @@
-//! Arguments that do not fit give errors with advice; no number causes a panic.
+//! Arguments of a wrong size give errors with advice; no number causes a panic.
 
 use kahan_core::Composition;
 use kahan_runtime::{ClaimError, DimensionError, Field, MachineFloat, ParameterError};

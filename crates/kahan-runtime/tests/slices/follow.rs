@@ -13,7 +13,7 @@ fn go_on(_: u64) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Returns the finite points of up to `steps` steps, by single calls.
+/// Returns the finite points of up to `steps` steps, made by single calls.
 fn by_hand<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u64) -> Vec<Vec<S::Scalar>> {
     let mut points = vec![start.to_vec()];
     for _ in 0..steps {
@@ -90,7 +90,7 @@ fn points_are_those_of_single_steps() {
         map_agrees::<f64>(&catalog(name), 9000);
         map_agrees::<f32>(&catalog(name), 300);
     }
-    // Nine variables, with elimination.
+    // In nine variables the step eliminates.
     let ring = |k: usize| format!("x{k}dot = x{k}*(x{} - x{});", (k + 1) % 9, (k + 8) % 9);
     map_agrees::<f64>(&Field::parse(&(0..9).map(ring).collect::<String>()).expect("a field"), 70);
 }
@@ -136,7 +136,8 @@ fn chains_are_followed_by_the_same_calls() {
     assert!(matches!(stopped.end, End::Stopped(steps) if steps < 100), "{stopped:?}");
 }
 
-/// A growth of exp(2εn) leaves the range near step 7092; the pole is at the first step.
+/// The growth exp(2εn) leaves the range near step 7092. The other field has a pole at the first
+/// step.
 #[test]
 fn an_orbit_ends_at_its_last_finite_point() {
     let growth = Field::parse("xdot = x; ydot = x - y;").unwrap().map().unwrap();

@@ -1,4 +1,4 @@
-//! Gradients by a reverse sweep, against forward-mode derivatives.
+//! Compares gradients by a reverse sweep with forward-mode derivatives.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -12,7 +12,7 @@ use super::support::Random;
 
 const GO_ON: fn(u64) -> ControlFlow<()> = |_| ControlFlow::Continue(());
 
-/// Returns a field of one variable, and fields whose step solves a dense or a sparse system.
+/// Returns a field of one variable, and fields whose step solves a dense or a sparse linear system.
 fn larger_fields() -> Vec<Case> {
     let start = |n: usize| (0..n).map(|i| 0.25 + 0.5 / (2.0 + i as f64)).collect::<Vec<f64>>();
     let growing: String = chain(30).replace(" - ", " + a - b*").replace("dot = ", "dot = c + ");
@@ -84,7 +84,8 @@ fn gradients_are_those_carried_forward<T: RuntimeFloat>(
     }
 }
 
-/// The bounds are 8 to 100 times 39 steps, up to 17 stages and 2⁻⁵³, 2⁻²⁴ or 2⁻¹⁰⁴.
+/// The bounds are 8 to 100 times 39 steps, times up to 17 stages, times the unit roundoff 2⁻⁵³,
+/// 2⁻²⁴ or 2⁻¹⁰⁴.
 #[test]
 fn gradients_are_those_of_derivatives_carried_forward() {
     let compositions = [Composition::KAHAN, Composition::SUZUKI_4, Composition::KAHAN_LI_8];
@@ -95,8 +96,9 @@ fn gradients_are_those_of_derivatives_carried_forward() {
 }
 
 /// The step of 250 variables eliminates sparsely and skips negligible entries. At a = ε = 1 the
-/// diagonal of A nearly vanishes, so that the solver chooses pivots. Differences over 2⁻⁴⁰ in 32
-/// digits have errors of 5e-20 and 1e-25 times a third derivative; the bound is for rounding.
+/// diagonal of A nearly vanishes, so the solver chooses pivots. Differences over 2⁻⁴⁰ in 32 digits
+/// have errors of 5e-20 and of 1e-25 times a third derivative. The bound is for the rounding errors
+/// of the gradient.
 #[test]
 fn gradients_of_sparse_fields_are_those_of_differences() {
     let n = 250;
@@ -148,7 +150,7 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
     }
 }
 
-/// For ε = 1/2, det A vanishes at z = −2 and is small nearby; the reduced map has values there.
+/// For ε = 1/2, det A vanishes at z = −2 and is small nearby, but the reduced map is defined there.
 #[test]
 fn gradients_near_removable_poles_are_those_of_the_reduced_map() {
     let map = super::support::catalog("e3").map().unwrap();
@@ -176,7 +178,7 @@ fn gradients_say_what_does_not_fit_and_how_orbits_end() {
     assert_eq!(error.to_string(), expected);
     let error = at.gradient(&[0.5], NonZeroU64::MIN, &[1.0; 2], GO_ON).unwrap_err();
     assert_eq!(error.to_string(), "the state has 1 entry; give 2, one a variable");
-    // Since 1/x falls by 2ε = 1/2 in a step, the second step is at the pole 1 − 2εx = 0.
+    // Since 1/x falls by 2ε = 1/2 in each step, the second step is at the pole 1 − 2εx = 0.
     let at_pole = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[1.0; 8], GO_ON).unwrap();
     assert_eq!((at_pole.report, at_pole.end), (None, End::Range(1)));
     let none = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[], GO_ON).unwrap().report.unwrap();

@@ -1,4 +1,4 @@
-//! Fields of many variables, and fields beyond the budget of terms.
+//! Fields of many variables, and fields whose reduced map has too many terms.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{KahanMap, Pivot};
@@ -7,7 +7,8 @@ use kahan_runtime::{Field, MachineFloat, Map};
 
 use super::support::{Random, assert_same, number, steps};
 
-/// Returns a field in n variables, all coupled; from about six on it is beyond the budget of terms.
+/// Returns a field in n variables that are all coupled. From about six variables on, its reduced
+/// map has too many terms.
 pub(crate) fn dense(n: usize) -> String {
     let equation = |i: usize| {
         let terms = (0..n).flat_map(|j| (j..n).map(move |k| (j, k)));
@@ -65,14 +66,14 @@ fn promised_as_by_types<T: MachineFloat + Pivot, const N: usize>() {
     let typed: Interpreted<T, N> = map.as_kahan_map().unwrap();
     let mut random = Random(29);
     let (mut found, mut refused) = (0, 0);
-    // ε = 2/3 is a pole for some points, and near one for others.
+    // For some points ε = 2/3 is a pole; for others it is near a pole.
     for eps in steps::<T>().into_iter().chain([number(2.0 / 3.0), number(1e30), T::zero() / T::zero()]) {
         for point in [random.point(N), vec![T::one(); N], vec![number(1e-30); N]] {
             let (x, mut next) = (SVector::<T, N>::from_vec(point), vec![T::zero(); N]);
             match (map.try_step(x.as_slice(), eps, &mut next).unwrap(), typed.try_step(&x, eps)) {
                 (Ok(()), Ok(by_type)) => assert_same(&next, by_type.as_slice(), ("try_step", N, eps)),
                 (ours, by_type) => {
-                    // Compares as text, because errors may contain NaN.
+                    // Errors are compared as text, because they may contain NaN.
                     assert_eq!(format!("{:?}", ours.unwrap_err()), format!("{:?}", by_type.unwrap_err()));
                     refused += 1;
                 }
@@ -94,8 +95,8 @@ fn slices_have_the_step_with_a_promise() {
     assert!(self::map(&chain(3)).try_step(&[1.0; 4], 0.1, &mut [0.0; 3]).is_err());
 }
 
-/// The equation is (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c. For a chain, which has only Q, the right
-/// side is ¼[f(x + x̃) − f(x − x̃)].
+/// The equation is (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c. A chain has only the term Q, so the
+/// right side is ¼[f(x + x̃) − f(x − x̃)].
 #[test]
 fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     let (map, eps, n) = (map(&chain(60)), 0.01, 60);
@@ -110,7 +111,7 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
         value
     };
     for (i, (plus, minus)) in f(1.0).iter().zip(&f(-1.0)).enumerate() {
-        // Values up to 10, from some ten operations and one elimination.
+        // The bound allows values up to 10 that come from some ten operations and one elimination.
         let lack = next[i] - x[i] - 2.0 * eps * (plus - minus) / 4.0;
         assert!(lack.abs() < 1e-14, "{i}: {lack:e}");
     }
@@ -121,11 +122,13 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     }
     let (mut state, total) = (x.clone(), |x: &[f64]| x.iter().sum::<f64>());
     at.advance(&mut state, 1000).unwrap();
-    // The map preserves the sum, a linear integral; 60 numbers of size 1 are rounded 1000 times.
+    // The map preserves the sum, a linear integral. The bound allows 1000 roundings of 60 numbers
+    // of size 1.
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
-/// For x = 1 + 4j and ε = 1/8, the diagonal of A is 0 up to rounding, except at the ends of rows.
+/// For x = 1 + 4j and ε = 1/8, the diagonal of A is 0 up to rounding, except at the ends of the
+/// lattice's rows.
 #[test]
 fn a_lattice_without_pivots_on_the_diagonal_obeys_its_linear_equations() {
     const SIDE: usize = 15;
@@ -155,7 +158,7 @@ fn a_lattice_without_pivots_on_the_diagonal_obeys_its_linear_equations() {
             products.for_each(|product| (sum, size) = (sum + product, size + product.abs()));
             (largest, worst) = (largest.max(size), worst.max(sum.abs()));
         }
-        // Partial pivoting is stable relative to the largest entries.
+        // The error of partial pivoting is small relative to the largest entries.
         assert!(worst <= 1e-13 * largest, "{noise}: {worst:e} of {largest:e}");
     }
 }
@@ -177,13 +180,15 @@ fn the_jacobian_of_sixty_variables_is_that_of_differences() {
         };
         for (i, (plus, minus)) in moved(h).iter().zip(&moved(-h)).enumerate() {
             let slope = (plus - minus) / (2.0 * h);
-            // The difference quotient has errors of h² times a third derivative, and of 1e-16/h.
+            // The difference quotient over h has an error of h² times a third derivative, and a
+            // rounding error of 1e-16/h.
             assert!((slope - jacobian[60 * i + j]).abs() < 1e-9, "{i}, {j}");
         }
     }
 }
 
-/// Compares orbits in long calls, up to ε with refused pivots, with single interpreted steps.
+/// Compares orbits in long calls with single interpreted steps, also for an ε at which pivots are
+/// rejected.
 fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
     let large = map(text);
     let typed: Interpreted<T, N> = large.as_kahan_map().unwrap();

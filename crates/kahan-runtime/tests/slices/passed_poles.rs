@@ -1,4 +1,4 @@
-//! Counts of steps over poles agree with exact arithmetic on the floats of the orbit.
+//! The counts of steps over poles agree with exact arithmetic on the floats of the orbit.
 
 use std::ops::ControlFlow;
 
@@ -27,11 +27,11 @@ fn exactly(steps: u64) -> PassedPoleCount {
     PassedPoleCount { steps, is_lower_bound: false }
 }
 
-/// The coefficients of the denominator by powers of ε, at an exact point.
+/// A function that returns the coefficients of the denominator, by powers of ε, at an exact point.
 type Denominator = fn(&[Rational]) -> Vec<Rational>;
 
-/// Returns whether Σ cₖtᵏ has a root between 0 and `end`, including `end`. Bounds on the slope give
-/// bounds on the values in an interval from the value in its middle.
+/// Returns whether Σ cₖtᵏ has a root between 0 and `end`, including `end`. In each interval, the
+/// value in the middle and a bound on the slope give bounds on all values.
 fn has_root(coefficients: &[Rational], end: &Rational) -> bool {
     let zero = Rational::ZERO;
     let at = |t: &Rational| coefficients.iter().rev().fold(zero.clone(), |sum, c| &(&sum * t) + c);
@@ -61,7 +61,7 @@ fn of_floats(x: &[f64]) -> Vec<Rational> {
     x.iter().map(|x| Rational::from_f64(*x).expect("finite")).collect()
 }
 
-/// Counts the steps of an orbit, up to its last finite point, over a root in some stage.
+/// Counts the steps of an orbit in which a stage passes over a root, up to the last finite point.
 fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: &[f64], steps: u64) -> u64 {
     let (mut x, mut count) = (start.to_vec(), 0);
     for _ in 0..steps {
@@ -79,17 +79,17 @@ fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: 
     count
 }
 
-/// d = 1 − 2xε
+/// The denominator of Riccati's equation is d = 1 − 2xε.
 fn of_riccati(x: &[Rational]) -> Vec<Rational> {
     vec![Rational::ONE, &x[0] * &Rational::from(-2)]
 }
 
-/// From f′ = (1 − y, −x; y, x − 1).
+/// The denominator is det(I − εf′) with f′ = (1 − y, −x; y, x − 1).
 fn of_lotka_volterra(x: &[Rational]) -> Vec<Rational> {
     vec![Rational::ONE, &x[1] - &x[0], &(&x[0] + &x[1]) - &Rational::ONE]
 }
 
-/// From f′ = (−y, 2z − x, 2y; 2x, 0, −2z; −2y, z − 2x, y).
+/// The denominator is det(I − εf′) with f′ = (−y, 2z − x, 2y; 2x, 0, −2z; −2y, z − 2x, y).
 fn of_e6(x: &[Rational]) -> Vec<Rational> {
     let [x, y, z] = x else { panic!("{x:?}") };
     let times = |k: i64, a: &Rational, b: &Rational| &(a * b) * &Rational::from(k);
@@ -156,7 +156,8 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
         }
     }
     assert!(passes > 20, "{passes} poles");
-    // The stages of the composition are 1.35, −1.70 and 1.35 steps long, and so overshoot the step.
+    // The stages of the composition are 1.35, −1.70 and 1.35 steps long, so the orbit goes beyond
+    // the end of the step and back.
     let kahan = map(RICCATI, 0.1);
     for start in [1.0 / 0.23, -1.0 / 0.05] {
         assert_eq!(passed(&kahan, &[start], 1), exactly(0));
@@ -166,7 +167,7 @@ fn a_composed_step_counts_where_one_of_its_stages_does() {
 
 #[test]
 fn a_pole_that_is_touched_is_passed_and_one_that_is_missed_is_not() {
-    // d = (1 − 2εx)² + 4ε²y² has a double root only for y = 0.
+    // Here d = (1 − 2εx)² + 4ε²y², which has a double root only for y = 0.
     let complex = map("xdot = x^2 - y^2; ydot = 2*x*y;", 0.07);
     assert_eq!(passed(&complex, &[1.0, 0.0], 12), exactly(1));
     assert_eq!(passed(&complex, &[0.1, 0.0], 12), exactly(0));
@@ -210,7 +211,8 @@ fn counts_depend_on_no_unit() {
     assert!(passes > 10, "{passes} poles");
 }
 
-/// Fields beyond the budget of terms, with fewer and more variables than are expanded.
+/// The fields have too many terms for an expanded denominator; some have fewer and some have more
+/// variables than are expanded.
 #[test]
 fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
     for text in [dense(7), chain(12)] {

@@ -1,4 +1,4 @@
-//! Random fields as slices, against the typed map of the field.
+//! Compares random fields as slices with the typed map of the field.
 
 use kahan_core::KahanMap;
 use kahan_core::nalgebra::SVector;

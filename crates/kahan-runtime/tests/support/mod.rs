@@ -6,7 +6,8 @@ use kahan_core::num_rational::BigRational;
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_runtime::{Field, Rational};
 
-/// Reads a field over ℚ, at values of its parameters in their order.
+/// Reads a field over ℚ; `parameters` are the values of its parameters, in the order of
+/// declaration.
 pub(crate) fn read<const N: usize>(text: &str, parameters: &[BigRational]) -> Interpreted<BigRational, N> {
     let field = Field::parse(text).expect("a field");
     let map = field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter");
@@ -17,8 +18,8 @@ pub(crate) fn q(text: &str) -> BigRational {
     Rational::parse(text).expect("a number").to_big()
 }
 
-/// Returns points and values of ε of ordinary size, sevenths and elevenths from a fixed sequence,
-/// so that no coordinate is a float with few bits.
+/// Returns points and values of ε of ordinary size. They are sevenths and elevenths from a fixed
+/// sequence, so that no coordinate is a float with few bits.
 pub(crate) fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

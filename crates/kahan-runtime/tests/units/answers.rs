@@ -1,4 +1,4 @@
-//! Results in one unit, converted back to the reference unit.
+//! Results in some units of length and time, converted back to the reference units.
 
 use core::fmt::Debug;
 
@@ -12,7 +12,7 @@ pub(crate) struct Answers {
     all: Vec<(String, Vec<f64>)>,
 }
 
-/// The exponents of length and time in a number's dimension.
+/// The exponents of length and of time in a number's physical dimension.
 #[derive(Clone, Copy)]
 pub(crate) struct Dimension {
     pub(crate) length: i32,
@@ -34,7 +34,7 @@ impl Answers {
     pub(crate) fn add<T: FloatScalar>(&mut self, name: &str, dimension: Dimension, numbers: &[T]) {
         let Dimension { length, time } = dimension;
         let back = |number: &T| {
-            // One factor after the other, because their product may overflow.
+            // The factors are multiplied one after the other, because their product may overflow.
             number.approximate() * two_to(self.unit.length * length) * two_to(self.unit.time * time)
         };
         self.all.push((name.to_owned(), numbers.iter().map(back).collect()));

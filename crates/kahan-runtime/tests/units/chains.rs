@@ -1,4 +1,4 @@
-//! Chains in all units.
+//! Chains in all units of length and time.
 
 use kahan_core::prelude::*;
 use kahan_runtime::{FieldText, Lattice};
@@ -48,7 +48,7 @@ fn add_orbit<M: LatticeMap<f64> + Clone>(
     let mut next = start.clone();
     at.step(&mut next);
     answers.add("residual", NUMBER, &[at.residual(&start, &next)]);
-    // `try_step` may round differently.
+    // `try_step` may round differently in other units.
     answers.say("promise", at.try_step(&mut next).is_ok());
 }
 

@@ -1,7 +1,7 @@
 //! Twenty fields in any units of length and time.
 //!
-//! For all q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is one field, with x in units of 1/q and time in
-//! units of 1/ν.
+//! For all numbers q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is one field; x is measured in units of 1/q
+//! and time in units of 1/ν.
 
 use kahan_runtime::{Field, Map};
 
@@ -9,13 +9,13 @@ use kahan_runtime::{Field, Map};
 #[derive(Debug)]
 pub(crate) struct Case {
     pub(crate) name: &'static str,
-    /// The equations, with `q` as a factor of quadratic terms and a divisor of constants.
+    /// The equations. `q` is a factor of quadratic terms, and a divisor of constant terms.
     text: &'static str,
     pub(crate) eps: f64,
     pub(crate) start: &'static [f64],
 }
 
-/// Units of 2^length for lengths and 2^time for times.
+/// Units of length and time: `length` and `time` are their exponents of 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unit {
     pub(crate) length: i32,
@@ -39,7 +39,8 @@ impl Unit {
 }
 
 impl Case {
-    /// Returns the field, with the parameters `q`, if the text contains it, and `nu`.
+    /// Returns the field. It has the parameter `nu`, and the parameter `q` if the text contains
+    /// `q`.
     pub(crate) fn field(&self) -> Field {
         let timed = |statement: &str| match statement.split_once("dot = ") {
             Some((variable, rate)) => format!("{variable}dot = nu*({rate});"),

@@ -1,4 +1,4 @@
-//! Maps over slices: orbits, objects of the map, and reports of observers.
+//! Maps over slices in all units: orbits, objects of the map, and reports of observers.
 
 use kahan_core::Composition;
 use kahan_core::observe::{

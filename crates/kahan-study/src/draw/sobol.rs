@@ -7,7 +7,8 @@ const LENGTH: u64 = 1 << BITS;
 
 const DIMENSIONS: usize = 512;
 
-/// The primitive polynomial and the initial numbers m of each dimension from the second on.
+/// For each dimension from the second on, the primitive polynomial and the initial direction
+/// integers m.
 const NUMBERS: &str = include_str!("joe_kuo.txt");
 
 #[derive(Clone, Debug)]
@@ -36,7 +37,9 @@ impl Sobol {
             for (m, first) in m.iter_mut().zip(numbers) {
                 *m = first;
             }
-            // mᵢ is the XOR of mᵢ₋ₛ, with the degree s, and of 2ᵏ aₖ mᵢ₋ₖ over the coefficients aₖ.
+            // For a polynomial of degree s with coefficients aₖ, the recurrence of the direction
+            // integers is
+            // mᵢ = mᵢ₋ₛ XOR 2ᵏ aₖ mᵢ₋ₖ, over k = 1, …, s.
             for i in degree..BITS {
                 m[i] = m[i - degree];
                 for k in 1..=degree {

@@ -9,7 +9,7 @@ use kahan_program::{Arithmetic, Calls, Program};
 
 use super::{Called, Formula, Operation};
 
-/// A formula with constants for each orbit. Each lane has the bits of [`Formula::of`].
+/// A formula with its own constants for each orbit. Each lane has the same bits as [`Formula::of`].
 pub(crate) struct Abreast {
     program: Program<Vec<Operation>>,
     variables: Vec<(usize, usize)>,
@@ -17,7 +17,8 @@ pub(crate) struct Abreast {
 }
 
 impl Abreast {
-    /// Combines formulas of one text, one for each orbit; the last one fills the remaining lanes.
+    /// Combines the formulas of the orbits, which come from one text. The last formula also fills
+    /// the unused lanes.
     ///
     /// # Panics
     /// If `formulas` is empty.
@@ -29,7 +30,8 @@ impl Abreast {
         Abreast { program, variables, workspace }
     }
 
-    /// Returns the values at the points of the orbits; `points` holds a group for each variable.
+    /// Returns the values of the formula at the current points; `points` holds a group of lanes for
+    /// each variable.
     pub(crate) fn at(&self, points: &[Group<f64>]) -> Group<f64> {
         let mut workspace = self.workspace.borrow_mut();
         for (variable, place) in &self.variables {

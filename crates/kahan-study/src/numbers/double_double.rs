@@ -1,7 +1,7 @@
 //! Double-double arithmetic for interpreted plans.
 //!
-//! The operations, including multiply-adds, are those of [`Dd`]; a step has the bits of the
-//! compiled one.
+//! The operations, including multiply-adds, are those of [`Dd`]. An interpreted step therefore has
+//! the same bits as a compiled one.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

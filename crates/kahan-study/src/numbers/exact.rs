@@ -1,4 +1,5 @@
-//! Exact numbers in JSON: `"3/7"`, or a number taken from its text, so that 0.1 is one tenth.
+//! Exact numbers in JSON: a string `"3/7"`, or a number. The text of the number counts: 0.1 is one
+//! tenth.
 //!
 //! Use `#[serde(with = "exact")]` on a [`Rational`], an optional one, or lists of them.
 
@@ -9,7 +10,7 @@ use serde_json::Value;
 
 use super::number;
 
-/// Values made of exact numbers, with their JSON.
+/// Values made of exact numbers that are read from and written as JSON.
 pub trait ExactJson: Sized {
     /// Returns the text p/q or p, `null` for `None`, or a list.
     fn to_json(&self) -> Value;

@@ -1,4 +1,4 @@
-//! Numbers of answers in one of several scalars.
+//! Numbers in answers, each in the scalar of its computation.
 
 use std::fmt;
 
@@ -56,7 +56,7 @@ impl fmt::Display for Number {
             Self::F64(value) => write!(f, "{value:?}"),
             Self::Dd(value) => {
                 let text = value.to_string();
-                // An integer keeps a `.0`, like floats.
+                // An integral value keeps a `.0`, like floats.
                 let end = if value.is_finite() && !text.contains(['.', 'e']) { ".0" } else { "" };
                 write!(f, "{text}{end}")
             }

@@ -21,9 +21,9 @@ use super::over::AxisOver;
 use super::section::{Crossed, Section, name_of, of_name};
 use super::usual_order;
 
-/// A request for the values of one variable after a transient, at each value of a parameter or of
-/// ε, in doubles: at each step, or at crossings of a section. Each orbit starts at one fixed point,
-/// or at the end of the orbit before it.
+/// A request for the values of one variable, in doubles, at each value of a parameter or of ε.
+/// Values are taken after a transient, at each step or at each crossing of a section. Each orbit
+/// starts at one fixed point, or at the last point of the previous orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Diagram {
@@ -42,8 +42,8 @@ pub struct Diagram {
     /// The number of steps before the first shown point.
     #[serde(default = "usual_transient")]
     pub transient: u64,
-    /// The number of steps to show after the transient. With a section, the most steps; required
-    /// there if `crossings` is absent.
+    /// The number of steps to show after the transient. With a section, the largest number of
+    /// steps; a section needs either `steps` or `crossings`.
     #[serde(default)]
     pub steps: Option<u64>,
     /// The formula that vanishes on the section; without a formula, all steps are shown.
@@ -58,7 +58,7 @@ pub struct Diagram {
     /// The order of the method.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether each orbit starts at the end of the orbit at the value before.
+    /// Whether each orbit starts at the last point of the orbit at the previous value.
     #[serde(default)]
     pub carry: bool,
     /// Whether each step of a lifted field is projected symmetrically onto the relations of the
@@ -80,13 +80,13 @@ pub struct DiagramFound {
     pub axis: String,
     /// The name of the shown variable.
     pub variable: String,
-    /// The values on the axis: all of them, unless the watch stopped the work.
+    /// The values on the axis; fewer than requested if the watch stopped the work.
     #[serde(with = "exact")]
     pub values: Vec<Rational>,
-    /// The shown numbers at each value: fewer than requested, or none, if the orbit ends at a pole
-    /// or beyond the range of doubles, or if the field is undefined.
+    /// The shown numbers at each value on the axis. A list is shorter than requested, or empty, if
+    /// the orbit ends at a pole or beyond the range of doubles, or if the field is undefined.
     pub points: Vec<Vec<f64>>,
-    /// The number of values with fewer numbers than requested.
+    /// The number of values on the axis at which fewer numbers are shown than requested.
     pub ended: usize,
     /// Whether the watch stopped the work.
     pub stopped: bool,
@@ -112,7 +112,8 @@ impl Diagram {
         }
     }
 
-    /// Follows an orbit at each value. Costs these orbits, and memory for each shown number.
+    /// Follows an orbit at each value of the axis. Costs the steps of the orbits, and memory for
+    /// each shown number.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing values, an unknown axis or variable, or a
@@ -135,7 +136,7 @@ impl Diagram {
         }
     }
 
-    /// Returns the question for the section of the orbits.
+    /// Returns the question about the section whose crossings the diagram shows.
     #[must_use]
     pub fn section(&self, plane: &str) -> Section {
         let Diagram { eps, at, over, transient, steps, direction, crossings, order, carry, reembed, .. } =

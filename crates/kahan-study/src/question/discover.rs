@@ -1,4 +1,4 @@
-//! Searches a field's equations for conserved objects of its map.
+//! Searches, from the equations of a field, for everything that the field's map preserves.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
@@ -31,14 +31,14 @@ pub struct Discover {
     /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The largest degree of relations on orbits. By default it follows from the number of
-    /// variables, and grows while integrals may be missing.
+    /// The largest degree of relations on orbits. The default depends on the number of variables,
+    /// and grows while integrals may be missing.
     pub degree: Option<u32>,
     /// The time limit in seconds.
     pub seconds: f64,
 }
 
-/// Searches any degree, for a minute.
+/// By default the search has no degree limit, and lasts at most a minute.
 impl Default for Discover {
     fn default() -> Self {
         Discover { eps: None, degree: None, seconds: 60.0 }
@@ -162,8 +162,8 @@ impl Discovered {
         self.claims().filter(|(_, claim)| claim.kind == kind).map(|(text, _)| text).collect()
     }
 
-    /// Iterates over the claims for display: without integrals that modified Hamiltonians in
-    /// compact form replace, and without texts above [`MOST_READABLE`] characters.
+    /// Iterates over the claims for display. Leaves out integrals for which a compact modified
+    /// Hamiltonian stands, and texts of more than [`MOST_READABLE`] characters.
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
         // Integrals come first, so their indices are the indices of the claims.
@@ -177,8 +177,8 @@ impl Discovered {
         self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// Returns the field with the claims for display: without integrals that modified Hamiltonians
-    /// in compact form replace, and without texts above [`MOST_READABLE`] characters.
+    /// Returns the field with the claims for display. Leaves out integrals for which a compact
+    /// modified Hamiltonian stands, and texts of more than [`MOST_READABLE`] characters.
     #[must_use]
     pub fn readable(&self) -> System {
         let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
@@ -192,7 +192,7 @@ impl Discovered {
         System { claims, ..self.field.clone() }
     }
 
-    /// Writes each claim as a JSON object, and H if the field is K grad H.
+    /// Writes each claim as a JSON object. Adds the Hamiltonian H if the field is K grad H.
     fn parts(&self) -> Vec<Value> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
@@ -211,7 +211,8 @@ impl Discovered {
         let claims = self
             .claims()
             .map(|(_, claim)| part(claim.kind.keyword(), &claim.name.text, &expression(&claim.body)));
-        // Integrals are called H1, H2, …, so the H of K1 is called H_K1.
+        // Integrals are called H1, H2, …; to avoid a clash, the Hamiltonian that belongs to the
+        // matrix K1 is called H_K1.
         let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| {
             let name = found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}"));
             part("hamiltonian", &name, &found.hamiltonian)
@@ -220,9 +221,8 @@ impl Discovered {
     }
 }
 
-/// Writes the relation of a basis as a JSON object. The integrals are quotients of coefficients
-/// `c[m]` of the relation Σ `c[m]` m = 0 along an orbit. Each term is a sum of monomials with equal
-/// coefficients.
+/// Writes the relation Σ `c[m]` m = 0 of a basis along an orbit as a JSON object. The quotients of
+/// the coefficients `c[m]` are integrals. Each term is a sum of monomials with equal coefficients.
 fn relation(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];
@@ -236,8 +236,9 @@ fn relation(basis: &Basis, variables: &[String]) -> Value {
     })
 }
 
-/// Writes K, H and the modified Hamiltonian at a point x and its image x~ as a JSON object.
-/// `is_compact` says whether the modified Hamiltonian is new, or much shorter than the integrals.
+/// Writes a matrix K, the Hamiltonian H of the field K grad H, and the modified Hamiltonian at a
+/// point x and its image x~, as a JSON object. `is_compact` says whether the modified Hamiltonian
+/// is new, or much shorter than the integrals.
 fn hamiltonian(found: &HamiltonianReport) -> Value {
     json!({
         "K": found.tensor,
@@ -249,7 +250,8 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
     })
 }
 
-/// Writes the integrals that compositions preserve, and quotients of two, as a JSON object.
+/// Writes the integrals that compositions preserve, and the preserved quotients of two integrals,
+/// as a JSON object.
 fn survivors(found: &CompositionIntegrals, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);

@@ -66,7 +66,8 @@ pub struct Evaluated {
     pub jacobian: Option<Vec<Vec<Number>>>,
     /// The determinant of the Jacobian of the map.
     pub det_jacobian: Option<Number>,
-    /// The integrals claimed without a condition, or under a condition that holds at these values.
+    /// The integrals that are claimed without a condition, and those whose condition holds at these
+    /// values.
     #[serde(serialize_with = "by_name")]
     pub integrals: Names<Option<Number>>,
     /// The density of the claims that apply.
@@ -74,7 +75,8 @@ pub struct Evaluated {
     /// The brackets of the claims that apply, row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The drifts of the claims that apply: a function, and its next value by the recurrence.
+    /// The drifts of the claims that apply: each a function, and the function's next value by the
+    /// recurrence.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.
@@ -83,7 +85,7 @@ pub struct Evaluated {
 }
 
 impl Evaluate {
-    /// Asks for exact values.
+    /// Asks for exact values at ε = `eps` and the point `at`.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
         Evaluate { eps, at, scalar: exactly() }

@@ -27,7 +27,7 @@ pub struct Heights {
     pub at: Vec<Rational>,
     /// The number of steps.
     pub steps: u64,
-    /// The largest number of decimal digits of a numerator or denominator.
+    /// The largest number of decimal digits that a numerator or denominator may have.
     #[serde(default = "usual_digits")]
     pub digits: u64,
     /// The time limit in seconds; a step that would probably exceed it is not begun.
@@ -46,7 +46,7 @@ pub struct HeightsFound {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The heights, their growth, and the reason of the end.
+    /// The heights, their growth, and the reason why the orbit ended.
     pub survey: DiophantineTest,
     /// The seconds of the orbit; `None` without a clock.
     pub seconds: Option<f64>,
@@ -55,14 +55,14 @@ pub struct HeightsFound {
 }
 
 impl Heights {
-    /// Asks with limits of a million digits and a minute.
+    /// Asks for an orbit that ends, at the latest, at a million digits or after a minute.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         Heights { eps, at, steps, digits: usual_digits(), seconds: minute() }
     }
 
     /// Follows the orbit of a system whose claims hold. Each step costs products and gcds of
-    /// numbers of the orbit's height.
+    /// numbers as long as those of the orbit.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing values, or a field that is undefined at its

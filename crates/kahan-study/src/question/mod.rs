@@ -2,8 +2,9 @@
 //!
 //! A question has a name `ask` and fields in JSON: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
 //! 3]}`; the [`Subject`](crate::Subject) gives the field. Unknown fields are mistakes. Each
-//! question has a file with its fields, its answer and `ask`, and the entries of its row if it can
-//! be asked over axes. The list below declares the modules, [`Question`] and [`Answer`].
+//! question has a file, which defines its fields, its answer and `ask`. The file of a question that
+//! can be asked over axes also computes the row of a cell. The list below declares the modules,
+//! [`Question`] and [`Answer`].
 
 mod over;
 
@@ -72,7 +73,7 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the question as one that has a row in a table over axes.
+            /// Returns the question as one that can fill the rows of a table over axes.
             fn at_cell(&self) -> Result<&dyn AtCell, StudyError> {
                 match self {
                     $($(Self::$question(asked) => Ok(asked as &dyn $at_cell),)?)*
@@ -90,7 +91,8 @@ macro_rules! questions {
                 })
             }
 
-            /// Reads the question of this name, without axes, from its other fields.
+            /// Reads the question called `name`, which has no axes, from the other fields of its
+            /// JSON.
             fn from_fields(name: &str, rest: Map<String, Value>) -> Result<Self, Misread> {
                 match name {
                     $(
@@ -116,17 +118,17 @@ macro_rules! questions {
 questions! {
     /// Formulas.
     Show, asked as "show", answered by ShownField, in show;
-    /// Every object at a point.
+    /// The value of every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated, in evaluate, also AtCell;
     /// The points of an orbit.
     Orbit, asked as "orbit", answered by Orbited, in orbit;
-    /// The dynamics of an orbit.
+    /// Observables of an orbit, such as exponents and chaos indicators.
     Observe, asked as "observe", answered by Observed, in observe;
     /// The crossings of orbits with a plane.
     Section, asked as "section", answered by SectionFound, in section;
     /// The limits of orbits over the values of a parameter.
     Diagram, asked as "diagram", answered by DiagramFound, in diagram;
-    /// A cycle and its branch.
+    /// A cycle and, on request, its branch.
     Periodic, asked as "periodic", answered by CycleFound, in periodic;
     /// The heights of an exact orbit.
     Heights, asked as "heights", answered by HeightsFound, in heights, also AtCell;
@@ -151,8 +153,8 @@ impl Study {
         question.ask(self, watch)
     }
 
-    /// Passes the rows in `range`, counted from 0, of an answer that is a table to a consumer.
-    /// Returns how the table ended. Rows beyond the table's end are left out.
+    /// Passes the rows in `range` to a consumer, if the answer is a table. Rows are counted from 0;
+    /// numbers beyond the last row are ignored. Returns how the table ended.
     ///
     /// # Errors
     /// [`StudyError::NoRows`] if the answer is not a table, and the errors of the question.
@@ -176,7 +178,7 @@ impl Study {
     }
 }
 
-/// A consumer that passes only the rows in a range on.
+/// A consumer that passes on only the rows in a range.
 struct RowRange<'a> {
     range: Range<u64>,
     row: u64,
@@ -208,7 +210,7 @@ impl Question {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });
         };
         let name = name.as_str().unwrap_or_default();
-        // Other questions may have their own `over`.
+        // Questions that cannot be asked over axes may have a field `over` of their own.
         if Self::OVER_AXES.contains(&name) && object.contains_key("over") {
             Over::read(name, object).map(Self::Over)
         } else {
@@ -236,7 +238,7 @@ impl<'de> Deserialize<'de> for Question {
     }
 }
 
-/// The default number of steps between rows, of periods, and of draws.
+/// The default for the number of steps between rows, the period, and the number of draws.
 fn one<T: From<u8>>() -> T {
     T::from(1)
 }

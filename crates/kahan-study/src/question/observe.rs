@@ -25,7 +25,7 @@ use super::{NoOrbit, usual_order};
 
 pub use kahan_runtime::{Observable, ObservedValue};
 
-/// The reason why calls of a map succeed.
+/// The message of `expect` for calls of a map that succeed because lengths and types match.
 pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
 const LAST: &str = "the last point was asked for";
 
@@ -53,8 +53,9 @@ pub struct Observe {
     /// The number of exponents in the spectrum, largest first; `None` for all.
     #[serde(default)]
     pub spectrum: Option<usize>,
-    /// The size of a variable at which the orbit has escaped and ends; `None` for no bound. Without
-    /// a bound, [`Observable::Escape`] uses a million, and the orbit continues.
+    /// The size of a variable beyond which the orbit counts as escaped and ends. For `None` the
+    /// orbit never ends this way, and [`Observable::Escape`] reports the first variable beyond a
+    /// million.
     #[serde(default)]
     pub escape: Option<f64>,
     /// Whether each step of a lifted field is projected symmetrically onto the relations of the
@@ -90,19 +91,20 @@ pub struct Observed {
     pub variables: Vec<String>,
     /// The integrals claimed without a condition.
     pub integrals: Vec<String>,
-    /// The number of steps, including the transient; fewer than requested if the orbit ended early.
+    /// The number of steps, including the transient. If the orbit ended early, this is less than
+    /// requested.
     pub steps: u64,
     /// The reason why the orbit ended.
     pub end: End,
-    /// The reason of the end, if the lift caused it.
+    /// A sentence that says why the lift ended the orbit; `None` if it did not.
     pub why: Option<String>,
     /// The observations, in the order of the observables.
     pub seen: Vec<(Observable, ObservedValue)>,
 }
 
 impl Observe {
-    /// Asks for the usual observables of Kahan's map, with orthogonalisation every ten steps and no
-    /// bound.
+    /// Asks for the usual observables of Kahan's map, without an escape bound. Tangent vectors are
+    /// made orthogonal every ten steps.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         let (order, renormalize, observe) = (usual_order(), usual_renormalize(), Observable::usual());
@@ -126,8 +128,8 @@ impl Observe {
         Observe { observe, ..Observe::new(Rational::zero(), Vec::new(), steps) }
     }
 
-    /// Observes the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
-    /// vectors of the exponents and indicators, and a second run for rotation.
+    /// Observes the orbit of a system whose claims hold. Costs the steps of the orbit, with tangent
+    /// vectors for exponents and indicators. Rotation costs a second run of the orbit.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
@@ -200,7 +202,7 @@ impl Observe {
     pub fn columns(&self, study: &Study) -> Vec<Column> {
         let integrals = study.field().integrals();
         let columns = self.observables().into_iter().flat_map(|one| {
-            // A lifted field has the exponents of its original variables.
+            // A lifted field has as many exponents as original variables.
             let of_vectors = one.is_of_tangent_vectors();
             let mut variables = if of_vectors { study.coordinates() } else { study.shown() };
             if one == Observable::Spectrum {
@@ -211,10 +213,10 @@ impl Observe {
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
-    /// Observes many orbits, in SIMD lanes where machine code allows it. Returns the
-    /// [numbers](Self::numbers) of the columns. `maps` holds a map for each orbit, and `starts` a
-    /// column for each variable; ε, order and first point of the question are ignored. `tell`
-    /// receives numbers of steps and may stop the work, whose results are then meaningless.
+    /// Observes many orbits, in SIMD lanes where machine code supports this. Returns the
+    /// [numbers](Self::numbers) of the table's columns. `maps` holds a map for each orbit, and
+    /// `starts` a column for each variable; ε, order and first point of the question are ignored.
+    /// `tell` receives numbers of steps and may stop the work; the results are then meaningless.
     ///
     /// # Panics
     /// If `maps` and `starts` do not fit each other.
@@ -233,7 +235,7 @@ impl Observe {
         self.observe_many(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit after its transient. Also returns the reason if the lift ended the orbit.
+    /// Observes one orbit after its transient. Also returns a reason if the lift ended the orbit.
     pub(super) fn observe_one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -255,8 +257,8 @@ impl Observe {
         if before.end == End::Complete { (found, ends) } else { (Followed { end: before.end, ..found }, why) }
     }
 
-    /// Observes many orbits after their transients, in SIMD lanes where machine code allows it. An
-    /// orbit that ends in its transient is followed again, up to its end.
+    /// Observes many orbits after their transients, in SIMD lanes where machine code supports this.
+    /// An orbit that ends in its transient is followed a second time, to find its end.
     pub(super) fn observe_many<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -291,8 +293,8 @@ impl Observe {
         found.collect()
     }
 
-    /// Observes one orbit from its start, up to the end of the lift's domain; returns the reason of
-    /// that end.
+    /// Observes one orbit from its start. If the orbit leaves the lift's domain, also returns the
+    /// reason.
     fn one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -313,7 +315,7 @@ impl Observe {
     }
 
     /// Observes many orbits from their starts. An orbit of a lifted field whose last point is
-    /// outside the lift's domain is followed again, up to the domain's end.
+    /// outside the lift's domain is followed again, up to the border of the domain.
     fn side_by_side<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -336,8 +338,8 @@ impl Observe {
     }
 
     /// Returns an orbit's observed values as the numbers of a table's columns. If the orbit ended
-    /// early, only the step of its escape is a number, because other values would not cover all
-    /// steps.
+    /// early, every number except the step of its escape is NaN, because the other values would not
+    /// cover all steps.
     #[must_use]
     pub fn numbers(found: &Followed<Vec<ObservedValue>>) -> Vec<f64> {
         let numbers = |seen: &ObservedValue| {

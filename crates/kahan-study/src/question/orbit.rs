@@ -35,9 +35,9 @@ use maps::PointArithmetic;
 use points::{EarlyEnd, OrbitPoints, OrbitRows, ended};
 pub use row_schedule::RowSchedule;
 
-/// A request for the points of an orbit: rows of n, the time t = 2εn, the variables, and the
-/// integrals whose condition (if any) holds for this orbit. Claims concern Kahan's map.
-/// Compositions and other methods approximate the flow; their integrals are the claims at ε = 0.
+/// A request for the points of an orbit. A row holds n, the time t = 2εn, the variables, and the
+/// integrals whose condition (if any) holds for this orbit. Claims are about Kahan's map.
+/// Compositions and other methods approximate the flow, so their integrals are the claims at ε = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Orbit {
@@ -115,26 +115,29 @@ impl Method {
     }
 }
 
-/// A contradiction among the options of an orbit.
+/// Options of an orbit that contradict each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoOrbit {
-    /// A composition of this order in exact numbers; its coefficients are irrational.
+    /// A composition of this order is requested in exact numbers, but its coefficients are
+    /// irrational.
     Irrational(u32),
-    /// A composition with projective steps.
+    /// Projective steps are requested for a composition.
     ProjectiveOrder,
-    /// Another method with projective steps.
+    /// Projective steps are requested for a method other than Kahan's map.
     ProjectiveMethod,
-    /// A method that has its own order, with an order.
+    /// An order is requested for a method whose order is fixed.
     OwnOrder(Method),
-    /// The flow in exact numbers.
+    /// The flow is requested in exact numbers.
     ExactFlow,
-    /// Symmetric projection without a lift, in another scalar, or with other steps.
+    /// Symmetric projection is requested without a lift, in a scalar other than doubles, or for
+    /// another method.
     Reembed,
-    /// Projected steps with this observable, which concerns the map itself.
+    /// Projected steps are requested with this observable, which is defined only for the map
+    /// itself.
     OfTheMap(&'static str),
-    /// A projective orbit in too many variables.
+    /// A projective orbit is requested in too many variables.
     Projective(UnsupportedDimension),
-    /// The flow in too many variables.
+    /// The flow is requested in too many variables.
     Flow(UnsupportedDimension),
 }
 
@@ -198,10 +201,10 @@ pub struct OrbitHead {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The parameters, in the scalar.
+    /// The parameters, in the scalar of the computation.
     #[serde(serialize_with = "by_name")]
     pub parameters: Names<Number>,
-    /// ε, half the time step, in the scalar.
+    /// ε, half the time step, in the scalar of the computation.
     pub eps: Number,
     /// The scalar of the computation.
     pub scalar: ScalarKind,
@@ -221,7 +224,7 @@ pub struct OrbitHead {
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// The execution of float steps: `machine code` or `interpreted`.
+    /// The execution of float steps: as `machine code`, or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
     /// Whether the orbit continues through poles.
@@ -246,7 +249,7 @@ fn names<S: Serializer>(columns: &[Column], serializer: S) -> Result<S::Ok, S::E
 /// An orbit in memory.
 #[derive(Clone, Debug, Serialize)]
 pub struct Orbited {
-    /// The metadata.
+    /// The metadata of the orbit.
     #[serde(flatten)]
     pub head: OrbitHead,
     /// The rows, with the columns of the head.
@@ -258,7 +261,7 @@ pub struct Orbited {
 
 /// An orbit at its first point, ready to run.
 pub struct StartedOrbit<'a> {
-    /// The metadata.
+    /// The metadata of the orbit.
     pub head: OrbitHead,
     go_on: OrbitContinuation<'a>,
 }
@@ -266,8 +269,8 @@ pub struct StartedOrbit<'a> {
 type OrbitContinuation<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
 
 impl StartedOrbit<'_> {
-    /// Passes the rows in `range` to a consumer: row k is the point after `transient` + k · `every`
-    /// steps. Costs all steps up to the last row; integrals are computed in rows only.
+    /// Passes the rows in `range` to a consumer. Row k is the point after `transient` + k · `every`
+    /// steps. Costs all steps up to the last row, and integrals in rows only.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }
@@ -316,7 +319,7 @@ impl Orbit {
         self.method == Method::Kahan && self.order == usual_order() && !self.reembed
     }
 
-    /// Returns the study in which the integrals that the orbit preserves have no condition.
+    /// Returns the study in which the integrals that the orbit preserves hold unconditionally.
     ///
     /// # Errors
     /// The errors of [`Study::at_step`].
@@ -340,8 +343,8 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles, for any scalar setting. A program that calls only this method
-    /// contains no code for other scalars.
+    /// Prepares the orbit in doubles, whichever scalar it asks for. A program that calls only this
+    /// method contains no code for other scalars.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin).
@@ -383,7 +386,7 @@ impl Orbit {
         let parameters = parameters.collect::<Result<Vec<_>, _>>()?;
         let eps = in_scalar("eps", "eps", &self.eps)?;
         let map = study.map()?;
-        // Numbers that differ exactly may coincide in the scalar, where the field may be undefined.
+        // Numbers that differ exactly may round to one value, at which the field may be undefined.
         if !map.field().derived().is_defined_at(arithmetic, &parameters, &eps) {
             return Err(study.undefined_field_at(&self.eps));
         }
@@ -415,8 +418,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = OrbitRows { arithmetic, columns: &all, eps, paces };
-            // Skip the check of rates where it does not apply: rates are unbounded near infinity,
-            // exact orbits have long steps, and other methods have other growth factors.
+            // Rates are checked only where the check applies. Near infinity rates are unbounded,
+            // exact orbits have long steps on purpose, and other methods have other growth factors.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective
@@ -455,7 +458,7 @@ impl Orbit {
     }
 }
 
-/// A consumer that selects columns, and checks rates along the way.
+/// A consumer that passes on some columns, and checks the field's rates at some rows.
 struct ColumnSelection<'a> {
     columns: &'a [Column],
     places: Vec<usize>,
@@ -467,7 +470,7 @@ struct RateInspection {
     rates: Rates,
     /// The number of rows from one checked row to the next.
     stride: u64,
-    /// The number of rows before the next checked one.
+    /// The number of rows to skip before the next checked row.
     next: u64,
 }
 

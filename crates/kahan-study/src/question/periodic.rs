@@ -29,37 +29,37 @@ mod flow;
 
 pub use flow::FlowFound;
 
-/// The most unknowns of Newton's method; a failed search (sixty decompositions) then takes about
-/// five seconds.
+/// The largest number of unknowns of Newton's method. With this number a failed search, of sixty
+/// matrix decompositions, takes about five seconds.
 const MOST_UNKNOWNS: usize = 250;
 
 /// A request for a cycle near a point, and for its branch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step; by default the first value of `over`, if that varies ε. For steady
-    /// states (period 1), which do not depend on ε, the default is chosen by the field's rates.
+    /// ε, half the time step; by default the first value of `over`, if that varies ε. Steady states
+    /// (period 1) do not depend on ε; their default follows from the field's rates.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// A point near the cycle, with a coordinate for each variable; empty for the point in the
-    /// text.
+    /// A point near the cycle, with a coordinate for each variable. If empty, the first point in
+    /// the text is used.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// A multiple of the period. For a limit cycle of the flow, about the number of steps at `eps`;
-    /// 1 for the number that the orbit takes.
+    /// A multiple of the period of the cycle. With `free` ε, roughly the number of steps of a limit
+    /// cycle at `eps`, or 1 to take the number from the orbit.
     #[serde(default = "one")]
     pub period: usize,
-    /// The unknown besides the points: with ε, the cycle is a limit cycle of the flow, with unknown
-    /// period.
+    /// The unknown besides the points. With ε as unknown, the search is for a limit cycle of the
+    /// flow, whose period is unknown.
     #[serde(default)]
     pub free: Option<FreeUnknown>,
-    /// With free ε, the number of steps before close returns of the orbit are searched.
+    /// If ε is unknown, the number of steps before the search for close returns of the orbit.
     #[serde(default)]
     pub transient: u64,
     /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// The integrals that keep their values at `at`.
+    /// The integrals that keep the values that they have at `at`.
     #[serde(default)]
     pub hold: HeldIntegrals,
 }
@@ -71,7 +71,7 @@ pub enum HeldIntegrals {
     /// Linear integrals with constant coefficients.
     #[default]
     Linear,
-    /// None.
+    /// No integral is held.
     None,
 }
 
@@ -107,7 +107,7 @@ pub struct CycleFound {
     /// The cycle, in doubles, with multipliers along the level set of the fixed integrals. For a
     /// limit cycle of the flow, multipliers are extrapolated.
     pub cycle: PeriodicPoint,
-    /// The linear integrals with fixed values, as equations.
+    /// The linear integrals whose values are held, as equations.
     pub held: Vec<String>,
     /// The value of ε.
     pub eps: f64,
@@ -117,8 +117,8 @@ pub struct CycleFound {
     pub exact: Option<RationalCycle>,
     /// The name of the axis, and the branch.
     pub branch: Option<(String, Branch)>,
-    /// For each point of a branch of limit cycles the extrapolated numbers; `None` if finer steps
-    /// lack the point.
+    /// The extrapolated numbers of each point of a branch of limit cycles; `None` if the branches
+    /// with finer steps lack the point.
     pub rows: Vec<Option<FlowFound>>,
 }
 
@@ -130,7 +130,7 @@ impl Periodic {
         Periodic { eps: Some(eps), at, period: one(), free: None, transient: 0, over: None, hold }
     }
 
-    /// Returns the first value on the axis, or NaN without one.
+    /// Returns the first value on the axis; NaN without an axis.
     fn begin(&self) -> f64 {
         self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64())
     }
@@ -194,15 +194,15 @@ impl CycleFound {
         rows.filter(|(point, _)| point.mark != BranchPointKind::Between)
     }
 
-    /// Returns the eigenvalues of f′ at a steady state, λ = (μ − 1)/(ε(μ + 1)) for its multipliers
-    /// μ; `None` for other cycles.
+    /// Returns the eigenvalues of f′ at a steady state; `None` for other cycles. A multiplier μ
+    /// belongs to the eigenvalue λ = (μ − 1)/(ε(μ + 1)).
     #[must_use]
     pub fn eigenvalues(&self, cycle: &PeriodicPoint, eps: f64) -> Option<Vec<Complex<f64>>> {
         let of = |multiplier: &Complex<f64>| (multiplier - 1.0) / (multiplier + 1.0) / eps;
         (cycle.points.len() == 1).then(|| cycle.multipliers.iter().map(of).collect())
     }
 
-    /// Describes a bifurcation; for steady states in terms of the field.
+    /// Describes a bifurcation. A bifurcation of steady states is described in terms of the field.
     #[must_use]
     pub fn change_in_words(&self, change: BranchChange) -> String {
         let of_field = match change {
@@ -221,7 +221,7 @@ impl CycleFound {
 
 /// A linear integral Σ cₖ xₖ with a fixed value.
 struct Held {
-    /// The pairs (k, cₖ).
+    /// The coefficients cₖ that differ from 0, each with its index k.
     coefficients: Vec<(usize, Rational)>,
     value: Rational,
 }
@@ -253,7 +253,7 @@ struct Family {
     eps: Rational,
     start: Vec<f64>,
     held: Vec<Held>,
-    /// The level set of the fixed integrals.
+    /// The level set of the integrals with fixed values.
     leaf: LevelSet,
     /// The index of the varied parameter; `None` for ε, and without an axis.
     parameter: Option<usize>,
@@ -325,7 +325,8 @@ impl Family {
         parameters
     }
 
-    /// Returns the map at this value of the axis; with ε = NaN if the field divides by zero.
+    /// Returns the map at this value of the axis. If the field divides by zero, the map has ε =
+    /// NaN.
     fn at(&self, value: f64) -> MapAt<f64> {
         match self.study.map_at(&self.values_at(value)) {
             Some(map) => map.at(self.eps_at(value)),
@@ -335,14 +336,15 @@ impl Family {
 
     fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
-        // A winding branch has more cycles than this estimate.
+        // A branch that turns back may have more cycles than this estimate.
         let count = WorkCount::new("cycles", steps as u64, watch);
         let mut branch = branch(|value| self.on_leaf(value), cycle, ends, steps, |_| count.tell(1));
         self.finish(&mut branch, axis);
         branch
     }
 
-    /// Converts the points of a branch to all variables, and restores the exact values of the axis.
+    /// Converts the points of a branch to all variables, and replaces the axis values by the exact
+    /// ones.
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
             self.unfold(&mut point.cycle);
@@ -367,8 +369,9 @@ impl Family {
     }
 }
 
-/// Returns the linear integrals of the field, with the varied parameter generic. They determine the
-/// variables that are small at `start`, so that the free variables show its size.
+/// Returns the linear integrals of the field, for generic values of the varied parameter. Each
+/// integral eliminates a variable that is small at `start`, so that the remaining variables show
+/// the size of the point.
 fn integrals(
     study: &Study,
     changes: Option<usize>,
@@ -385,10 +388,9 @@ fn integrals(
     Ok(if found.len() < start.len() { found } else { Vec::new() })
 }
 
-/// Returns a power of two for ε, such that ∂x̃/∂x − 1 near the point has entries of at most about
-/// 1.
+/// Returns a power of two for ε. The entries of ∂x̃/∂x − 1 near the point are then at most about 1.
 fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
-    /// More than the number of powers of two among doubles.
+    /// There are fewer powers of two among doubles than this number of trials.
     const MOST: usize = 2200;
 
     let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
@@ -409,7 +411,7 @@ fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
     Rational::from_f64(eps)
 }
 
-/// Returns the characteristic polynomial of the derivative along a cycle, in z.
+/// Returns the characteristic polynomial, in z, of the product of Jacobians along a cycle.
 #[must_use]
 pub fn characteristic_polynomial(exact: &RationalCycle) -> String {
     let symbols = Symbols { states: vec!["z".to_owned()], parameters: Vec::new() };

@@ -1,4 +1,5 @@
-//! The images of curves that a map contracts or sends to infinity (singularity confinement).
+//! The images of curves that a map contracts to a point or sends to infinity (singularity
+//! confinement).
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::growth::GrowthVerdict;
@@ -15,8 +16,8 @@ use crate::study::Study;
 use super::discover::options;
 use super::seconds_since;
 
-/// A request for the images of the curves, in three variables surfaces, on which the map is
-/// singular.
+/// A request for the images of the curves on which the map is singular. In three variables the map
+/// is singular on surfaces.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Poles {
@@ -36,12 +37,12 @@ impl Default for Poles {
     }
 }
 
-/// The patterns of the curves.
+/// The singularity patterns of the curves.
 #[derive(Clone, Debug, Serialize)]
 pub struct PolesFound {
     /// The name of the system.
     pub system: String,
-    /// The patterns, and the degrees of iterates.
+    /// The singularity patterns, and the degrees of iterates of the map.
     #[serde(flatten, serialize_with = "patterns")]
     pub found: kahan_discover::Poles,
     /// The growth of the degrees.

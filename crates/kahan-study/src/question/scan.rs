@@ -18,8 +18,8 @@ use super::{minute, seconds_since};
 
 const MOST_POINTS: usize = 1_000_000;
 
-/// A request for the points of a grid at which degrees or ranks differ from the generic ones, and
-/// for relations between these points.
+/// A request for grid points at which degrees or ranks differ from the generic ones. The answer
+/// also has relations that such points satisfy.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
@@ -42,7 +42,7 @@ pub struct Scan {
 pub struct ScanFound {
     /// The name of the system.
     pub system: String,
-    /// The searched part of the grid, and the relations.
+    /// The results at the grid points that were searched, and the relations between special points.
     #[serde(flatten, serialize_with = "grid")]
     pub found: Grid,
     /// The number of points of the whole grid.
@@ -53,7 +53,7 @@ pub struct ScanFound {
 }
 
 impl Scan {
-    /// Asks for these axes, within a minute.
+    /// Asks for a search over these axes that lasts at most a minute.
     #[must_use]
     pub fn new(over: Vec<Axis>) -> Self {
         Scan { over, seconds: minute(), ..Scan::default() }
@@ -66,8 +66,9 @@ impl Scan {
         total.filter(|total| *total <= MOST_POINTS)
     }
 
-    /// Searches every point. Parameters with neither a value nor an axis are generic. Ignores
-    /// claims. Reports claims proved along relations to the watch.
+    /// Searches every point. A parameter that has neither a value nor an axis is generic. Ignores
+    /// the field's claims. Reports to the watch each claim that is proved where a relation between
+    /// parameters holds.
     ///
     /// # Errors
     /// [`StudyError`]: a missing or unknown axis, too many points, a degree that is not feasible,

@@ -1,4 +1,4 @@
-//! Crossings of orbits with a plane, or with a level set of any function.
+//! Crossings of orbits with a plane, or with another level set of a function.
 
 mod orbits;
 mod plane;
@@ -29,8 +29,8 @@ use super::{Question, usual_order};
 use orbits::Orbits;
 pub use plane::Plane;
 
-/// A request for crossings of orbits with a section, in doubles: of one orbit, or of an orbit for
-/// each of many first points and values of parameters.
+/// A request for crossings of orbits with a section, in doubles: of one orbit, or of many orbits.
+/// Many orbits come from lists of first points and values of parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Section {
@@ -56,8 +56,8 @@ pub struct Section {
     /// The number of steps before crossings count.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method, and of the times of crossings: a crossing is the endpoint of a step
-    /// with a fraction of ε.
+    /// The order of the method, and of the crossing times. A crossing is the endpoint of a step
+    /// whose ε is reduced to a fraction.
     #[serde(default = "usual_order")]
     pub order: u32,
     /// Whether each step of a lifted field is projected symmetrically onto the relations of the
@@ -97,8 +97,9 @@ pub struct SectionFound {
     pub variables: Vec<String>,
     /// The orbits, in the order of the rows.
     pub orbits: Vec<Crossed>,
-    /// A row for each crossing: for many orbits the index of the first point and the varying
-    /// values; then the step n before the crossing, its time, and the variables.
+    /// A row for each crossing: the step n before the crossing, the time of the crossing, and the
+    /// variables. For many orbits, the index of the first point and the varying values precede
+    /// these numbers.
     pub rows: Table,
 }
 
@@ -113,12 +114,12 @@ pub struct Crossed {
     pub steps: u64,
     /// The reason why the orbit ended; `Stopped` if it has all requested crossings.
     pub end: End,
-    /// The reason of the end, if the lift caused it.
+    /// A sentence that says why the lift ended the orbit; `None` if it did not.
     pub why: Option<String>,
     /// The number of crossings.
     pub crossings: u64,
-    /// The number of relevant sign changes without a zero: at a pole of the formula or of the map,
-    /// or at a jump of the formula.
+    /// The number of sign changes in the requested direction at which the formula does not vanish:
+    /// the formula or the map has a pole there, or the formula jumps.
     pub jumps: u64,
 }
 
@@ -167,12 +168,12 @@ impl Section {
     /// Returns the columns of the table.
     ///
     /// # Errors
-    /// Axes that are unknown or do not fit.
+    /// Axes that are unknown, or that the question does not allow.
     pub fn columns(&self, study: &Study) -> Result<Vec<Column>, StudyError> {
         Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
     }
 
-    /// Returns the orbits as cells over axes; axes of `params` come last.
+    /// Returns the orbits as cells of a question over axes; the axes of `params` come last.
     fn as_over(&self) -> Over {
         let axes = self.over.iter().chain(&self.params).cloned().collect();
         Over { starts: self.starts.clone(), ..Over::new(Question::Section(self.clone()), axes) }
@@ -189,14 +190,14 @@ impl Section {
         front.chain(own).collect()
     }
 
-    /// Passes the crossings of each orbit to a consumer, one orbit after another. Requires claims
-    /// that hold. Refines each crossing on the curve of the step as ε grows from 0. Costs the
-    /// orbits, and some steps for each crossing; memory is bounded.
+    /// Passes the crossings of each orbit to a consumer, one orbit after another. Requires that the
+    /// field's claims hold. Refines each crossing on the curve that the step traces as its ε grows
+    /// from 0. Costs the orbits, and some steps for each crossing; memory is bounded.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
     /// doubles, a plane that is not a formula or is constant, a field that is undefined at its
-    /// parameters, or axes that do not fit.
+    /// parameters, or axes that the question does not allow.
     pub fn find(
         &self,
         study: &Study,
@@ -209,7 +210,7 @@ impl Section {
     }
 
     fn most_steps(&self) -> Result<u64, StudyError> {
-        /// The number of steps for each crossing, if only crossings are given.
+        /// The number of steps for each crossing, if the question gives no number of steps.
         const EACH: u64 = 10_000;
 
         let by_crossings = || self.crossings.map(|crossings| crossings.saturating_mul(EACH));
@@ -217,7 +218,7 @@ impl Section {
     }
 }
 
-/// A consumer that collects rows up to the limit of an answer.
+/// A consumer that collects rows until an answer has its largest size.
 struct LimitedRows<'a> {
     rows: &'a mut Table,
     cells: u64,
@@ -240,7 +241,7 @@ impl SectionFound {
     /// Returns the only orbit, or the first of several.
     ///
     /// # Panics
-    /// Without an orbit.
+    /// If there is no orbit.
     #[must_use]
     pub fn orbit(&self) -> &Crossed {
         &self.orbits[0]
@@ -286,7 +287,8 @@ impl SectionFound {
     }
 }
 
-/// Writes one orbit as lists of times and points, and several orbits as rows with the end of each.
+/// Writes one orbit as lists of times and points. Writes several orbits as rows, with the end of
+/// each orbit.
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(None)?;

@@ -30,7 +30,7 @@ pub struct Show {
     /// The form of the answer.
     #[serde(rename = "as", default)]
     pub form: ShowForm,
-    /// Whether to include the Jacobian of the map, which may be long.
+    /// Whether to include the Jacobian of the map, which may be a long text.
     #[serde(default)]
     pub jacobian: bool,
 }
@@ -85,11 +85,11 @@ pub struct FormulaSheet {
     /// The field with the map's coefficients at ε, if they depend on ε.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// The field f(x) at ε = 0, which f′ and Q belong to.
+    /// The field f(x) at ε = 0; f′ and Q are derived from it.
     pub field: Vec<String>,
     /// The Jacobian f′(x), row by row.
     pub field_jacobian: MatrixText,
-    /// The matrix A(x,ε), row by row; A(x,ε) x̃ = b(x,ε).
+    /// The matrix A(x,ε), row by row. The image x̃ solves A(x,ε) x̃ = b(x,ε).
     #[serde(rename = "A")]
     pub matrix: MatrixText,
     /// The right-hand side b(x,ε).
@@ -97,10 +97,10 @@ pub struct FormulaSheet {
     pub rhs: Vec<String>,
     /// The bilinear form Q(x,x′); variables of the second point have primes.
     pub bilinear: Vec<String>,
-    /// The determinant det A(x,ε).
+    /// The determinant of A(x,ε).
     #[serde(rename = "det_A")]
     pub determinant: Option<String>,
-    /// The reduced map, x̃ = x + 2ε n/d in lowest terms.
+    /// The reduced map x̃ = x + 2ε n/d, with n/d in lowest terms.
     pub map: Option<Vec<String>>,
     /// The Jacobian ∂x̃/∂x of the map, row by row, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -112,8 +112,8 @@ pub struct FormulaSheet {
     /// The block of `kahan!`.
     #[serde(rename = "macro")]
     pub block: String,
-    /// A Python script in [`ShowForm::Sympy`], which assigns the symbols, matrices and claims to the
-    /// names of this sheet.
+    /// A Python script that assigns symbols, matrices and claims to the names of this sheet; only
+    /// for [`ShowForm::Sympy`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub script: Option<String>,
 }
@@ -129,12 +129,13 @@ pub struct ClaimShown {
     pub statement: String,
     /// The condition of the claim, in the language of `kahan!`; empty if it always holds.
     pub when: String,
-    /// The expressions that must not vanish, such as `a2 != 0`; empty if they are numbers.
+    /// The expressions that must not vanish, such as `a2 != 0`; empty if all of them are numbers.
     pub nonzero: String,
-    /// The catalog's source.
+    /// The source that the catalog cites for the claim.
     pub source: Option<&'static str>,
-    /// The formulas in the notation of the sheet, as left and right sides: a function; for a drift
-    /// the function and its next value; for a bracket an entry for each of [`pairs`](Self::pairs).
+    /// The formulas in the notation of the sheet, each as left and right side. An integral or
+    /// density has one formula. A drift has two: the function, and its next value. A bracket has an
+    /// entry for each of [`pairs`](Self::pairs).
     pub equations: Vec<(String, String)>,
     /// The two variables of each equation of a bracket.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -145,12 +146,13 @@ pub struct ClaimShown {
 }
 
 impl Show {
-    /// Derives the formulas of a system whose claims hold, with parameters substituted before the
-    /// map is reduced. Costs milliseconds up to a second, bounded by the budget of terms.
+    /// Derives the formulas of a system whose claims hold. Given parameters are substituted before
+    /// the map is reduced. Costs milliseconds to a second; a limit on the number of terms bounds
+    /// the time.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or one
-    /// of more than 500 variables, of which only the block is shown.
+    /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or a
+    /// field of more than 500 variables, which can only be shown as a block.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ShownField, StudyError> {
         study.proved()?;
         let variables = study.variables().len();

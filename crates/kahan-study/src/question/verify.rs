@@ -19,7 +19,7 @@ use super::seconds_since;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Verify {
-    /// Whether to change a coefficient or sign of each claim, which must then fail.
+    /// Whether to change a coefficient or sign of each claim; the changed claims must fail.
     pub mutate: bool,
 }
 
@@ -27,9 +27,9 @@ pub struct Verify {
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Verified {
-    /// The claims unchanged.
+    /// The results for the unchanged claims.
     Claims(#[serde(serialize_with = "object")] Verdicts),
-    /// The claims after changes.
+    /// The results for changed claims.
     Mutations(Mutations),
 }
 
@@ -38,7 +38,7 @@ pub enum Verified {
 pub struct Mutations {
     /// The claims.
     pub mutations: Vec<Mutated>,
-    /// The number of claims that hold after every change, and so state nothing.
+    /// The number of claims that still hold after every change; they state nothing.
     pub survived: usize,
     /// The seconds of the check; `None` without a clock.
     #[serde(skip)]
@@ -50,16 +50,16 @@ pub struct Mutations {
 pub struct Mutated {
     /// The name of the claim, preceded by the name of its system.
     pub id: String,
-    /// The number of changes until one failed.
+    /// The number of changes that were tried until the claim failed.
     pub tried: usize,
-    /// The first failing change, if any.
+    /// The first change after which the claim failed; `None` if it held after each.
     pub failed: Option<String>,
 }
 
 impl Verify {
-    /// Verifies the claims of a field; for an unchanged system of the catalog, the paper's claims
-    /// about it. Substitutes given parameters. Costs milliseconds for each claim, and some hundred
-    /// times as much for claims of the paper that are measured on an orbit.
+    /// Verifies the claims of a field. For an unchanged system of the catalog, verifies what the
+    /// paper claims about the system. Substitutes given parameters. Costs milliseconds for each
+    /// claim, and some hundred times as much for a claim of the paper that is checked on an orbit.
     ///
     /// # Errors
     /// [`StudyError::UndefinedField`]; with `mutate`, also a claim that does not hold.
@@ -102,8 +102,9 @@ impl Verify {
         })
     }
 
-    /// Verifies claims of the paper on the watch's threads: those about one system (`general` for
-    /// claims about every field), or all, which costs about a minute on one processor.
+    /// Verifies claims of the paper on the watch's threads. `system` selects the claims about one
+    /// system; `general` selects the claims about every field. `None` selects all claims, which
+    /// cost about a minute on one processor.
     #[must_use]
     pub fn of_paper(&self, system: Option<&str>, watch: &dyn Watch) -> Verified {
         let begun = watch.now();
@@ -125,7 +126,7 @@ impl Verify {
     }
 }
 
-/// Maps a function over the claims in parallel, until the watch ends the work.
+/// Applies a function to the claims in parallel, until the watch cancels the work.
 fn of_each<R: Send>(
     paper: &Paper,
     claims: &[&Claim],

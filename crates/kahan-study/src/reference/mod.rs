@@ -2,9 +2,9 @@
 //!
 //! In: a field, a point, a time. Out: a function of time in double-double numbers, and its
 //! difference from a second method. The first method is a Taylor series in time; the second is the
-//! catalog's closed solution, or Kahan's map composed to order 8. They share no formulas, unlike
-//! two settings of one method. Interval arithmetic is deliberately absent: the difference is
-//! evidence, not a proof.
+//! catalog's closed solution, or Kahan's map composed to order 8. The two methods share no
+//! formulas, whereas two settings of one method would. Interval arithmetic is deliberately absent:
+//! the difference is evidence, not a proof.
 
 mod certificate;
 #[cfg(feature = "catalog")]
@@ -25,8 +25,8 @@ pub use certificate::{Certificate, Method};
 pub use no_reference::NoReference;
 pub use path::TrajectoryLimits;
 
-/// The allowed difference of the two methods, relative to the tolerance of orbits. Measured errors
-/// near a tenth of the tolerance then stay accurate to a tenth.
+/// The largest allowed difference of the two methods, as a fraction of the tolerance of orbits. An
+/// error near a tenth of the tolerance is then measured to about ten percent.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
@@ -34,7 +34,7 @@ pub const PART_OF_TOLERANCE: f64 = 1e-2;
 pub struct Reference {
     flow: Flow<Dd>,
     certificate: Certificate,
-    /// The number of coordinates of the flow; padding coordinates stay 0.
+    /// The number of coordinates of the flow; further coordinates are padding and stay 0.
     variables: usize,
 }
 
@@ -55,7 +55,7 @@ pub struct Trajectory<'a> {
 
 impl Reference {
     /// Computes the trajectory of a field over double-double numbers, in N variables. A start with
-    /// fewer coordinates is padded by 0.
+    /// fewer than N coordinates is padded by zeros.
     ///
     /// Costs about 250 evaluations of the bilinear form for each step of the series, and the steps
     /// of the composition. A step of the series is a tenth of the distance to the nearest
@@ -90,7 +90,7 @@ impl Reference {
         }
     }
 
-    /// Returns x(t), with the scale to which errors are relative.
+    /// Returns x(t), with the scale to which relative errors refer.
     pub fn flow(&self) -> &Flow<Dd> {
         &self.flow
     }
@@ -100,8 +100,8 @@ impl Reference {
         self.certificate
     }
 
-    /// Returns the distance of a point from x(t) in the maximum norm, relative to the scale;
-    /// infinite for a point with a NaN.
+    /// Returns the distance of a point from x(t) in the maximum norm, relative to the scale of the
+    /// flow; infinite if a coordinate is NaN.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.flow.distance(t, &padded(x, self.variables))
     }

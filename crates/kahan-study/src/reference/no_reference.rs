@@ -16,7 +16,7 @@ pub enum NoReference {
         /// The time that the series reached.
         reached: f64,
     },
-    /// The time ran out.
+    /// The time limit for the computation was reached.
     NoTime {
         /// The time that the series reached.
         reached: f64,
@@ -94,5 +94,6 @@ impl core::fmt::Display for DisplayedTime {
     }
 }
 
-/// The relative difference below which rounding, and not sensitivity, limits the agreement.
+/// The relative difference below which the agreement is limited by rounding, not by sensitivity to
+/// errors.
 pub(super) const LEAST_DIFFERENCE: f64 = 1e-26;

@@ -1,6 +1,7 @@
 //! The Taylor method: the flow as power series in time, continued from point to point.
 //!
-//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or an error.
+//! In: a field over double-double numbers, a point, a time, and limits. Out: a [`Flow`], or an
+//! error.
 
 use core::fmt;
 
@@ -15,10 +16,11 @@ const MOST_MEMORY: usize = 1 << 30;
 /// Limits on the computation of a trajectory.
 #[derive(Clone, Copy, Default)]
 pub struct TrajectoryLimits<'a> {
-    /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory extends
-    /// beyond its end, for orbits that overshoot. A solution that escapes first is not extended.
+    /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory
+    /// continues beyond its end. Orbits that overshoot need this part. If the solution escapes
+    /// first, the trajectory ends without it.
     pub margin: f64,
-    /// The number of leading variables that enter errors and scale; `None` for all.
+    /// The number of leading variables that count for errors and scale; `None` for all.
     pub variables: Option<usize>,
     /// Returns whether the time is over; `None` for no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,

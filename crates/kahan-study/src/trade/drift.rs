@@ -1,4 +1,4 @@
-//! Drift of integrals along orbits: of the map's integrals and of the flow's.
+//! The drift of integrals along orbits, both of the map's integrals and of the flow's.
 
 use kahan_core::Dd;
 
@@ -11,8 +11,8 @@ use super::runner::Runner;
 /// and the map's is the claim minus the constant.
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim, 0 or 1 for the first of the coefficients of ε⁰ and ε² that depends on the
-    /// state; `None` if neither does.
+    /// For each claim, the first of its coefficients of ε⁰ and ε² that depends on the state: 0 for
+    /// ε⁰, 1 for ε²; `None` if neither does.
     coefficients: Vec<Option<usize>>,
 }
 
@@ -22,12 +22,12 @@ pub(super) struct Drift<'a> {
     eps: f64,
     /// The initial values: for each claim, the map's integral and the flow's.
     begin: Option<Vec<[Dd; 2]>>,
-    /// The largest relative change of the map's integrals, and of the flow's.
+    /// The largest relative change of any of the map's integrals, and of any of the flow's.
     pub(super) most: [f64; 2],
 }
 
 impl Integrals {
-    /// Finds the coefficients that vary between a few points near the start.
+    /// Finds which coefficients of ε vary between a few points near the start.
     pub(super) fn of(subject: &Runner<'_>, start: &[Dd]) -> Self {
         let size = start.iter().fold(Dd::from(0.0), |size, x| if x.abs() > size { x.abs() } else { size });
         // For a start at the origin, points are taken at distances near 1.
@@ -81,7 +81,8 @@ impl<'a> Drift<'a> {
     }
 }
 
-/// Returns the change relative to the initial value, or absolute if that is 0; NaN becomes ∞.
+/// Returns the change relative to the initial value; if that is 0, the absolute change. NaN becomes
+/// ∞.
 fn change(begin: Dd, now: Dd) -> f64 {
     let (size, change) = (f64::from(begin.abs()), f64::from((now - begin).abs()));
     let change = if size > 0.0 { change / size } else { change };

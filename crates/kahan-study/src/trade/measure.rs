@@ -17,19 +17,19 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::stops;
 
-/// The number of points at which integrals are evaluated if the trajectory is followed.
+/// The number of points at which integrals are evaluated if the need is the trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
 pub(super) struct SettingMeasurements<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
-    /// The number of leading variables that enter errors.
+    /// The number of leading variables that count for errors.
     pub(super) originals: usize,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Duration,
-    /// Whether steps are machine code, so that prices predict their time.
+    /// Whether the steps run as machine code; prices predict their time only then.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
     /// For each scheme that ran out of time, the ε of its first skipped setting.
@@ -85,14 +85,14 @@ impl Trials for SettingMeasurements<'_> {
 }
 
 impl SettingMeasurements<'_> {
-    /// Records the first number of steps for which no time was left to try a scheme.
+    /// Records the smallest number of steps that a scheme could not try because time ran out.
     fn skip(&mut self, scheme: Scheme, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != scheme) {
             self.skipped.push((scheme, self.scene.setting(scheme, steps).eps()));
         }
     }
 
-    /// Takes the schemes that ran out of time, for another attempt.
+    /// Removes and returns the schemes that ran out of time, so that they can be tried again.
     pub(super) fn put_off(&mut self) -> Vec<(Scheme, f64)> {
         std::mem::take(&mut self.skipped)
     }
@@ -149,7 +149,8 @@ impl SettingMeasurements<'_> {
         }
         let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
-        // A composition does not preserve the map's integrals, only nearly those of the flow.
+        // A composition preserves only the flow's integrals, and these nearly; Kahan's map
+        // preserves its own.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,

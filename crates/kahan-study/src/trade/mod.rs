@@ -1,9 +1,9 @@
 //! Error against cost in one scene: scalar, order, compensation and ε.
 //!
-//! In: a system, a point, a horizon, and the need. Out: settings with their price (nanoseconds per
-//! unit of simulated time, on this machine) and error, the Pareto front, and the cheapest setting
-//! that meets the need. The library's own orbits are run and timed; errors refer to a certified
-//! [`Reference`].
+//! In: a system, a point, a time to simulate (the horizon), and the need. Out: settings with their
+//! price (nanoseconds per unit of simulated time, on this machine) and error, the Pareto front, and
+//! the cheapest setting that meets the need. The library's own orbits are run and timed; errors are
+//! distances from a certified [`Reference`].
 
 mod drift;
 mod front;
@@ -44,7 +44,7 @@ use search::{MEASURED, RefinementSearch};
 
 pub use object::need_name;
 
-/// A request for the best setting of the integrator in one scene, and for its price.
+/// A request for the best integrator setting in one scene, and for the price of this setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
@@ -77,7 +77,7 @@ fn usual_seconds() -> f64 {
     10.0
 }
 
-/// A setting with its measurements.
+/// A setting with its measured price and errors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measured {
     /// The setting.
@@ -91,8 +91,8 @@ pub struct Measured {
     pub integral_drift: Option<f64>,
     /// The drift of the flow's integrals; `None` if no integral is declared.
     pub flow_integral_drift: Option<f64>,
-    /// The distance from the start after all steps forward and back, relative to the start;
-    /// measured on the front only.
+    /// The distance from the start after all steps forward and back, relative to the size of the
+    /// start. Only settings on the Pareto front are measured.
     pub return_error: Option<f64>,
     /// Whether no other setting is both cheaper and more accurate.
     pub on_front: bool,
@@ -112,13 +112,13 @@ pub struct Traded {
     /// The horizon, the need and the tolerance.
     #[serde(flatten, serialize_with = "object::scene")]
     pub scene: Scene,
-    /// The scale of the trajectory, to which its errors are relative.
+    /// The size of the trajectory; its errors are relative to this size.
     pub scale: Option<f64>,
-    /// The evidence for the errors of trajectories.
+    /// The evidence that errors of trajectories can be trusted.
     #[serde(rename = "reference")]
     pub certificate: Option<Certificate>,
-    /// Whether prices are times of this system's compiled steps; otherwise they are times of E6,
-    /// scaled by the cost of the plans.
+    /// Whether prices are measured times of this system's compiled steps. Otherwise they are times
+    /// of system E6, scaled by the planned costs of the steps.
     #[serde(rename = "timing", serialize_with = "object::timing")]
     pub is_code: bool,
     /// The settings, cheapest first.
@@ -128,7 +128,7 @@ pub struct Traded {
     /// Schemes that ran out of time, each with the ε of its first skipped setting.
     #[serde(serialize_with = "object::skipped")]
     pub skipped: Vec<(Scheme, f64)>,
-    /// Schemes whose errors stopped falling above the tolerance.
+    /// Schemes whose errors stopped falling before they reached the tolerance.
     #[serde(skip)]
     pub stalled: Vec<Scheme>,
 }
@@ -150,7 +150,7 @@ pub enum CannotTrade {
     CannotRun(CannotRun),
     /// No reference trajectory was found.
     Reference(NoReference),
-    /// The need is integrals, but no claimed integral depends on the state.
+    /// The need is to preserve integrals, but no claimed integral depends on the state.
     NoIntegrals,
 }
 
@@ -200,7 +200,7 @@ impl Traded {
         format!("{} from ({}) over {} units of time", self.system, point.join(", "), self.scene.horizon())
     }
 
-    /// Names the kind of error that the need is about.
+    /// Returns a name for the kind of error that matters for the need.
     #[must_use]
     pub fn error_name(&self) -> &'static str {
         match self.scene.need() {
@@ -211,15 +211,16 @@ impl Traded {
 }
 
 impl Trade {
-    /// Asks to follow a trajectory to eight digits, within ten seconds.
+    /// Asks for a trajectory with eight correct digits, measured within ten seconds.
     #[must_use]
     pub fn new(at: Vec<Rational>, horizon: Rational) -> Self {
         let (need, tolerance, seconds) = (trajectory(), usual_tolerance(), usual_seconds());
         Trade { at, horizon, need, tolerance, seconds }
     }
 
-    /// Measures for the given seconds, or less if the answer is clear earlier. The claims of the
-    /// system must hold, and the watch must have a clock. Costs the time of the orbits.
+    /// Measures for at most the given seconds; ends earlier if the answer is clear. The claims of
+    /// the system must hold, and the watch must have a clock. Most of the time is spent on the
+    /// orbits.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing or nonpositive values, no clock, or nothing
@@ -261,7 +262,7 @@ impl<'a> RefinementSearch<'a> {
         watch: &'a dyn Watch,
     ) -> Result<Self, CannotTrade> {
         let clock = runner.clock;
-        // A time beyond the range of `Duration` counts as no limit.
+        // A time limit beyond the range of `Duration` counts as no limit.
         let deadline = clock() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(&runner.start));
@@ -271,9 +272,10 @@ impl<'a> RefinementSearch<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // The margin is for orbits that overshoot the horizon because ε was rounded.
+                // The trajectory is longer than the horizon, because orbits with a rounded ε
+                // overshoot.
                 let is_over = || clock() > deadline;
-                // Errors refer to the variables of the original equations.
+                // Errors are measured in the variables of the original equations.
                 let variables = Some(study.coordinates().len());
                 let limits = TrajectoryLimits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
                 let asked = Trajectory {
@@ -286,8 +288,9 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // The coarsest ε has a mean product of ε and rate of 4 along a trajectory, and of 1 at the
-        // start for integrals; compositions, with their shorter stages, can use it.
+        // At the coarsest ε the product of ε and rate is 4 in the mean over a trajectory; if
+        // integrals are the need, it is 1 at the start. Compositions can use the coarsest ε, since
+        // their stages are shorter.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -304,7 +307,7 @@ impl<'a> RefinementSearch<'a> {
             let stand_in = Runner::stand_in(clock)?;
             Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.wide.cost(), runner.wide.cost())
         };
-        // The tolerance leaves room for the error of the reference.
+        // The tolerance for orbits is reduced by the error of the reference.
         let certified = reference.as_ref().map_or(0.0, |reference| reference.certificate().difference);
         let tolerance = scene.tolerance() - certified;
         let measuring = SettingMeasurements {
@@ -356,13 +359,13 @@ impl<'a> RefinementSearch<'a> {
 }
 
 impl SettingMeasurements<'_> {
-    /// Reports the number of settings to the watch. A watch that ends the work sets the deadline to
-    /// 0, and then gets no more reports.
+    /// Reports the number of settings to the watch. If the watch cancels the work, the deadline
+    /// becomes 0, and no report follows.
     fn tell(&mut self) {
         if self.deadline.is_zero() {
             return;
         }
-        // The total depends on the results, and is unknown.
+        // The total number of settings depends on the results, so it is unknown.
         let progress = Progress { what: "settings", done: self.settings.len() as u64, of: None };
         if let ControlFlow::Break(()) = self.watch.look(&progress) {
             self.deadline = Duration::ZERO;

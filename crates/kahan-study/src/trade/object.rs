@@ -1,4 +1,4 @@
-//! JSON of the details of a trade's answer.
+//! The JSON of some parts of a trade's answer.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Need, Scene, Scheme, Setting};

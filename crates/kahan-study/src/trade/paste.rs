@@ -1,11 +1,12 @@
-//! The chosen setting as Rust code.
+//! Writes the chosen setting as Rust code.
 
 use kahan_algebra::rational::Rational;
 use kahan_dynamics::{Precision, Setting};
 
 use crate::study::Study;
 
-/// Writes the orbit of a setting as a statement, preceded by the field if a user defined it.
+/// Writes the orbit of a setting as a statement. If a user wrote the field, its block precedes the
+/// statement.
 pub(super) fn rust_of(
     study: &Study,
     parameters: &[Rational],
@@ -33,7 +34,7 @@ pub(super) fn rust_of(
     };
     let mut point: Vec<String> = start.iter().map(value).collect();
     if let (true, Some(first)) = (precision.is_single(), point.first_mut()) {
-        // A suffix on one coordinate determines the scalar of all.
+        // A type suffix on one coordinate determines the scalar of all coordinates.
         if !first.contains('_') {
             *first += "_f32";
         }

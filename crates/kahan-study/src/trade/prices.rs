@@ -1,8 +1,9 @@
 //! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! A compiled system is timed from the start of the scene. For an interpreted field, E6 is timed
-//! and scaled by the planned costs of both steps, since interpreted and compiled speeds differ.
-//! Ratios between orders are exact, because an order is a number of stages.
+//! A compiled system is timed from the start of the scene. For an interpreted field, the compiled
+//! system E6 is timed instead, and scaled by the planned costs of both steps, since interpreted and
+//! compiled speeds differ. The price of an order is the price of a stage times the number of its
+//! stages.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
@@ -12,14 +13,15 @@ use super::runner::Runner;
 #[derive(Clone, Debug)]
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
-/// The number of rounds, each timing every scheme. The least time counts, because disturbances only
-/// slow a step down.
+/// The number of rounds; each round times every scheme once. The least time counts, because
+/// disturbances only slow a step down.
 const ROUNDS: usize = 15;
 const STAGES: u64 = 2040;
 
 impl Prices {
-    /// Times every scheme in rounds at this ε, or a smaller one if a round would pass the horizon:
-    /// beyond it, a decaying state becomes subnormal, and steps take a hundred times as long.
+    /// Times every scheme in rounds, at this ε or at a smaller ε if a round would pass the horizon.
+    /// Beyond the horizon a decaying state may become subnormal; steps then take a hundred times as
+    /// long.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
@@ -28,13 +30,13 @@ impl Prices {
                 let is_wide = scheme.precision == Precision::DoubleDouble;
                 let steps = STAGES / if is_wide { 5 * stages } else { stages };
                 let eps = eps.min(horizon / (2.0 * steps as f64));
-                // The time of a step does not depend on ε; this one is in the range of `f32`.
+                // The time of a step does not depend on ε, so an ε in the range of `f32` is used.
                 let eps = scheme.precision.eps_near(eps.min(f64::from(f32::MAX)), Need::Trajectory);
                 let time = 1e9 * subject.seconds(*scheme, eps, steps) / steps as f64;
                 *least = least.min(time);
             }
         }
-        // A compiler vectorises steps in single precision, which can double their time. They are
+        // The compiler vectorises steps in single precision, which can double their time. They are
         // therefore priced at least like steps in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
@@ -46,10 +48,10 @@ impl Prices {
         prices
     }
 
-    /// Converts times to a system with another cost of a step.
+    /// Converts prices of the `measured` steps to prices for a system whose steps cost `asked`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // Double-double steps have hundreds of independent operations, whose number
+            // A double-double step has hundreds of independent operations, so their number
             // determines the time.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),

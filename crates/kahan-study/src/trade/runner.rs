@@ -25,7 +25,7 @@ pub(super) struct Runner<'a> {
 /// A function that returns the time since a fixed moment.
 pub(super) type Clock<'a> = &'a dyn Fn() -> Duration;
 
-/// A callback that gets the number of steps and the point, and decides whether to go on.
+/// A callback that gets the number of steps and the point, and decides whether the orbit continues.
 pub(super) type PointVisitor<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 
 pub(super) type StopSteps<'a> = &'a mut dyn Iterator<Item = u64>;
@@ -44,7 +44,8 @@ impl<'a> Runner<'a> {
         Ok(Runner { map, wide, start: start.to_vec(), clock })
     }
 
-    /// Prepares E6 at a point of moderate size, a stand-in for the timing of interpreted fields.
+    /// Prepares system E6 at a point with coordinates near 1. Its steps are timed in place of
+    /// interpreted steps.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
         let field = Field::parse("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
         let start = [1, -2, 3].map(|x| Rational::new(x, 4));
@@ -60,9 +61,9 @@ impl<'a> Runner<'a> {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit from `from`, by default the start of the scene, and shows its first point
-    /// and the points after each number of steps in `stops`, until `visit` ends it. Returns the
-    /// seconds of the orbit, without preparation.
+    /// Follows an orbit from `from`, or for `None` from the start of the scene. Shows the first
+    /// point and the point after each number of steps in `stops`, until `visit` ends the orbit.
+    /// Returns the seconds of the orbit, without preparation.
     pub(super) fn follow(
         &self,
         scheme: Scheme,
@@ -132,7 +133,8 @@ impl Runner<'_> {
 
     /// Returns the coefficients of ε⁰ and ε² of each claimed integral.
     pub(super) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
-        // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
+        // Dual numbers ε = d + d′ with d² = d′² = 0 give the second derivative as the coefficient
+        // of dd′.
         let fixed = |value: Dd| Dual::<_, 1>::from_value(Dual::<_, 1>::from_value(value));
         let eps =
             Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::from_value(Dd::from(1.0))] };

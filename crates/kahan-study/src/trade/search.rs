@@ -1,4 +1,5 @@
-//! The order of measuring schemes: likely winners first, so that others can be abandoned early.
+//! The order in which schemes are measured. Likely winners come first, so that the others can be
+//! abandoned early.
 
 use kahan_core::Composition;
 use kahan_dynamics::search::{Search, SearchParameters};
@@ -6,15 +7,15 @@ use kahan_dynamics::{Precision, Scheme};
 
 use super::measure::SettingMeasurements;
 
-/// The rules for measured settings: show all trials, and allow the whole tolerance, because the
-/// reference is certified.
+/// The rules of the search for measured settings. All trials are shown. The whole tolerance is
+/// allowed, because the reference is certified.
 pub(super) const MEASURED: SearchParameters =
     SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
 const SHARE: f64 = 0.3;
 /// An error of `f64` too large to be caused by rounding.
 const UNEVEN: f64 = 1e-11;
 
-/// A search with the schemes whose errors have stopped falling.
+/// A search over step sizes, with the schemes whose errors have stopped falling.
 pub(super) struct RefinementSearch<'a> {
     pub(super) search: Search<SettingMeasurements<'a>>,
     pub(super) tolerance: f64,
@@ -22,12 +23,13 @@ pub(super) struct RefinementSearch<'a> {
 }
 
 impl RefinementSearch<'_> {
-    /// Measures until the answer is clear; `coarsest` is the least number of steps to the horizon.
+    /// Measures until the answer is clear; `coarsest` is the smallest number of steps up to the
+    /// horizon.
     pub(super) fn run(&mut self, coarsest: u64) {
         self.refine_order(coarsest);
         self.search.set_share(1.0);
         if self.search.best().is_none() {
-            // With no setting found, schemes that ran out of time get all the remaining time.
+            // If no setting was found, schemes that ran out of time get all the remaining time.
             for (scheme, _) in self.search.trials_mut().put_off() {
                 self.refine_steps(scheme, coarsest);
             }
@@ -52,12 +54,13 @@ impl RefinementSearch<'_> {
         if self.search.best().is_none() {
             self.refine_steps(plain(Precision::DoubleDouble, highest), coarsest);
         }
-        // If rounding errors of f64 matter, double-double may win at ten times the price.
+        // If rounding errors of f64 matter, double-double may win although it costs ten times as
+        // much.
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
-                // Rounding of states bounds the error from below, so one order suffices to show
-                // that a precision cannot reach the tolerance.
+                // The rounding of states bounds the error from below. Therefore a single order
+                // suffices to show that a precision cannot reach the tolerance.
                 let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {
@@ -78,8 +81,8 @@ impl RefinementSearch<'_> {
         }
     }
 
-    /// Runs the ladder of a scheme without compensation, and with it if rounding errors matter.
-    /// Returns whether they matter without it.
+    /// Tries more and more steps of a scheme without compensation; if rounding errors matter, also
+    /// with compensation. Returns whether rounding errors matter without compensation.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.refine_steps(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {
@@ -88,7 +91,8 @@ impl RefinementSearch<'_> {
         has_felt
     }
 
-    /// Runs the [ladder](Search::refine_steps) of a scheme; returns whether rounding errors matter.
+    /// Tries [more and more steps](Search::refine_steps) of a scheme; returns whether rounding
+    /// errors matter.
     fn refine_steps(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let climb = self.search.refine_steps(scheme, coarsest);
         if climb.has_stalled() {

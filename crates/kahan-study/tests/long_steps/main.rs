@@ -1,10 +1,14 @@
-//! Long steps: the fast tier against elimination with partial pivoting, both compared with exact
-//! rationals.
+//! Long steps by the planned straight-line program and by elimination with partial pivoting, both
+//! compared with exact rational numbers.
 //!
-//! In `f64`, at points with ‖εf′‖∞ near 1, 10, 100 and 1000: up to the size to which a step
-//! [holds](StepPlan::holds_to), its median error ‖x̃ − exact‖∞/(u‖exact‖∞) is at most 30 times that
-//! of elimination, or 300, and its 99th percentile 100 times, or 1000. The large sample, of 300
-//! fields, is a command; `KAHAN_SEED` draws other fields and points:
+//! # Bounds
+//!
+//! Points have ‖εf′‖∞ near 1, 10, 100 and 1000. The error of a step in `f64` is ‖x̃ −
+//! exact‖∞/(u‖exact‖∞), u = 2⁻⁵³. Up to the size to which a step [holds](StepPlan::holds_to), the
+//! median error is at most 30 times that of elimination, or 300. The 99th percentile is at most 100
+//! times that of elimination, or 1000.
+//!
+//! A command runs the large sample of 300 fields; `KAHAN_SEED` draws other fields and points:
 //! `KAHAN_SEED=7 cargo test --release -p kahan-study --test long_steps -- --ignored --nocapture`.
 
 mod hard_fields;
@@ -23,7 +27,7 @@ use hard_fields::{Named, known, sparse};
 
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 
-/// The errors of steps of one size, in units u, sorted.
+/// The errors of steps of one size, relative to the unit roundoff u = 2⁻⁵³, sorted.
 struct Errors(Vec<f64>);
 
 impl Errors {
@@ -74,7 +78,7 @@ impl<'a> Linear<'a> {
         (0..n).map(|i| (0..n).map(|j| entry(i, j).abs()).sum()).fold(0.0, f64::max)
     }
 
-    /// Returns the exact step, each component as an unevaluated sum of two floats; `None` at a
+    /// Returns the exact step, with each component as an unevaluated sum of two floats; `None` at a
     /// pole.
     fn exact(&self, values: &[f64]) -> Option<Vec<(f64, f64)>> {
         let values: Vec<Rational> =
@@ -132,7 +136,8 @@ fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {
     largest / (size * f64::EPSILON / 2.0)
 }
 
-/// Returns the errors of some plans, and last of elimination, at random points of one size.
+/// Returns the errors of some plans, and in the last entry those of elimination, at random points
+/// of one size.
 fn errors(
     linear: &Linear<'_>,
     steps: &[&StepPlan],
@@ -148,12 +153,12 @@ fn errors(
         if all[0].len() == points {
             break;
         }
-        // The width is log-uniform between 1/8 and 1024.
+        // The width is drawn log-uniformly between 1/8 and 1024.
         let width = 2_f64.powf(13.0 * share() - 3.0);
         let mut values: Vec<f64> = symbols.states.iter().map(|_| width * (2.0 * share() - 1.0)).collect();
         values.extend(symbols.parameters.iter().map(|_| 0.5 + 1.5 * share()));
         values.push(0.0);
-        // At the size itself, a field whose f′ has one entry would have a pole.
+        // If ‖εf′‖∞ were exactly `size`, a field whose f′ has one entry would have a pole.
         let eps = f64::from(size) * (0.8 + 0.4 * share()) / linear.norm(&values);
         *values.last_mut()? = eps;
         let Some(exact) = Some(()).filter(|()| eps.is_normal()).and_then(|()| linear.exact(&values)) else {
@@ -209,12 +214,12 @@ impl Tally {
     }
 }
 
-/// Returns the seed, which `KAHAN_SEED` replaces.
+/// Returns the seed, which the variable `KAHAN_SEED` replaces.
 fn seed() -> u64 {
     std::env::var("KAHAN_SEED").ok().map_or(1, |seed| seed.parse().expect("KAHAN_SEED is a whole number"))
 }
 
-/// Measures the known fields, and this number of random fields in each of 2 to 6 variables.
+/// Measures the known fields, and in each of 2 to 6 variables this number of random fields.
 fn survey(fields_of_each_dimension: u64, points: usize) -> Tally {
     let seed = seed();
     let mut tally = Tally::default();
@@ -234,8 +239,8 @@ fn survey(fields_of_each_dimension: u64, points: usize) -> Tally {
 fn a_step_keeps_what_elimination_keeps_as_far_as_it_is_said_to_hold() {
     let Tally { fields, limited, failures } = survey(3, 25);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    // A limit must be rare, so that the test cannot pass by claiming limits; four known fields have
-    // one.
+    // Few fields may have a limited step, so that the test cannot pass by limiting steps. Four
+    // known fields have a limit.
     assert!(10 * limited <= 3 * fields, "{limited} of {fields} with a limit");
 }
 

@@ -1,4 +1,4 @@
-//! Claims: found, shown, proved and refuted.
+//! Tests that claims are found, shown, proved and refuted.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;

@@ -1,4 +1,4 @@
-//! Limit cycles of flows against SciPy: shooting with DOP853, tolerance 1e-13.
+//! Limit cycles of flows agree with SciPy's shooting by DOP853 at tolerance 1e-13.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{LiftCriterion, StudyError, Subject, Unwatched};
@@ -19,7 +19,8 @@ fn cycle(field: &Subject, dt: f64, more: Value) -> Value {
     answer(&study(field.clone()), asked)
 }
 
-/// Asserts that a period is correct within its error estimate, and the map's period is near it.
+/// Asserts that a period is correct within its error estimate, and that the map's period is near
+/// it.
 fn assert_period(found: &Value, period: f64, most: f64) {
     let flow = &found["flow"];
     let [value, error, of_map] = ["period", "error", "period_of_map"].map(|name| number(&flow[name]));
@@ -44,7 +45,8 @@ fn loops_of_the_roessler_system_are_run_once_at_every_step() {
 
 #[test]
 fn the_shortest_cycles_of_the_lorenz_system_are_found_by_their_period() {
-    // Viswanath, "The fractal property of the Lorenz attractor", Physica D 190 (2004).
+    // The period is from Viswanath, "The fractal property of the Lorenz attractor", Physica D 190
+    // (2004).
     let field = Subject::named("lorenz").with("s", 10.into()).with("r", 28.into());
     let field = field.with("b", Rational::new(8, 3));
     for period in [1.558_652_210_716, 2.305_907_263_940, 3.023_583_703_434] {

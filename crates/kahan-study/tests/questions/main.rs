@@ -1,4 +1,4 @@
-//! Questions as JSON, wrong subjects, and answers under the names of the command's JSON.
+//! Questions as JSON: wrong subjects, and answers with the names that the command's JSON has.
 
 mod claims;
 mod cycles;
@@ -68,7 +68,7 @@ impl Watch for Listening {
     }
 }
 
-/// E1 at x = −2, ε = 1/2: 1 + εx = 0 is a removable pole.
+/// For E1 at x = −2 and ε = 1/2, 1 + εx = 0 is a removable pole.
 #[test]
 fn every_object_at_a_point() {
     let e1 = study(Subject::named("e1"));

@@ -1,4 +1,4 @@
-//! Orbits, crossings and cycles.
+//! Questions about orbits, crossings and cycles.
 
 use std::sync::Mutex;
 
@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 
 use super::{Clock, Listening, answer, question, study};
 
-/// ẋ = x² + 1 meets a pole of the flow; x″ = −x rotates about its fixed point in 2π.
+/// The flow of ẋ = x² + 1 meets a pole. The solution of x″ = −x rotates about its fixed point in
+/// time 2π.
 #[test]
 fn what_orbits_do() {
     let away = study(Subject::text("xdot = x^2 + 1;"));
@@ -17,9 +18,9 @@ fn what_orbits_do() {
     let turning = study(Subject::text("xdot = y; ydot = -x; integral E = x^2 + y^2;"));
     let asked = json!({"ask": "observe", "eps": "1/20", "at": [1, 0], "steps": 10_000});
     let observed = answer(&turning, asked.clone());
-    // The tangent of half the angle of a step is ε.
+    // Each step turns by an angle; the tangent of half this angle is ε.
     let turns = 0.05_f64.atan() / std::f64::consts::PI;
-    // The rotation is clockwise, and a weighted mean over 10⁴ steps has 10⁴ rounding errors.
+    // The rotation is clockwise. The weighted mean over 10⁴ steps has 10⁴ rounding errors.
     let value = observed["rotation"]["x"]["value"].as_f64().expect("a number");
     assert!((value + turns).abs() < 1e4 * f64::EPSILON * turns, "{observed}");
     assert!(observed["drift"]["E"]["max"].as_f64().is_some_and(|drift| drift < 1e-11), "{observed}");
@@ -32,7 +33,7 @@ fn what_orbits_do() {
     assert!(matches!(part.end, End::Stopped(steps) if steps == part.steps && steps < 10_000));
 }
 
-/// ẋ = y, ẏ = −x turns clockwise: y rises through 0 at x = −1.
+/// The flow of ẋ = y, ẏ = −x turns clockwise, so y rises through 0 at x = −1.
 #[test]
 fn crossings_of_a_plane() {
     let turning = study(Subject::text("xdot = y; ydot = -x;"));
@@ -46,7 +47,7 @@ fn crossings_of_a_plane() {
     assert!((x + 1.25_f64.sqrt()).abs() < 1e-3, "{found}");
 }
 
-/// The fixed point of the Lotka-Volterra map at (1, 1), and the fold of x = ±√a at a = 0.
+/// Tests the fixed point (1, 1) of the Lotka–Volterra map, and the fold of x = ±√a at a = 0.
 #[test]
 fn cycles_and_their_branches() {
     let lv = study(Subject::named("lv"));
@@ -77,7 +78,8 @@ fn cycles_and_their_branches() {
 
 #[test]
 fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
-    // The point a attracts for every a; at ε = 1/10 each step multiplies the distance by 9/11.
+    // The point a is attracting for every a; at ε = 1/10 each step multiplies the distance to it by
+    // 9/11.
     let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
     let asked = json!({
         "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"a": "0:2:3"},

@@ -1,4 +1,4 @@
-//! Questions and subjects as text, and their mistakes.
+//! Reads questions and subjects from text, and reports their mistakes.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{Question, StudyError, Subject, Systems, Unwatched, from_toml};

@@ -1,4 +1,4 @@
-//! Watched work, and its early end.
+//! Tests that questions report progress to a watch, and that the watch can cancel them.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -20,13 +20,13 @@ fn findings_are_told_when_they_are_proved() {
         let heard = watch.heard.into_inner().expect("no listener fails");
         let claims: Vec<&str> = found.claims().map(|(text, _)| text).collect();
         assert!(heard.iter().all(|text| claims.contains(&text.as_str())), "{heard:?} of {claims:?}");
-        // After the request to stop, the search reports nothing more.
+        // After the watch asked to stop, the search reports nothing more.
         assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
         assert_eq!(found.report.out_of_time, stops_at_first);
     }
 }
 
-/// A watch that stops at each check; a check after the stop is an error.
+/// A watch that asks to stop at each check, and regards a later check as an error.
 struct Ending {
     clock: Clock,
     looks: AtomicU32,

@@ -1,9 +1,9 @@
-//! Choices of `Scene::trajectory` on seeded scenes of twenty fields: chaotic, stiff, escaping, and
-//! near equilibria.
+//! Tests the choices of `Scene::trajectory` on seeded scenes of twenty fields. Motions are chaotic,
+//! stiff, escaping, or near equilibria.
 //!
-//! The truth is a Taylor series in 32 digits, confirmed by a second method to a tenth of the
-//! tolerance; scenes without a truth are not judged. Results are reproducible by seed, without a
-//! clock. Two thousand scenes take minutes and are not part of `cargo test`; run them with
+//! The truth is a Taylor series in 32 digits that agrees with a second method to a tenth of the
+//! tolerance. Scenes without a truth are not judged. A seed reproduces the results; no clock is
+//! used. Two thousand scenes take minutes and are not part of `cargo test`; run them with
 //! `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-study --test scenes -- --ignored
 //! --nocapture`.
 
@@ -20,11 +20,12 @@ use seeded_fields::*;
 
 #[derive(Clone, Debug)]
 enum Outcome {
-    /// The truth is unknown; holds whether there was a choice.
+    /// The truth is unknown; holds whether a setting was chosen.
     Unjudged { is_accepted: bool },
-    /// The error over the tolerance.
+    /// A setting was chosen; holds its error divided by the tolerance.
     Accepted { ratio: f64 },
-    /// The reason, and a setting that would have served within the budget.
+    /// No setting was chosen; holds the reason, and a setting that would have met the tolerance
+    /// within the budget.
     Refused { why: NoSetting, exists: Option<Setting> },
 }
 
@@ -33,7 +34,8 @@ struct Judged {
     outcome: Outcome,
 }
 
-/// The largest number of steps of a setting: three runs must stay within the cost of a choice.
+/// The largest number of steps of a setting. Three runs of the setting must cost at most as much as
+/// a choice may.
 const BUDGET: f64 = 1e6 / 3.0;
 
 fn judge<M, const N: usize>(map: &M, rng: &mut SplitMix64) -> Judged
@@ -63,8 +65,8 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from the reference over all steps. The last point is compared with
-/// its end, too.
+/// Returns the largest distance from the reference over all steps. The last point is also compared
+/// with the end of the reference.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,
@@ -189,7 +191,7 @@ fn of_two_thousand_scenes_at_most_two_miss_their_tolerance() {
     check(setting("KAHAN_SEED", 1), setting("KAHAN_SCENES", 2000));
 }
 
-/// The first of the two thousand scenes, whose truths are all quick to compute.
+/// Tests the first of the two thousand scenes; their truths are quick to compute.
 #[test]
 fn of_a_dozen_scenes_none_misses_its_tolerance() {
     check(1, 12);

@@ -1,4 +1,4 @@
-//! Twenty fields, with the starts and horizons of their scenes.
+//! Twenty fields, with the starts and the simulated times of their scenes.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -17,7 +17,7 @@ pub(crate) fn log_between(rng: &mut SplitMix64, low: f64, high: f64) -> f64 {
     between(rng, low.ln(), high.ln()).exp()
 }
 
-/// Draws a small displacement from an equilibrium, of either sign.
+/// Draws a small displacement from an equilibrium, with a random sign.
 fn off(rng: &mut SplitMix64) -> f64 {
     let size = log_between(rng, 1e-12, 1e-2);
     if rng.next_u64().is_multiple_of(2) { size } else { -size }
@@ -30,7 +30,7 @@ pub(crate) trait Cases<const N: usize> {
     fn start(rng: &mut SplitMix64) -> [f64; N];
 }
 
-/// Declares a field with its horizons, its starts and its block.
+/// Declares a field with its simulated times, its starts and its block.
 macro_rules! case {
     ($(#[$doc:meta])* $name:ident[$n:literal], $low:literal..$high:literal, |$rng:ident| $start:expr, { $($block:tt)* }) => {
         kahan! {

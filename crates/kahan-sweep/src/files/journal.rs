@@ -1,8 +1,9 @@
-//! The journal of an unfinished part, which limits the loss from an interruption.
+//! The journal of an unfinished part. After an interruption, its rows need not be computed again.
 //!
-//! Each process appends records of finished rows to its own file: kind, first row, number of rows,
-//! number of bytes, checksum and rows. Readers skip incomplete records, and records of another
-//! plan, version or floating-point mode. The files are deleted once the part exists.
+//! Each process appends records of finished rows to its own file. A record holds its kind, the
+//! number of its first row, the numbers of rows and bytes, a checksum, and the rows. Readers skip
+//! incomplete records, and records of another plan, version or floating-point mode. The files are
+//! deleted once the part exists.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -20,7 +21,7 @@ pub(crate) struct Journal {
     kind: [u8; 8],
 }
 
-/// The prefix and suffix of file names.
+/// The prefix and suffix of the names of journal files.
 const BEGIN: &str = "notes-";
 const END: &str = ".bin";
 
@@ -29,11 +30,12 @@ impl Journal {
         Self { folder: part.under_way(), file: None, kind: kind(part) }
     }
 
-    /// Reads the records of earlier processes, unordered: tables with their first rows.
+    /// Reads the records of earlier processes, in any order. Returns tables with the numbers of
+    /// their first rows.
     pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.under_way(), BEGIN, END) {
-            // Rows of unreadable files are computed again.
+            // If a file is unreadable, its rows are computed again.
             let bytes = std::fs::read(path).unwrap_or_default();
             let mut rest = Bytes(&bytes);
             while let Some(record) = rest.record(kind(part), &part.plan.empty) {
@@ -43,13 +45,13 @@ impl Journal {
         noted
     }
 
-    /// Appends tables, each with its first row, and syncs them to the disk. After an error, earlier
-    /// records remain valid and the call may be repeated.
+    /// Appends tables, each with the number of its first row, and syncs them to the disk. After an
+    /// error, earlier records remain valid, and the call may be repeated.
     pub(crate) fn note(&mut self, done: &[(u64, Table)]) -> io::Result<()> {
-        // Readers stop at an incomplete record, so a new file follows a failure.
+        // Readers stop at an incomplete record. Therefore a new file is begun after a failure.
         let mut file = match self.file.take() {
             Some(file) => file,
-            // The name is random, because processes in containers may have equal ids.
+            // The name of the file is random, because processes in containers may have equal ids.
             None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
         };
         for (first, rows) in done {
@@ -67,7 +69,7 @@ impl Journal {
     }
 }
 
-/// Returns the kind of a part's records: a hash of plan, version and floating-point mode.
+/// Returns the kind of a part's records, a hash of plan, version and floating-point mode.
 fn kind(part: &Part<'_>) -> [u8; 8] {
     let digest = Sha256::digest([&part.plan.hash(), VERSION, FLOATS].join("\n"));
     std::array::from_fn(|place| digest[place])
@@ -98,7 +100,7 @@ fn encode(rows: &Table) -> Vec<u8> {
     bytes
 }
 
-/// The unread bytes of a file; reads return `None` at the end.
+/// The unread bytes of a file. Reads beyond the end return `None`.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -121,7 +123,8 @@ impl<'a> Bytes<'a> {
         String::from_utf8(self.take(length)?.to_vec()).ok()
     }
 
-    /// Reads the next record if it is complete; the inner value is `None` for another kind.
+    /// Reads the next record; `None` if it is incomplete. The inner value is `None` for a record of
+    /// another kind.
     fn record(&mut self, kind: [u8; 8], empty: &Table) -> Option<Option<(u64, Table)>> {
         let record = self.0;
         let is_of_kind = self.take(8)? == kind;
@@ -133,7 +136,7 @@ impl<'a> Bytes<'a> {
         is_whole.then(|| if is_of_kind { rows() } else { None })
     }
 
-    /// Decodes a table with the columns of `empty`, which must use all bytes.
+    /// Decodes a table with the columns of `empty`; fails unless the table uses all bytes.
     fn table(mut self, count: usize, empty: &Table) -> Option<Table> {
         let mut values = Vec::new();
         for kept in &empty.values {

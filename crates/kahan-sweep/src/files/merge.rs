@@ -16,8 +16,9 @@ const WRITING: &str = ".results-";
 
 pub(crate) const RESULTS: &str = "results.parquet";
 
-/// Merges all parts of a folder into one file there, and returns its size. `each` runs after every
-/// part. Fails with one reason for each missing, damaged or foreign part.
+/// Merges all parts of a folder into one file there, and returns its size. Calls `each` after every
+/// part. If a part is missing, damaged or belongs to another plan, fails with a reason for each of
+/// these parts.
 pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Result<u64, Vec<String>> {
     let parts = || (0..plan.parts()).map(|index| Part::of(plan, index, folder));
     let missing: Vec<u64> = parts().filter(|part| !part.exists()).map(|part| part.index).collect();
@@ -33,7 +34,7 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     let mut reasons = Vec::new();
     for part in parts() {
         match part.checked() {
-            // After the first unusable part, only reasons are collected.
+            // After the first unusable part nothing is written; only reasons are collected.
             Ok(_) if !reasons.is_empty() => {}
             Ok(reader) => copy(&part, &reader, &mut to).map_err(failed)?,
             Err(why) => reasons.push(why.to_string()),
@@ -49,12 +50,12 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     let results = folder.join(RESULTS);
     match file.persist(&results) {
         Ok(_) => {}
-        // Another process has merged the same parts and cleaned up.
+        // Another process has merged the same parts, and removed the temporary files.
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Removes temporary files of killed processes; a process that is still merging will find the
-    // result.
+    // Removes the temporary files of processes that were killed. A process that is still merging
+    // will find the result.
     files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

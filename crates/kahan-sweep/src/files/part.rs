@@ -1,4 +1,4 @@
-//! Writing a part atomically, and checking it before use.
+//! Writes a part atomically, and checks a part before it is used.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Display};
@@ -27,7 +27,7 @@ mod keys {
     pub(super) const FLOATS: &str = "kahan.floats";
     pub(super) const COLUMNS: &str = "kahan.columns";
     pub(super) const SEED: &str = "kahan.seed";
-    /// Keys that only parts have.
+    /// The metadata keys that only parts have.
     pub(super) const PART: &str = "kahan.part";
     pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
@@ -45,9 +45,10 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum UnusablePart {
-    /// The file is incomplete, altered or another part; its shard can write it again.
+    /// The file is incomplete, altered, or belongs to a different part. Its shard can write it
+    /// again.
     Damaged(String),
-    /// The file has another plan, version or floating-point mode.
+    /// The file belongs to another plan, version or floating-point mode.
     Foreign(String),
 }
 
@@ -75,7 +76,7 @@ impl<'a> Part<'a> {
 
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
         match self.written(rows).map_err(of_disk) {
-            // Another process has written the part and cleaned up.
+            // Another process has written the part, and removed its unfinished files.
             Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
             result => result,
         }
@@ -98,19 +99,19 @@ impl<'a> Part<'a> {
         file.write_all(sum.found.as_bytes())?;
         file.as_file().sync_all()?;
         file.persist(&self.path).map_err(io::Error::from)?.sync_all()?;
-        // Syncs the name of the file, where the folder can be opened.
+        // Syncs the name of the file to the disk, if the folder can be opened.
         let _ = File::open(folder).and_then(|folder| folder.sync_all());
         Ok(())
     }
 
-    /// Returns the folder for the part's unfinished files. Each part has its own, because listing a
-    /// folder of many parts is slow.
+    /// Returns the folder for the unfinished files of this part. Each part has its own folder,
+    /// because listing a folder with files of many parts is slow.
     pub(super) fn under_way(&self) -> PathBuf {
         self.path.with_extension("under-way")
     }
 
     pub(crate) fn tidy(&self) {
-        // Leftovers are ignored, as the part exists.
+        // Errors are ignored: if files remain, they do no harm, since the part exists.
         let _ = std::fs::remove_dir_all(self.under_way());
     }
 
@@ -162,10 +163,10 @@ fn says(key: &str, value: impl Into<String>) -> KeyValue {
     KeyValue::new(key.to_owned(), value.into())
 }
 
-/// Makes a writer with the metadata common to all files of the plan.
+/// Makes a writer; all files of a plan have the metadata that it sets.
 pub(super) fn writer<W: Write + Send>(plan: &Plan, to: W) -> Result<SerializedFileWriter<W>, ParquetError> {
     let meanings = plan.empty.columns.iter().map(|column| (&*column.name, &*column.meaning));
-    // Sorted by name.
+    // The meanings are sorted by name.
     let meanings: BTreeMap<&str, &str> = meanings.collect();
     let said = vec![
         says(keys::PLAN, plan.canonical()),
@@ -218,14 +219,15 @@ fn put<W: Write + Send>(
     writer.close()
 }
 
-/// Placeholder digits while the checksum is computed.
+/// The digits that stand in the file while its checksum is computed.
 const NO_DIGITS: &str = "00000000";
 
-/// The CRC-32 of a whole file, including the footer. The checksum's own digits count as zeros.
+/// The CRC-32 of a whole file, including the footer. In the computation, the checksum's own digits
+/// count as zeros.
 struct Checksum {
     found: String,
     stated: Vec<u8>,
-    /// The offset of the digits in the file.
+    /// The offset of the checksum's digits in the file.
     place: u64,
 }
 
@@ -233,7 +235,7 @@ impl Checksum {
     fn of(file: &mut File) -> io::Result<Self> {
         let broken = |what: &str| io::Error::new(io::ErrorKind::InvalidData, what);
         let length = file.seek(SeekFrom::End(0))?;
-        // A Parquet file ends with its footer, the footer's length and four letters.
+        // A Parquet file ends with its footer, the length of the footer, and four letters.
         let mut end = [0; 4];
         file.seek(SeekFrom::Start(length.saturating_sub(8)))?;
         file.read_exact(&mut end)?;
@@ -255,7 +257,8 @@ impl Checksum {
         file.read_to_end(&mut footer)?;
         let key = keys::CHECKSUM.as_bytes();
         let key_at = footer.windows(key.len()).rposition(|window| window == key);
-        // Thrift puts two bytes between a key and its value: the field's id and the value's length.
+        // Between a key and its value, Thrift puts two bytes: the id of the field, and the length
+        // of the value.
         let at = key_at.map(|at| at + key.len() + 2).filter(|at| at + NO_DIGITS.len() <= footer.len());
         let at = at.ok_or_else(|| broken("it has no checksum"))?;
         let digits = at..at + NO_DIGITS.len();
@@ -268,14 +271,14 @@ impl Checksum {
 
 /// Creates the folder if it is missing, and checks that files can be written into it.
 pub(crate) fn folder_is_writable(folder: &Path) -> io::Result<()> {
-    // Removes probes of processes that were killed here.
+    // Removes test files that killed processes left in this folder.
     files(folder, PROBE, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     fresh(folder, PROBE, "").map(drop)
 }
 
 const PROBE: &str = ".probe-";
 
-/// Lists the files of a folder by prefix and suffix.
+/// Lists the files of a folder whose names have this prefix and suffix.
 pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let named = entries.filter(|entry| {
@@ -286,14 +289,15 @@ pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
     named.map(|entry| entry.path()).collect()
 }
 
-/// Creates a file with a unique name and the user's default permissions. Creates the folder, too.
+/// Creates a file with a unique name and the user's default permissions. Creates a missing folder,
+/// too.
 pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<NamedTempFile> {
     std::fs::create_dir_all(folder)?;
     let open = |path: &Path| File::options().read(true).write(true).create_new(true).open(path);
     Builder::new().prefix(prefix).suffix(suffix).make_in(folder, open)
 }
 
-/// Returns the I/O error within a Parquet error, if any.
+/// Returns the I/O error that a Parquet error contains; wraps any other error.
 pub(super) fn of_disk(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(inner) => inner.downcast().map_or_else(io::Error::other, |inner| *inner),

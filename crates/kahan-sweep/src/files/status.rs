@@ -1,4 +1,4 @@
-//! The finished, missing and unusable parts of a sweep.
+//! Lists the finished, missing and unusable parts of a sweep.
 
 use std::path::Path;
 
@@ -8,14 +8,14 @@ use super::Part;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Status {
-    /// The number of valid parts.
+    /// The number of finished, valid parts.
     pub(crate) done: u64,
     pub(crate) missing: Vec<u64>,
-    /// The reasons why parts are unusable.
+    /// The reasons why existing parts are unusable.
     pub(crate) refused: Vec<String>,
 }
 
-/// Checks every part; calls `each` after each one.
+/// Checks every part, and calls `each` after each of them.
 pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Status {
     let mut status = Status::default();
     for index in 0..plan.parts() {
@@ -30,7 +30,7 @@ pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Stat
     status
 }
 
-/// Writes sorted numbers as ranges: 0-3, 7, 9-12.
+/// Writes numbers in increasing order as ranges: 0-3, 7, 9-12.
 pub(crate) fn ranges(numbers: &[u64]) -> String {
     let text = |run: &[u64]| match run {
         [first, .., last] => format!("{first}-{last}"),

@@ -1,4 +1,4 @@
-//! Reading Parquet files: results as CSV text, and columns of exact numbers.
+//! Reads Parquet files: results as CSV text, and columns as exact numbers.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -18,12 +18,12 @@ use parquet::schema::types::Type;
 pub(crate) enum NoTable {
     /// The file is invalid, or lacks a column.
     Unreadable(String),
-    /// The output failed.
+    /// Writing the output failed.
     Unwritten(io::Error),
 }
 
-/// Writes the named columns, or all without names, as CSV: numbers in their shortest form that
-/// reads back exactly, NaN for other values, and text in quotes.
+/// Writes the named columns as CSV; without names, writes all columns. Numbers have their shortest
+/// form that reads back exactly, undefined values are NaN, and text is in quotes.
 pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), NoTable> {
     let unreadable = |why: String| NoTable::Unreadable(format!("{} {why}", path.display()));
     let (names, rows) = rows(path, columns).map_err(unreadable)?;
@@ -37,7 +37,7 @@ pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Res
     to.write_all(line.as_bytes()).map_err(NoTable::Unwritten)
 }
 
-/// Reads columns as exact numbers. Fails with a sentence about the file.
+/// Reads columns as exact numbers. An error is a sentence about the file.
 pub(crate) fn numbers(path: &Path, columns: &[String]) -> Result<Numbers<Option<Rational>>, String> {
     let (names, rows) = rows(path, columns)?;
     let mut values = Vec::new();
@@ -50,7 +50,7 @@ pub(crate) fn numbers(path: &Path, columns: &[String]) -> Result<Numbers<Option<
 
 type Row = Result<Vec<Field>, String>;
 
-/// Returns the names of the columns (all columns for an empty list), and an iterator over rows.
+/// Returns the names of the columns, and an iterator over rows. An empty list selects all columns.
 fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
     let broken = |error: ParquetError| format!("cannot be read: {error}");
     let file = File::open(path).map_err(|error| format!("cannot be read: {error}"))?;
@@ -61,7 +61,7 @@ fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<I
     if let Some(name) = names.iter().find(|name| !known.contains(name)) {
         return Err(format!("has no column `{name}`; it has {}", known.join(", ")));
     }
-    // A projected row follows the order of the file.
+    // A row of selected columns has the order of the file, so indices are looked up by name.
     let read: Vec<_> =
         schema.get_fields().iter().filter(|field| names.iter().any(|name| name == field.name())).collect();
     let place = |name: &String| read.iter().position(|field| field.name() == name).unwrap_or_default();

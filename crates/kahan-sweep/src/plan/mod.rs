@@ -1,7 +1,7 @@
 //! Plans: a question over axes, its field, and the columns to write.
 //!
-//! In: a TOML text, whose mistakes are all reported before anything runs. Out: the number of
-//! points, and the rows of any range of points.
+//! In: a TOML text. All its mistakes are reported before anything runs. Out: the number of points,
+//! and the rows of any range of points.
 
 mod read;
 
@@ -14,18 +14,18 @@ use kahan_study::{Observe, Over, Question, Study, Table, Watch};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
-/// A valid plan.
+/// A plan without mistakes.
 #[derive(Clone, Debug)]
 pub struct Plan {
     study: Study,
-    /// The question over the axes. The last axis varies fastest, except for drawn points.
+    /// The question over axes. The last axis varies fastest; drawn axes vary faster still.
     question: Question,
     points: u64,
-    /// The rows of a part; the last part may have fewer.
+    /// The number of rows of a part; the last part may have fewer.
     rows_per_part: u64,
     /// The indices of the columns to write; `None` for all.
     places: Option<Vec<usize>>,
-    /// An empty table with these columns.
+    /// An empty table with the columns to write.
     pub(crate) empty: Table,
     canonical: OnceLock<String>,
 }
@@ -37,8 +37,9 @@ fn choose(table: Table, places: Option<&[usize]>) -> Table {
 }
 
 impl Plan {
-    /// Reads a plan. `origin` is the path of the plan's file, for messages and for files named
-    /// relative to it. Fails with a list of all mistakes: line, reason and remedy.
+    /// Reads a plan. `origin` is the path of the plan's file; messages mention it, and other files
+    /// are named relative to it. Fails with a list of all mistakes: for each the line, the reason
+    /// and a remedy.
     pub fn read(text: &str, origin: &str) -> Result<Self, String> {
         read::plan(text, origin)
     }
@@ -65,9 +66,9 @@ impl Plan {
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// Returns the least and greatest number of rows that a thread computes in one go. Groups fill
-    /// SIMD lanes; orbits above 2²⁰ steps run singly, because an interruption loses an unfinished
-    /// group.
+    /// Returns the smallest and the largest number of rows that a thread computes at once. Groups
+    /// fill SIMD lanes. Orbits of more than 2²⁰ steps run singly, because an interruption loses an
+    /// unfinished group.
     pub(crate) fn at_once(&self) -> [u64; 2] {
         match &*self.over().question {
             Question::Observe(Observe { steps, .. }) if *steps > 1 << 20 => [1, 1],
@@ -76,7 +77,8 @@ impl Plan {
         }
     }
 
-    /// Returns the rows of these points, as many as finished before `watch` stopped the work.
+    /// Returns the rows of these points. If `watch` stops the work, returns the rows that were
+    /// finished before.
     pub(crate) fn rows(&self, indices: Range<u64>, watch: &dyn Watch) -> Table {
         let mut all = Table::default();
         let end = self.study.rows(&self.question, indices, &mut all, watch);
@@ -92,7 +94,7 @@ impl Plan {
     fn to_json(&self) -> Value {
         let mut question = json!(self.question);
         let starts: Vec<String> = self.over().starts.iter().flatten().map(ToString::to_string).collect();
-        // Initial states are hashed, because every part repeats this text.
+        // The text holds a hash of the initial states, because every part repeats the text.
         let count = self.over().starts.len();
         question["starts"] = match count {
             0 => json!([]),

@@ -1,4 +1,4 @@
-//! Reading plans, and collecting their mistakes.
+//! Reads plans, and collects their mistakes.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -19,11 +19,11 @@ use crate::files::numbers;
 const ROWS: u64 = 100_000;
 /// The largest number of values in a part, which must fit in memory.
 const MOST_NUMBERS: u64 = 12_000_000;
-/// The largest number of parts: Parquet counts row groups with 15 bits.
+/// The largest number of parts, because Parquet counts row groups with 15 bits.
 const MOST_PARTS: u64 = 32_767;
 
 const KEYS: [&str; 6] = ["seed", "draws", "starts", "subject", "question", "output"];
-/// Old names of tables with their present names.
+/// Old names of tables in a plan, each with its present name.
 const RENAMED: [(&str, &str); 3] =
     [("system", "[subject]"), ("task", "[question]"), ("axes", "[question.over]")];
 
@@ -46,11 +46,12 @@ fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
     Misread { path: path.iter().map(|&name| name.to_owned()).collect(), why: why.into() }
 }
 
-/// Returns the value, or records the mistake with its path from a table of the plan.
+/// Returns the value that was read. On a mistake, records it with its path, which begins with a
+/// table of the plan.
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
-        // The plan's own keys are outside of tables.
+        // The plan's own keys are not in a table.
         if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
             path.insert(0, table.to_owned());
         }
@@ -80,7 +81,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let has_draws = root.contains_key("draws");
     let file = root.remove("starts");
     let question = question(root, mistakes);
-    // A table under its old name does not count as missing.
+    // A table under an old name does not also count as missing.
     if RENAMED.iter().any(|(before, _)| root.contains_key(*before)) {
         mistakes.retain(|mistake| !mistake.path.is_empty());
     }
@@ -99,7 +100,7 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let (points, drifts) = (over.cells(&study), over.has_integrals(&study));
     let question = Question::Over(over);
     let mut empty = Table::default();
-    // An empty range returns the columns only.
+    // For an empty range, only the columns are returned.
     let asked = drifts.and_then(|()| study.rows(&question, 0..0, &mut empty, &Unwatched));
     let points = asked.and(points).map_err(|why| mistakes.push(of_question(&why))).ok()?;
     let places = output.places(&empty, mistakes);
@@ -162,7 +163,8 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
     }
 }
 
-/// Records parameters with a value and an axis, and draws without a drawn axis or vice versa.
+/// Records contradictions: a parameter with both a value and an axis, draws without a drawn axis,
+/// and a drawn axis without draws.
 fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &mut Vec<Misread>) {
     for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
         if over.over.iter().any(|axis| axis.name == *name) {
@@ -183,7 +185,7 @@ fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &
     }
 }
 
-/// Returns the mistake of an invalid subject, at the offending key.
+/// Returns an invalid subject as a mistake at the key that causes it.
 fn of_subject(why: &StudyError, written: &Value) -> Misread {
     let said = why.to_string();
     let said = said.trim_start_matches("error: ").trim_end();
@@ -194,7 +196,7 @@ fn of_subject(why: &StudyError, written: &Value) -> Misread {
     }
 }
 
-/// Returns the mistake of an invalid question, at the offending key.
+/// Returns an invalid question as a mistake at the key that causes it.
 fn of_question(why: &StudyError) -> Misread {
     match why {
         StudyError::UnknownAxis { name, .. }
@@ -205,7 +207,8 @@ fn of_question(why: &StudyError) -> Misread {
     }
 }
 
-/// Reads the initial states from a file whose path is relative to the plan's folder.
+/// Reads the initial states from a file. The path of the file is relative to the folder of the
+/// plan.
 fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result<Vec<Vec<Rational>>, String> {
     if matches!(asked, Question::Discover(_)) {
         return Err("starts: \"discover\" has none; leave `starts` out".to_owned());
@@ -222,7 +225,8 @@ fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result
         }
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
-    // Columns of parameters and ε, as in earlier results, are ignored: the plan gives their values.
+    // Columns of parameters and ε, which earlier results have, are ignored, because the plan gives
+    // their values.
     let wanted = ExpectedColumns::new(variables, study.parameters(), OtherColumns::Ignored);
     let points = read.and_then(|numbers| numbers.points(&wanted));
     points.map_err(|why| format!("starts: {} {why}", path.display()))
@@ -263,7 +267,7 @@ impl Output {
     }
 }
 
-/// Returns a mistake if a part exceeds the memory limit, or a file the limit on parts.
+/// Returns a mistake if a part needs too much memory, or if there are too many parts.
 fn too_large(plan: &Plan) -> Option<Misread> {
     let columns = plan.empty.columns.len() as u64;
     let most = MOST_NUMBERS / columns.max(1);

@@ -1,4 +1,4 @@
-//! Results are independent of shards and interruptions, and wrong parts are refused.
+//! Tests that results do not depend on shards and interruptions, and that wrong parts are refused.
 
 mod plans;
 mod rows;
@@ -56,7 +56,7 @@ fn folder(plan: &str) -> tempfile::TempDir {
     folder
 }
 
-/// Returns the merged file of an uninterrupted run.
+/// Returns the merged file of a run that was not interrupted.
 fn undisturbed(plan: &str) -> Vec<u8> {
     let folder = folder(plan);
     done(folder.path(), &["--out", "results"]);

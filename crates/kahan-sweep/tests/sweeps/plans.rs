@@ -1,4 +1,4 @@
-//! Reading plans, their mistakes, and commands that run nothing.
+//! Tests how plans are read, how mistakes are reported, and commands that compute nothing.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! The contents of rows, and initial states from files.
+//! Tests the contents of rows, and initial states from files.
 
 use std::fs;
 use std::path::Path;
@@ -100,7 +100,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
     let folder = folder(OF_FILE);
     let here = |name: &str| folder.path().join(name);
     fs::create_dir(here("points")).expect("a folder");
-    // The command runs in another folder than the plan.
+    // The command runs in a folder other than that of the plan.
     let written = |name: &str, bytes: &[u8]| {
         fs::write(here("points").join(name), bytes).expect("points");
         fs::write(here("plan.toml"), OF_FILE.replace("F.csv", name)).expect("the plan");
@@ -116,7 +116,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
         text(&read.output().expect("the command runs").stdout),
         "index,x,y,z,eps\n0,1.0,2.0,0.5,0.125\n1,1.0,2.0,0.5,0.25\n2,0.5,0.001,-0.75,0.125\n3,0.5,0.001,-0.75,0.25\n"
     );
-    // Equal numbers in another format are accepted; the double nearest to 0.001 differs from it.
+    // Equal numbers in another format are accepted. The double nearest to 0.001 is another number.
     let foreign = |output: Output| {
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(1) && said.contains("belongs to another plan"), "{said}");
@@ -126,7 +126,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
     fs::remove_dir_all(here("r")).expect("the results");
     same(written("F.csv", b"1,2,0.5\n1/2,1/8,-3/4\n"));
     same(written("F.npy", &array([1.0, 2.0, 0.5, 0.5, 0.125, -0.75])));
-    // Results serve as initial states, too: each occurs once for each ε.
+    // Results can serve as initial states; each of them occurs once for each ε.
     let swept = fs::read(here("r/results.parquet")).expect("results");
     foreign(written("F.parquet", &swept));
     fs::remove_dir_all(here("r")).expect("the results");

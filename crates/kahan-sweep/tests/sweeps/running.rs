@@ -1,4 +1,4 @@
-//! Killing, interrupting, launching and merging processes.
+//! Kills, interrupts, launches and merges processes.
 
 use std::fs;
 use std::process::Command;
@@ -28,7 +28,8 @@ fn bytes_do_not_depend_on_shards_threads_and_order() {
 
 #[test]
 fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
-    // A part takes about as long as the longer waits, so kills hit early and late parts.
+    // A part takes about as long as the longer waits, so processes are killed in early and in late
+    // parts.
     let plan = PLAN.replace("steps = 50", "steps = 100");
     let expected = undisturbed(&plan);
     let folder = folder(&plan);
@@ -55,14 +56,15 @@ fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
         );
     }
     assert!(kills > 0);
-    // Leftovers of processes killed during a probe, a part and a merge.
+    // Creates the files that processes leave if they are killed during a write test, a part and a
+    // merge.
     fs::create_dir_all(folder.path().join("r/part-000000000003.under-way")).expect("a folder");
     for name in [".probe-1", ".results-1", "part-000000000003.under-way/rows-1.parquet"] {
         fs::write(folder.path().join("r").join(name), "by halves").expect("a file");
     }
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
-    // No leftovers remain.
+    // None of these files remain.
     let all =
         fs::read_dir(folder.path().join("r")).expect("the folder").map(|entry| entry.expect("an entry"));
     let names: Vec<String> = all.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
@@ -125,7 +127,7 @@ fn what_does_not_belong_together_is_refused() {
     let [first, second] = &parts(&folder.path().join("r"))[..2] else { panic!("two parts") };
     let whole = fs::read(first).expect("a part");
 
-    // Flips a bit in many places, most of them in the footer, and truncates the file.
+    // Flips a bit at many positions, most of them in the footer, and truncates the file.
     let footer = (1..60).map(|place| whole.len() - 61 * place);
     for place in [10, whole.len() / 2, whole.len() - 20].into_iter().chain(footer) {
         let mut damaged = whole.clone();
@@ -138,18 +140,18 @@ fn what_does_not_belong_together_is_refused() {
     }
     fs::write(first, &whole[..whole.len() - 100]).expect("a part");
     assert!(said(&["--out", "r", "--status"], 1).contains("damaged"));
-    // A part under another part's name.
+    // A part is stored under the name of another part.
     fs::copy(second, first).expect("a part");
     assert!(said(&["--out", "r", "--merge"], 1).contains("another part under this name"));
-    // Running the command again repairs it.
+    // Running the command again repairs the part.
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
 
-    // Another plan in the same folder.
+    // Another plan is run in the same folder.
     fs::write(folder.path().join("plan.toml"), PLAN.replace("steps = 50", "steps = 51")).expect("a plan");
     assert!(said(&["--out", "r", "--merge"], 1).contains("belongs to another plan"));
     assert!(said(&["--out", "r"], 1).contains("belongs to another plan"));
-    // An equal plan with different formatting.
+    // An equal plan is formatted differently.
     let other = PLAN.replace("\"1/2\"", "0.5").replace("seed = 3", "# The seed.\nseed=3");
     fs::write(folder.path().join("plan.toml"), other).expect("a plan");
     done(folder.path(), &["--out", "r", "--merge"]);

@@ -1,4 +1,4 @@
-//! Orbits of every start over all values of parameters, ε and coordinates, as one table.
+//! Orbits from every start, for all values of parameters, ε and coordinates, as one table.
 //!
 //! In: starts, and ranges by name. Out: one orbit for each start and each combination of values.
 //! Orbits begin one after another, so memory does not grow with the number of rows.
@@ -16,7 +16,7 @@ struct Combinations<'a> {
     study: &'a Study,
     axes: &'a [Axis],
     count: usize,
-    /// The fields of the first combinations, each with its map.
+    /// The fields of the first combinations of values, each with its map.
     few: Vec<Study>,
 }
 
@@ -47,7 +47,8 @@ impl Orbit {
             }
             Ok(self.question(eps.ok_or(StudyError::MissingStep)?, at))
         };
-        // Begin all combinations and starts before the first row, as one of them may be refused.
+        // All combinations and starts begin before the first row is written, because one of them
+        // may be refused.
         for index in 0..all.count {
             let study = all.study(index)?;
             asked(&starts[0], &all.values(index))?.begin(&study)?;
@@ -73,7 +74,7 @@ impl Orbit {
         self.write(head, &names, orbits, |(start, index, values), table, watch| {
             let ending = asked(start, &values)
                 .and_then(|asked| Ok(asked.begin(&all.study(index)?)?.rows(0..u64::MAX, table, watch)));
-            // An orbit without a first point ends at step 0.
+            // If an orbit has no first point, it ends at step 0.
             Ok(ending.unwrap_or_else(|why| Ending {
                 end: End::Range(0),
                 step: 0,

@@ -1,7 +1,7 @@
-//! The table of orbits: its destination, and the endings of its orbits.
+//! The table of orbits: the stream to which it is written, and the ends of its orbits.
 //!
 //! In: metadata, and orbits that write their own rows. Out: the table, and an answer with the
-//! reasons why orbits ended. The method of a step is deliberately absent.
+//! reasons why orbits ended. How steps are made is deliberately absent.
 
 use kahan_study::{Ending, StoredColumn};
 use serde_json::{Map, Value, json};
@@ -11,8 +11,8 @@ use crate::printing::{Answer, Format, OutputStream, ProgressDisplay, Table, Usag
 use crate::reading::option;
 
 impl Orbit {
-    /// Writes a table, orbit by orbit. `places` names the first columns, whose cells come with each
-    /// orbit.
+    /// Writes a table, orbit by orbit. `places` names the first columns; each orbit brings the
+    /// cells of these columns.
     pub(super) fn write<O>(
         &self,
         head: Value,
@@ -28,11 +28,11 @@ impl Orbit {
         let sink = file.map_or_else(|| Ok(OutputStream::standard()), OutputStream::table)?;
         let stops = match self.write_into(sink, &head, orbits, fill) {
             Ok(stops) => stops,
-            // If the reader goes away, the table ends without an error.
+            // If the reader closes the pipe, the table ends without an error.
             Err(WriteError::ReaderGone) => Vec::new(),
             Err(WriteError::Failed(why)) => return Ok(Answer::text(String::new()).but(Some(why))),
         };
-        // With rows in a file, the answer is the object that describes them.
+        // If the rows are in a file, the answer is the object that describes them.
         let answer = match file {
             Some(path) if self.json => {
                 head.insert("out".to_owned(), json!(path.display().to_string()));
@@ -72,8 +72,8 @@ impl Orbit {
     }
 }
 
-/// Returns the endings of orbits for an object: `ended`, `ended_step`, `stopped` (null for complete
-/// orbits) and possibly `note`; lists for several orbits.
+/// Returns how orbits ended as members of an object: `ended`, `ended_step`, `stopped` (null for
+/// complete orbits) and possibly `note`. For several orbits, each member is a list.
 fn ended(endings: &[Ending]) -> Map<String, Value> {
     let of_all = |value: fn(&Ending) -> Value| match endings {
         [] => Value::Null,
@@ -91,7 +91,7 @@ fn ended(endings: &[Ending]) -> Map<String, Value> {
     entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
-/// Says how many orbits ended early, and why the first of them did.
+/// Says how many orbits ended early, and why the first of them did; `None` if all are complete.
 fn complaint(endings: &[Ending]) -> Option<String> {
     let early = endings.iter().enumerate();
     let mut early = early.filter_map(|(orbit, ending)| Some((orbit, ending.in_words(option)?)));

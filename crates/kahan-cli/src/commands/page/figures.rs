@@ -35,7 +35,7 @@ impl AnsweredQuestion {
         AnsweredQuestion { line: CommandLine::asking(&field.words, &question), answer }
     }
 
-    /// Returns the answer or the refusal, above the command line.
+    /// Returns the HTML of the answer or of the refusal, followed by the command line.
     pub(super) fn html(&self) -> Markup {
         html! {
             @match &self.answer {
@@ -50,9 +50,10 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field with values and with integrals: the claimed ones, otherwise the discovered ones.
+    /// The field with values and with integrals. Integrals are the claimed ones; if there are none,
+    /// the discovered ones.
     pub(super) kept: &'a Field,
-    /// The field with the given values only.
+    /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
     pub(super) variables: &'a [String],
     pub(super) shown: &'a ShownOrbit,
@@ -73,7 +74,7 @@ impl Subject<'_> {
         PictureRequest::portrait(eps.clone(), vec![StartSpec::Point(start.clone())], steps)
     }
 
-    /// Returns a share of the available time in seconds, rounded to tenths.
+    /// Returns a fraction of the available time in seconds, rounded to tenths.
     pub(super) fn share(&self, share: f64) -> f64 {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
@@ -84,7 +85,7 @@ impl Subject<'_> {
     }
 
     pub(super) fn search(&self) -> AnsweredQuestion {
-        // With a fixed degree the result does not depend on the speed of the machine.
+        // With a fixed degree, the result does not depend on the speed of the machine.
         let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
         AnsweredQuestion::of(self.generic, Question::Discover(asked))
@@ -159,9 +160,9 @@ impl Subject<'_> {
         figure("chart", "A chart of stability", &line, drawn.map_err(UsageError::from))
     }
 
-    /// Returns the cheapest integrator settings over the horizon of the figures.
+    /// Returns the cheapest integrator settings for the time that the figures span.
     pub(super) fn settings(&self) -> Markup {
-        /// The number of steps of the figures in the horizon.
+        /// The number of steps that the figures make in the simulated time.
         const STEPS: f64 = 400.0;
         let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
         let asked = Trade::new(self.shown.start.clone(), horizon.expect("a printed number is one"));
@@ -188,22 +189,22 @@ impl Subject<'_> {
         figure(id, title, &line, drawn)
     }
 
-    /// Returns the number of steps for exponents; it falls with the dimension, because of tangent
-    /// vectors.
+    /// Returns the number of steps for exponents. With more variables, fewer steps are made,
+    /// because tangent vectors cost more.
     fn steps(&self) -> u64 {
         let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
     }
 
-    /// Returns the number of steps for a section: it grows with the time and falls with the
-    /// dimension.
+    /// Returns the number of steps for a section. It grows with the available time, and falls with
+    /// the number of variables.
     fn crossing_steps(&self) -> u64 {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as u64
     }
 
-    /// Returns the cells in a row of the chart: they grow with the time and fall with the
-    /// dimension.
+    /// Returns the number of cells in a row of the chart. It grows with the available time, and
+    /// falls with the number of variables.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
@@ -222,8 +223,8 @@ impl Subject<'_> {
         PictureRequest { spread, seconds: SECONDS, ..PictureRequest::portrait(eps.clone(), at, steps) }
     }
 
-    /// Returns the plane through the middle of the third variable, or of the most varying one if
-    /// the third hardly varies.
+    /// Returns the plane through the middle of the third variable. If this variable hardly varies,
+    /// returns the plane for the variable that varies most.
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
@@ -239,7 +240,7 @@ impl Subject<'_> {
         }
     }
 
-    /// Returns the range of a variable along its orbit, extended by a tenth on either side.
+    /// Returns the range of a variable along its orbit, extended by a tenth at both ends.
     fn range(&self, k: usize) -> [f64; 2] {
         let [low, high] = self.shown.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.shown.size);
@@ -247,7 +248,7 @@ impl Subject<'_> {
     }
 }
 
-/// A drawing with notes and an explanation, or a refusal.
+/// A drawing with notes and an explanation, or the reason why there is none.
 pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), UsageError>;
 
 pub(super) fn figure(id: &str, title: &str, line: &CommandLine, drawn: Figure) -> Markup {
@@ -273,10 +274,10 @@ pub(super) fn command(line: &CommandLine) -> Markup {
     html! { pre.command tabindex="0" { code { (line) } } }
 }
 
-/// Explains a section by the number and the places of its crossings.
+/// Explains a section by the number of crossings and by the number of their distinct positions.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
-    /// The mean number of visits from which points count as repeated.
+    /// Crossings count as repeated if each position is visited at least this often in the mean.
     const OFTEN: usize = 10;
 
     let of =
@@ -306,7 +307,7 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     }
 }
 
-/// Rounds a number to between 1/1000 and 1/100 of an interval of this length.
+/// Rounds a number to a unit between 1/1000 and 1/100 of an interval of this length.
 fn between(value: f64, length: f64) -> String {
     let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };

@@ -1,5 +1,5 @@
 //! The page of a lifted field. The lift is chosen once, along the orbit of the figures. The text on
-//! the page contains that starting point, so that each command chooses the same lift.
+//! the page contains the start of this orbit, so that each command chooses the same lift.
 
 use kahan_draw::answer;
 use kahan_draw::picture::{PictureOptions, relations};
@@ -13,7 +13,7 @@ use crate::printing::{UsageError, joined};
 use crate::reading::{Block, Source};
 
 impl Page {
-    /// Returns the source and its block. The text of a lifted field gets the start along whose
+    /// Returns the source and its block. In the text of a lifted field, adds the start along whose
     /// orbit the lift was chosen.
     pub(super) fn with_chosen_start(&self, block: &Block) -> Result<(Source, Block), UsageError> {
         let as_given = (self.source.clone(), block.clone());
@@ -37,7 +37,7 @@ impl Page {
 }
 
 impl Subject<'_> {
-    /// Returns the equations before and after the lift, and the behaviour of the relations.
+    /// Returns the equations before and after the lift, and the behaviour of the relations' errors.
     /// `written` is the given text.
     pub(super) fn lift(&self, written: &str) -> Markup {
         let (eps, start) = (&self.shown.eps, joined(&self.shown.start, ","));

@@ -1,7 +1,7 @@
-//! A picture as a value: its orbits, their observed quantities, and its look.
+//! A picture as a value: which orbits to show, what to show of them, and the look of the picture.
 //!
-//! In: a [`PictureRequest`], from arguments or from a page, and a field. Out: the questions, and their
-//! answers drawn by `kahan-draw`. The module above parses arguments.
+//! In: a [`PictureRequest`], from arguments or from a page, and a field. Out: the questions, and
+//! the drawings that `kahan-draw` makes of the answers. The parent module parses arguments.
 
 use std::path::PathBuf;
 
@@ -19,7 +19,7 @@ use crate::printing::{ProgressDisplay, UsageError};
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PictureRequest {
     pub(crate) what: PictureContent,
-    /// `None` if ε is an axis.
+    /// Half the time step; `None` if ε is an axis.
     pub(crate) eps: Option<Rational>,
     pub(crate) at: Vec<StartSpec>,
     pub(crate) spread: StartSpread,
@@ -29,7 +29,7 @@ pub(crate) struct PictureRequest {
     pub(crate) axes: Vec<String>,
     pub(crate) windows: Vec<(String, [Rational; 2])>,
     pub(crate) lines: bool,
-    /// Whether each step of a lifted field is projected onto the relations.
+    /// Whether each step of a lifted field is projected onto the relations between its variables.
     pub(crate) reembed: bool,
     pub(crate) seconds: f64,
     pub(crate) look: ImageOptions,
@@ -40,16 +40,16 @@ pub(crate) struct PictureRequest {
 pub(crate) enum PictureContent {
     /// Orbits in the plane or in space.
     Portrait,
-    /// Crossings of orbits with a section; ε and first points are those of the picture.
+    /// Crossings of orbits with a section; the picture gives ε and the first points.
     Section(Box<Section>),
-    /// An orbit diagram over a parameter or ε; first points and steps are those of the picture.
+    /// An orbit diagram over a parameter or ε; the picture gives the first points and the steps.
     Over(Box<Diagram>),
     /// The growth of the heights of an exact orbit.
     Heights,
 }
 
 impl PictureContent {
-    /// Asks for rising crossings of the zero set of a formula, in a number of steps.
+    /// Asks for the crossings at which a formula vanishes and increases, within a number of steps.
     pub(crate) fn section(plane: &str, steps: u64) -> Self {
         PictureContent::Section(Box::new(Section::new(Rational::zero(), Vec::new(), steps, plane)))
     }
@@ -61,9 +61,9 @@ pub(crate) struct NotedPicture {
     pub(crate) notes: Vec<String>,
 }
 
-/// The most points of a picture.
+/// The largest number of points in a picture.
 const MOST_POINTS: u64 = 10_000_000;
-/// The most points that are joined by lines.
+/// The largest number of points that are joined by lines.
 const MOST_JOINED: u64 = 100_000;
 
 impl PictureRequest {
@@ -115,8 +115,9 @@ impl PictureRequest {
         })
     }
 
-    /// Returns the axes. Defaults: the first three variables of a portrait; the first two of a
-    /// section, without the last variable in its formula; the first of an orbit diagram.
+    /// Returns the axes. The default for a portrait is the first three variables. For a section it
+    /// is the first two variables, leaving out the last variable in the formula. For an orbit
+    /// diagram it is the first variable.
     fn axes(&self, study: &Study) -> Result<Vec<Coordinate>, UsageError> {
         let variables = study.shown().len();
         Ok(match (&self.what, &self.axes[..]) {
@@ -155,8 +156,8 @@ impl PictureRequest {
         })
     }
 
-    /// Returns the variable of this name, or the time `t` if no variable has that name, or a
-    /// formula.
+    /// Returns the variable called `name`. If no variable has this name, `t` stands for the time,
+    /// and any other text is a formula.
     fn axis(&self, name: &str, study: &Study) -> Result<Coordinate, UsageError> {
         if let Some(index) = study.shown().iter().position(|known| known == name) {
             return Ok(Coordinate::Variable(index));
@@ -207,8 +208,8 @@ impl PictureRequest {
         )))
     }
 
-    /// Asks for each first point in turn while time remains; `steps` is the work for one. Also
-    /// returns whether time ran out.
+    /// Asks for one first point after the other while time remains; `steps` is the work for one
+    /// point. Also returns whether time ran out.
     fn each<A>(
         &self,
         starts: &[Vec<Rational>],
@@ -219,7 +220,7 @@ impl PictureRequest {
             ProgressDisplay::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
         let mut found = Vec::new();
         for at in starts {
-            // Always ask for the first orbit, as it may be refused.
+            // The first orbit is always computed, because the question may be refused.
             if prompt.is_over() && !found.is_empty() {
                 break;
             }
@@ -236,7 +237,7 @@ impl PictureRequest {
         section: Option<&Section>,
         look: &PictureOptions,
     ) -> Result<NotedPicture, UsageError> {
-        // Axes may be new variables of a lift.
+        // An axis may be a new variable of a lift.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len(), section.and_then(|asked| asked.crossings).unwrap_or(self.steps))?;
@@ -311,7 +312,7 @@ impl PictureRequest {
     }
 }
 
-/// Describes orbits that ended early, or for which no time was left.
+/// Describes the orbits that ended early, and those for which no time was left.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
     if is_cut {
         let cut = "time ran out, and the picture shows the points so far; increase --seconds to draw all";

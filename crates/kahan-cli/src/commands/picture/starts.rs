@@ -9,7 +9,7 @@ use kahan_study::Study;
 use crate::printing::{UsageError, joined};
 use crate::reading::{is_number_file, point, points};
 
-/// The value of an `--at`.
+/// The value of one `--at`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum StartSpec {
     /// A point.
@@ -18,10 +18,10 @@ pub(crate) enum StartSpec {
     Line(Vec<Rational>, Vec<Rational>),
 }
 
-/// The number and the distribution of first points for each `--at`.
+/// The number and the distribution of the first points that each `--at` gives.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StartSpread {
-    /// The number of points; `None` for the given point only.
+    /// The number of points; `None` if `--at` is the only point.
     pub(crate) count: Option<usize>,
     pub(crate) radius: Rational,
     pub(crate) seed: u64,
@@ -34,9 +34,9 @@ impl Default for StartSpread {
 }
 
 impl StartSpec {
-    /// Reads the value of an `--at`; a file gives a point for each row.
+    /// Reads the value of an `--at`. A file gives a point for each of its rows.
     pub(super) fn read(at: &str, spread: &StartSpread, study: &Study) -> Result<Vec<Self>, UsageError> {
-        // Paths of files may contain dots.
+        // A file is tested first, because its path may contain dots.
         match at.split_once("..").filter(|_| !is_number_file(at)) {
             Some(_) if spread.count.is_none() => Err(UsageError::new(format!(
                 "--at {at} is a line; say by --starts how many first points it has"
@@ -68,10 +68,10 @@ impl StartSpread {
         starts.collect()
     }
 
-    /// Draws random points in the cube around a point.
+    /// Draws random points in a cube around a point.
     fn around(&self, middle: &[Rational], count: usize, random: &mut SplitMix64) -> Vec<Vec<Rational>> {
-        /// The resolution of random points, relative to the radius, which keeps the fractions
-        /// short.
+        /// The number of parts of the radius that random coordinates are multiples of. A small
+        /// number keeps the fractions short.
         const PARTS: i64 = 1 << 20;
 
         let part = self.radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
@@ -83,7 +83,8 @@ impl StartSpread {
     }
 }
 
-/// Returns equidistant points on a line, ends included; for a count of 1 the first end.
+/// Returns equidistant points on a line, including both ends. For a count of 1, returns the first
+/// end.
 fn points_on_line(from: &[Rational], to: &[Rational], count: usize) -> Vec<Vec<Rational>> {
     let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
     let start = |i: usize| {

@@ -1,5 +1,5 @@
-//! `kahan show --plan`: the cost of each generated function, and the straight-line program of the
-//! step.
+//! Prints `kahan show --plan`: the cost of each generated function, and the step as a straight-line
+//! program.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::kahan::TERM_BUDGET;
@@ -86,7 +86,7 @@ fn step_section(page: &mut Page, name: &str, step: &Listing) {
     page.section(&format!("how far the {name} holds"), domain(step.holds_to));
 }
 
-/// Returns the step size up to which the error is near that of elimination, in words.
+/// Describes the step sizes for which the error is near that of elimination.
 fn domain(holds_to: u32) -> Vec<String> {
     let end = if holds_to == LARGEST_SIZE {
         "as far as was looked."

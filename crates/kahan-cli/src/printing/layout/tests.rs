@@ -1,4 +1,4 @@
-//! Every line fits the width, or is a single word.
+//! Tests that every line fits the width, or is a single word.
 
 use kahan_algebra::render::{folded, lines};
 

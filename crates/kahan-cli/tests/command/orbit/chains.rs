@@ -1,4 +1,4 @@
-//! Chains of any number of sites: formulas, files, conserved sums.
+//! Chains of any number of sites: formulas, files, and preserved sums.
 
 use super::*;
 use crate::running::{answer, kahan, object, refusal};
@@ -48,7 +48,7 @@ fn a_short_chain_is_the_block_that_is_written_out() {
         chain(SHORE, &[&common[..], &["--start", "n = (1 + i)/2", "--param", "r = 1 + i/n"]].concat());
     let (plain, family) = (answer(&plain), answer(&family));
     assert_eq!(plain.lines().next(), family.lines().next());
-    // Both programs solve the same equations, with numbers of size 1, five times.
+    // Both programs solve the same equations five times, with numbers of size 1.
     for (a, b) in numbers(&plain).iter().flatten().zip(numbers(&family).iter().flatten()) {
         assert!((a - b).abs() < 1e-14, "{a} {b}");
     }
@@ -62,7 +62,8 @@ fn a_wave_keeps_its_mass_and_its_modified_energy() {
     assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0, 40.0]);
     let drift =
         |column: usize| rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max);
-    // Rounding in forty steps of four hundred sites; the unmodified energy is not preserved.
+    // The bounds allow rounding in forty steps of four hundred sites. The map does not preserve the
+    // unmodified energy.
     assert!(drift(4) < 1e-12 && drift(6) < 1e-11 && drift(5) > 1e-9, "{table}");
 }
 
@@ -103,7 +104,7 @@ fn an_orbit_goes_on_from_a_file() {
     fs::write(&middle, format!("a,b\n{}\n", rows.join("\n"))).expect("a file");
     springs(path_text(&middle), "3", "3", &second);
     assert_eq!(array(&second).1[100..], array(&whole).1[100..]);
-    // A heading says which column is which.
+    // A heading says which column belongs to which array.
     let turned: Vec<String> =
         values[100..].chunks(2).map(|site| format!("{:?},{:?}", site[1], site[0])).collect();
     fs::write(&middle, format!("b,a\n{}\n", turned.join("\n"))).expect("a file");

@@ -1,4 +1,4 @@
-//! `--json`: the object contains the whole table.
+//! Tests that the object of `--json` contains the whole table.
 
 use super::*;
 
@@ -24,7 +24,7 @@ fn an_object_has_everything_that_the_table_has() {
         assert_eq!((&object["steps"], &object["every"]), (&json!(4), &json!(2)));
         assert_eq!(object["columns"], json!(names));
         assert_eq!(object["stopped"], Value::Null);
-        // Compare texts, as readers of JSON may round.
+        // Texts are compared, because readers of JSON may round numbers.
         let listed: Vec<&str> = object_text.lines().filter(|line| line.starts_with("    [")).collect();
         assert_eq!(object["rows"].as_array().map(Vec::len), Some(rows.len()));
         assert_eq!(listed.len(), rows.len());

@@ -1,4 +1,4 @@
-//! `kahan orbit`: numbers against known orbits and generated maps, files, refusals.
+//! Tests `kahan orbit`: numbers against known orbits and generated maps, files, and refusals.
 
 mod chains;
 mod files;
@@ -32,7 +32,7 @@ fn kahan(arguments: &[&str]) -> Output {
     command(arguments).output().expect("the command runs")
 }
 
-/// Returns standard output of a run without any output on standard error.
+/// Returns the standard output of a run that prints nothing to standard error.
 fn answer(arguments: &[&str]) -> String {
     let output = kahan(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
@@ -67,7 +67,7 @@ fn path_text(path: &Path) -> &str {
 
 const ALL: [&str; 11] = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
 
-/// Returns the independently computed test vectors of a system.
+/// Returns the test vectors of a system, which were computed independently.
 fn vectors(system: &str) -> Value {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../tests/data/{system}.json"));
     serde_json::from_str(&fs::read_to_string(path).expect("the vectors are there")).expect("JSON")

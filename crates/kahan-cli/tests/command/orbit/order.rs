@@ -1,4 +1,5 @@
-//! `kahan orbit --order`: bits of the library's compositions, their integrals, and their poles.
+//! Tests `kahan orbit --order`: the bits of the library's compositions, their integrals, and their
+//! poles.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;
@@ -22,7 +23,8 @@ fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// On a target with fused multiply-adds, generated code rounds once and the command twice.
+/// On a target with fused multiply-adds, generated code rounds a multiply-add once, and the command
+/// rounds it twice.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {
@@ -53,7 +55,7 @@ fn change(order: &str, column: usize) -> f64 {
     rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
 }
 
-/// Kahan's map preserves H at its ε up to rounding; a composition preserves H at ε = 0 to its
+/// Up to rounding, Kahan's map preserves H at its ε. A composition preserves H at ε = 0, up to its
 /// order.
 #[test]
 fn a_composition_keeps_the_integral_of_the_flow_to_its_order() {
@@ -72,7 +74,7 @@ fn a_field_of_one_s_own_is_composed_with_single_precision_too() {
     let single = rows(&[&field[..], &more[..], &["f32"]].concat());
     let double = rows(&[&field[..], &more[..], &["f64"]].concat());
     for (single, double) in single.iter().zip(&double) {
-        // Ten steps of 17 stages, each with an error of a few units of 6e-8.
+        // The bound allows ten steps of 17 stages; each has an error of a few times 6e-8.
         assert!(single.iter().zip(double).all(|(a, b)| (a - b).abs() < 1e-4), "{single:?} {double:?}");
     }
     assert!(single != double);

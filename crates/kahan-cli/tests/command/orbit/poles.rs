@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// E6 at ε = 1: det A = 0 at (1/2, 0, 1/2).
+/// For E6 at ε = 1, det A = 0 at (1/2, 0, 1/2).
 const AT_A_POLE: [&str; 7] = ["e6", "--eps", "1", "--at", "1/2,0,1/2", "--steps", "5"];
 
 #[test]
@@ -22,7 +22,7 @@ fn the_rows_before_a_pole_are_kept_and_the_place_is_named() {
 
 #[test]
 fn a_pole_on_the_way_ends_an_orbit_where_the_map_says() {
-    // E1 at ε = −1/4: 1/x changes by 2ε, 3/2, 1, 1/2, and 1 + 2εx = 0 at x = 2.
+    // For E1 at ε = −1/4, 1/x changes by 2ε in each step: 3/2, 1, 1/2. At x = 2, 1 + 2εx = 0.
     let output = kahan(&["e1", "--eps", "-1/4", "--at", "2/3,1,1", "--steps", "9", "--scalar", "exact"]);
     assert_eq!(output.status.code(), Some(1));
     let (_, rows) = table(&text(&output.stdout));
@@ -32,7 +32,7 @@ fn a_pole_on_the_way_ends_an_orbit_where_the_map_says() {
 
 #[test]
 fn a_projective_orbit_goes_on_through_infinity() {
-    // E1 at ε = 1/2: 1/x grows by 1 a step; x is −1, ∞, 1, 1/2.
+    // For E1 at ε = 1/2, 1/x grows by 1 in each step, so x is −1, ∞, 1, 1/2.
     let start = ["e1", "--eps", "1/2", "--at", "-1,2/3,5/7", "--steps", "3", "--projective"];
     for (scalar, back) in [("exact", ["1", "1/2"]), ("f64", ["1.0", "0.5"]), ("dd", ["1.0", "0.5"])] {
         let output = kahan(&[&start[..], &["--scalar", scalar]].concat());
@@ -100,7 +100,7 @@ fn orbits_stop_exactly_where_eval_has_no_next_point() {
 
 #[test]
 fn a_float_orbit_that_overflows_ends_with_finite_rows() {
-    // The map of the linear field multiplies by (1 + ε)/(1 − ε) = 3.
+    // The map of the linear field multiplies the point by (1 + ε)/(1 − ε) = 3.
     let arguments =
         ["--field", "xdot = x;", "--eps", "1/2", "--at", "1e30", "--steps", "100", "--scalar", "f32"];
     let output = kahan(&arguments);

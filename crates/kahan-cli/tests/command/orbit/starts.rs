@@ -1,4 +1,4 @@
-//! `--at` with a file: one orbit for each row.
+//! Tests `--at` with a file, which gives one orbit for each row.
 
 use super::chains::{numpy, numpy_of};
 use super::*;
@@ -30,7 +30,7 @@ fn a_file_of_one_row_is_the_point_written_out() {
             assert_eq!(answer(&orbits(&file(&folder, text), further)), written, "{text:?} {further:?}");
         }
     }
-    // 0.1 in an array is the nearest float.
+    // The number 0.1 in an array is the nearest float.
     let array = folder.path().join("starts.npy");
     numpy(&array, "(1, 2)", &[0.1, 3.0]);
     let of_array = answer(&orbits(path_text(&array), &["--scalar", "exact"]));
@@ -108,7 +108,8 @@ fn of_several_rows_each_begins_an_orbit() {
 
 #[test]
 fn an_orbit_that_ends_early_ends_alone() {
-    // E1 at ε = −1/4: 1/x changes by 2ε, and from x = 2/3 the third step meets a pole.
+    // For E1 at ε = −1/4, 1/x changes by 2ε in each step. From x = 2/3, the third step meets a
+    // pole.
     let folder = folder();
     let path = file(&folder, "x,y,z\n1/9,1,1\n2/3,1,1\n1/8,1,1\n2/3,1,1\n");
     let asked = ["e1", "--eps", "-1/4", "--at", &path, "--steps", "4", "--scalar", "exact"];
@@ -232,7 +233,7 @@ fn other_commands_take_a_file_of_one_row_and_pictures_several() {
     assert_eq!(picture(&[&several]), picture(&["1/3,2", "1,2"]));
 }
 
-/// Each start has an orbit for each value, with the rows of a single call.
+/// Each start has an orbit for each value on the axis, with the same rows as a single call.
 #[test]
 fn ranges_give_an_orbit_for_each_value_and_start() {
     let folder = folder();

@@ -1,5 +1,5 @@
-//! `kahan trade` at the edges: near a pole, at very large or small numbers, without time, and where
-//! double-double is cheapest.
+//! Edge cases of `kahan trade`: near a pole, at very large or small numbers, without time, and
+//! where double-double is cheapest.
 
 use std::process::Output;
 
@@ -24,21 +24,21 @@ fn complaint(arguments: &[&str], status: i32) -> String {
     String::from_utf8(output.stderr).expect("UTF-8")
 }
 
-/// x = tan t with the horizon 0.0068 before the pole π/2 ≈ 1.5708. Errors are relative to the
-/// trajectory before the horizon.
+/// The solution is x = tan t, and the horizon is 0.0068 before the pole π/2 ≈ 1.5708. Errors are
+/// relative to the trajectory before the horizon.
 #[test]
 fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     let scene = ["--field", "xdot = x^2 + 1;", "--at", "0", "--horizon", "1.564", "--tolerance", "1e-4"];
     let object = json(&scene);
-    // tan amplifies the error of its argument by 1 + tan² ≈ 2·10⁴.
+    // The tangent amplifies the error of its argument by 1 + tan² ≈ 2·10⁴.
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // The steep end is short, and needs no steps as fine as its slope of 300 suggests.
+    // The steep end is short, so steps need not be as fine as its slope of 300 suggests.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
-/// (x, ε) ↦ (λx, ε/λ) is a symmetry of E6. Errors in `f64` are equal at λ = 2⁻¹²⁵ and 2¹²⁵, the
+/// E6 has the symmetry (x, ε) ↦ (λx, ε/λ). Errors in `f64` are equal at λ = 2⁻¹²⁵ and λ = 2¹²⁵, the
 /// limits of `f32`.
 #[test]
 fn a_homogeneous_field_is_served_alike_at_every_scale() {
@@ -73,7 +73,7 @@ fn a_homogeneous_field_is_served_alike_at_every_scale() {
     }
 }
 
-/// ε over this horizon exceeds the range of `f32`, which then has no setting.
+/// Over this horizon ε exceeds the range of `f32`, so `f32` has no setting.
 #[test]
 fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
     let scene = ["e1", "--at", "1e-60,1e-60,1e-60", "--horizon", "1e60", "--tolerance", "1e-4"];
@@ -83,7 +83,7 @@ fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
     assert!(settings.iter().all(|setting| number(setting, "eps") > 0.0), "{object}");
 }
 
-/// E1: slow ẋ = −x² beside a slope that grows to 20 000.
+/// E1 has a slow component ẋ = −x², and a slope in another direction that grows to 20 000.
 #[test]
 fn a_slope_across_the_motion_does_not_ask_for_fine_steps() {
     let object = json(&["e1", "--at", "1,1,1", "--horizon", "10000", "--tolerance", "1e-2"]);
@@ -99,8 +99,8 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// Integrals of E6 to a few units of `f64`: compensated steps must be fifty times finer than steps
-/// in double-double, which cost ten times as much.
+/// The tolerance for the integrals of E6 is a few rounding errors of `f64`. Compensated steps would
+/// have to be fifty times finer than steps in double-double, which cost ten times as much.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =
@@ -134,7 +134,7 @@ fn a_tolerance_beyond_32_digits_is_told_from_a_sensitive_solution() {
     json(&["lv", "--at", "1/2,5/3", "--horizon", "1", "--tolerance", named]);
 }
 
-/// E6 through this point is periodic, so a long horizon meets no pole.
+/// The orbit of E6 through this point is periodic, so a long horizon meets no pole.
 #[test]
 fn a_long_horizon_is_not_taken_for_an_escape() {
     let refusal = complaint(&["e6", "--at", "1,1/2,1/3", "--horizon", "1e12", "--seconds", "0.2"], 2);

@@ -1,5 +1,5 @@
-//! `kahan trade`: its front, its choice and its refusals. Prices are times, of which only the sign
-//! is tested; errors are computed again from orbits of the library.
+//! Tests the Pareto front, the choice and the refusals of `kahan trade`. Prices are times, so only
+//! their sign is tested. Errors are computed again from orbits of the library.
 
 mod edges;
 
@@ -24,7 +24,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("{key} in {object}"))
 }
 
-/// Returns ε to the last bit, which JSON may round, of an orbit that ends at the horizon.
+/// Returns ε to the last bit, for an orbit that ends at the horizon; in JSON ε may be rounded.
 fn eps_of(setting: &Value, horizon: f64) -> f64 {
     let eps = horizon / (2.0 * number(setting, "steps"));
     match setting["scalar"].as_str() {
@@ -33,7 +33,7 @@ fn eps_of(setting: &Value, horizon: f64) -> f64 {
     }
 }
 
-/// Returns an error; NaN counts as infinite.
+/// Returns an error from a setting; NaN counts as infinite.
 fn error(setting: &Value, key: &str) -> f64 {
     setting[key].as_f64().unwrap_or(f64::INFINITY)
 }
@@ -143,7 +143,7 @@ fn the_choice_meets_its_tolerance_when_it_is_run_again() {
         let choice = &object["choice"];
         let (claimed, again) = (number(choice, "trajectory_error"), error_of(choice, 3.0));
         assert!(claimed <= limit, "{choice}");
-        // The command looks at fewer points, so its error may be a little smaller.
+        // The command compares fewer points, so its error may be a little smaller.
         assert!(again >= 0.999 * claimed && again <= 1.05 * claimed, "{claimed} against {again}");
         let rust = choice["rust"].as_str().expect("a line");
         assert!(rust.starts_with("let orbit = ") && rust.contains("E6") && rust.ends_with(");"), "{rust}");
@@ -171,8 +171,8 @@ fn integrals_are_kept_by_a_coarse_step_of_the_map_itself() {
     assert!(number(choice, "flow_integral_drift") > 1e-4, "at this eps the flow's are not kept: {choice}");
 }
 
-/// At ε = 0 the claims of the Euler top are 1 everywhere; a composition keeps the coefficient of
-/// ε².
+/// At ε = 0, the claims of the Euler top are 1 everywhere. A composition preserves the coefficient
+/// of ε².
 #[test]
 fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient() {
     let scene = ["trade", "euler", "--param", "a1=1", "--param", "a2=-3", "--param", "a3=1"];
@@ -213,7 +213,7 @@ fn the_text_names_the_choice_and_what_stands_behind_it() {
     }
     assert!(output.stderr.is_empty(), "no progress without a terminal");
 
-    // No float of 53 bits has a relative error of 1e-20.
+    // A float of 53 bits cannot have a relative error of 1e-20.
     let output = kahan(&[&E6_SCENE[..], &["--tolerance", "1e-20"]].concat());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(text.contains("too coarse f64, order 8: at best "), "{text}");
@@ -285,7 +285,7 @@ fn what_cannot_be_measured_is_refused_with_a_reason() {
 
 #[test]
 fn a_tolerance_that_nothing_meets_is_a_complaint_with_the_best() {
-    // In arithmetic of 32 digits, integrals are not constant to 40.
+    // In arithmetic of 32 digits, integrals are not constant to 40 digits.
     let output = kahan(&[
         "trade",
         "e6",

@@ -1,8 +1,8 @@
 //! The order in which [`Scene::choose`](crate::Scene::choose) tries settings.
 //!
-//! For each order it tries increasing numbers of steps in plain `f64` (a [ladder](Search::refine_steps)).
-//! An independent orbit in `Dd` then confirms the flow ([`confirm`](super::confirm)), and
-//! [`Search::refine`] minimises the cost.
+//! For each order it tries larger and larger numbers of steps in plain `f64`
+//! ([`refine_steps`](Search::refine_steps)). An independent orbit in `Dd` then checks the flow
+//! ([`confirm`](super::confirm)), and [`Search::refine`] minimises the cost.
 
 use kahan_core::Composition;
 
@@ -14,30 +14,32 @@ pub(super) const COUNTED: SearchParameters = SearchParameters {
     surplus: 1.0,
     leaps: true,
     surely: 1.5,
-    // Part of the time is reserved for the trial that confirms the flow.
+    // Part of the time is reserved for the trial that checks the flow.
     share: 0.45,
 };
-/// An orbit in `Dd` confirms the flow if their distance is below the tolerance divided by this
-/// factor.
+/// An orbit in `Dd` confirms that the flow is accurate if their distance is below the tolerance
+/// divided by this factor.
 pub(in crate::scene) const VOUCHING: f64 = 10.0;
-/// The most trials of a ladder that begins where another ladder met rounding errors.
+/// The largest number of trials of another scheme, which begin where plain `f64` met rounding
+/// errors.
 const MORE_RUNGS: usize = 5;
 
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
-/// The scheme in `Dd`, whose rounding errors are negligible.
+/// The scheme in `Dd` without compensation; its rounding errors are negligible.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
-/// The alternatives to plain `f64` for a single orbit; steps in `f32` take as long as in `f64`.
+/// The alternatives to plain `f64` for a single orbit. `f32` is none, because its steps take as
+/// long as in `f64`.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
-    /// The cheapest accepted setting; its error includes the uncertainty of the flow.
+    /// The cheapest accepted setting. Its error includes the uncertainty of the flow.
     Choice(Setting),
-    /// No setting meets the tolerance, or no trial confirms the flow.
+    /// No setting meets the tolerance, or no trial confirms that the flow is accurate.
     None {
         least_error: f64,
-        /// Whether a ladder, or the flow, met rounding errors.
+        /// Whether a series of trials, or the flow, met rounding errors.
         is_rough: bool,
     },
 }
@@ -47,10 +49,11 @@ impl<L: Trials> Search<L> {
         Self::new(trials, tolerance, COUNTED)
     }
 
-    /// Tries settings until the answer is clear. `coarsest` is the least number of steps to the
-    /// horizon, and `others` are the alternatives to plain `f64`.
+    /// Tries settings until the answer is clear. `coarsest` is the smallest number of steps over
+    /// the whole time, and `others` are the alternatives to plain `f64`.
     pub(in crate::scene) fn run(&mut self, coarsest: u64, others: &[Scheme]) -> Verdict {
-        // High orders come first, because an accepted setting ends other ladders early.
+        // High orders come first, because an accepted setting ends the trials of other orders
+        // early.
         for composition in Composition::BEST.into_iter().rev() {
             self.refine_order(composition, coarsest, others);
             if self.best().is_none() && self.is_rough {
@@ -80,8 +83,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Runs the ladder of an order in plain `f64`, and in the other schemes if rounding errors
-    /// matter. If a setting meets the tolerance, confirms the flow.
+    /// Tries larger and larger numbers of steps at one order, in plain `f64`; if rounding errors
+    /// matter, also in the other schemes. If a setting meets the tolerance, checks the flow.
     fn refine_order(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.refine_steps(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
@@ -96,7 +99,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Returns whether an orbit in `Dd`, with independent rounding errors, agrees with the flow.
+    /// Returns whether the flow agrees with an orbit in `Dd`, whose rounding errors are
+    /// independent.
     fn is_confirmed(&self) -> bool {
         let vouches = |trial: &Setting| VOUCHING * trial.error <= self.tolerance;
         self.tried.iter().any(|trial| trial.scheme.precision == Precision::DoubleDouble && vouches(trial))

@@ -1,7 +1,8 @@
-//! Confirmation of the flow by an independent orbit.
+//! Checks the flow by an independent orbit.
 //!
-//! In: the trials so far. Out: an orbit in `Dd`, of the order with the fewest stages, that agrees
-//! with the flow well below the tolerance; or the finding that the flow has large rounding errors.
+//! In: the trials so far. Out: an orbit in `Dd` whose distance from the flow is well below the
+//! tolerance; or the finding that the flow has large rounding errors. The order of the orbit is the
+//! one that needs the fewest stages.
 
 use std::cmp::Reverse;
 
@@ -13,18 +14,19 @@ use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
 const VOUCHERS: usize = 16;
 
 impl<L: Trials> Search<L> {
-    /// Searches for an orbit in `Dd` that agrees with the flow, so that both are confirmed.
+    /// Searches for an orbit in `Dd` that agrees with the flow; the agreement shows that both are
+    /// accurate.
     pub(super) fn confirm(&mut self) {
         let wanted = self.tolerance / VOUCHING;
         for _ in 0..VOUCHERS {
-            // Each trial takes the order with the least predicted number of stages.
+            // Each trial takes the order with the smallest predicted number of stages.
             let next = Composition::BEST
                 .into_iter()
                 .rev()
                 .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
             let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
             let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
-                // No order agrees better, so the difference is the flow's rounding error.
+                // No other order agrees better, so the difference is the flow's rounding error.
                 self.is_rough = true;
                 return;
             };
@@ -34,8 +36,9 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// Predicts the number of steps for an error, by the law from the finest trial in `Dd`, or from
-    /// the best in `f64`. `None` if finer trials in `Dd` agree no better.
+    /// Predicts the number of steps for an error by the law error ∝ ε^order, from the finest trial
+    /// in `Dd`, or from the best trial in `f64`. Returns `None` if finer trials in `Dd` do not
+    /// agree better.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
         let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
@@ -54,7 +57,8 @@ impl<L: Trials> Search<L> {
             return None;
         }
         let steps = finest.steps as f64;
-        // The law gives a lower bound; at errors where it does not hold yet, more steps are needed.
+        // The law error ∝ ε^order gives a lower bound. Where it does not hold yet, more steps are
+        // needed.
         let next =
             if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
         Some(next.ceil() as u64)

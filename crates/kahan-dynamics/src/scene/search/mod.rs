@@ -2,9 +2,13 @@
 //!
 //! In: [`Trials`], which return the error of a setting and the price of a step: counted operations
 //! ([`Scene::choose`](crate::Scene::choose)) or measured nanoseconds (`kahan trade`). Out: the
-//! cheapest setting whose measured error meets the tolerance. A [ladder](Search::refine_steps) tries
-//! increasing numbers of steps; [`refine`](Search::refine) searches between the last failure and
-//! the first success. The law error ∝ ε^order only proposes trials.
+//! cheapest setting whose measured error meets the tolerance.
+//!
+//! # Method
+//!
+//! [`refine_steps`](Search::refine_steps) tries larger and larger numbers of steps of one scheme;
+//! [`refine`](Search::refine) searches between the last failure and the first success. The law
+//! error ∝ ε^order only proposes trials.
 
 mod choose;
 mod confirmation;
@@ -18,7 +22,8 @@ pub use refinement::RefinementResult;
 
 pub(super) use choose::{OF_DOUBLE, OTHERS, PLAIN, VOUCHING, Verdict, WIDE};
 
-/// The error above which a trajectory has lost its phase, so that its error is meaningless.
+/// The error above which the orbit has lost the phase of the trajectory, so that its error is
+/// meaningless.
 const SMALL: f64 = 0.1;
 /// The ratio of two errors above which they count as equal.
 const STALL: f64 = 0.7;
@@ -27,13 +32,13 @@ const CLOSE: f64 = 1.06;
 const GRID: f64 = 1.1;
 const TRIALS: usize = 5;
 
-/// Runs settings, and prices their steps.
+/// Runs settings, and returns their errors and the prices of their steps.
 pub trait Trials {
     /// Returns the setting of a scheme with about this number of steps.
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting;
 
-    /// Returns the error of a setting; infinite for a useless one, `None` if its trial would take
-    /// more than `share` of the remaining time.
+    /// Returns the error of a setting; infinite if the setting is useless. Returns `None` if the
+    /// trial would take more than `share` of the remaining time.
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64>;
 
     /// Returns the price of one step.
@@ -44,8 +49,9 @@ pub trait Trials {
         self.price(setting.scheme) * setting.steps as f64
     }
 
-    /// Returns whether to leave a ladder before its trial of `next` steps: its last trial, of about
-    /// `end` steps, would take more than `share` of the remaining time.
+    /// Returns whether to stop the trials of a scheme before the one with `next` steps. The reason
+    /// is that the last trial, of about `end` steps, would take more than `share` of the remaining
+    /// time.
     fn gives_up(&mut self, _scheme: Scheme, _next: u64, _end: f64, _share: f64) -> bool {
         false
     }
@@ -56,14 +62,16 @@ pub trait Trials {
 pub struct SearchParameters {
     /// The fraction of the tolerance up to which an error is accepted.
     pub enough: f64,
-    /// The fraction of the largest accepted error that [`Search::refine`] aims at.
+    /// The fraction of the largest accepted error that [`Search::refine`] tries to reach.
     pub aim: f64,
-    /// The factor on the number of steps that the law predicts for this aim.
+    /// The factor by which the number of steps exceeds the number that the law error ∝ ε^order
+    /// predicts.
     pub surplus: f64,
-    /// Whether ladders skip rungs once the law holds; not for callers that plot all trials.
+    /// Whether numbers of steps are skipped once errors follow the law error ∝ ε^order; not for
+    /// callers that plot all trials.
     pub leaps: bool,
-    /// The predicted cost of a ladder's end, relative to the least known cost, above which the
-    /// ladder ends.
+    /// The predicted cost of the last trial of a scheme, relative to the smallest known cost, above
+    /// which the trials of the scheme stop.
     pub surely: f64,
     /// The fraction of the remaining time that one trial may take.
     pub share: f64,
@@ -76,7 +84,7 @@ pub struct Search<L> {
     tolerance: f64,
     rules: SearchParameters,
     tried: Vec<Setting>,
-    /// Whether a ladder, or the flow, met rounding errors.
+    /// Whether a series of trials, or the flow, met rounding errors.
     is_rough: bool,
 }
 
@@ -115,7 +123,7 @@ impl<L: Trials> Search<L> {
         self.tried.iter().any(|trial| trial.scheme == scheme)
     }
 
-    /// Returns the cheapest accepted setting; among equal costs, the most accurate.
+    /// Returns the cheapest accepted setting; among settings of equal cost, the most accurate one.
     #[must_use]
     pub fn best(&self) -> Option<Setting> {
         let serve = self.tried.iter().filter(|trial| trial.error <= self.enough());
@@ -148,13 +156,14 @@ impl<L: Trials> Search<L> {
         self.best().map_or(f64::INFINITY, |best| self.trials.cost(&best))
     }
 
-    /// Returns the number of steps at which the law predicts this error.
+    /// Returns the number of steps at which the law error ∝ ε^order predicts this error.
     fn by_law(trial: &Setting, error: f64) -> f64 {
         trial.steps as f64 * libm::pow(trial.error / error, 1.0 / f64::from(trial.scheme.order()))
     }
 
-    /// Returns whether finer steps in `f64` had larger errors that exceed `roundings`. In stiff
-    /// motions steps of some sizes meet poles, so the accepted sizes form several intervals.
+    /// Returns whether finer steps in `f64` had larger errors that also exceed `roundings`. In
+    /// stiff motions, steps of some sizes meet poles, so that the accepted sizes form several
+    /// intervals.
     #[must_use]
     pub fn is_uneven(&self, roundings: f64) -> bool {
         let plain = |trial: &&Setting| trial.scheme == PLAIN.composed(trial.scheme.composition);
@@ -168,7 +177,7 @@ impl<L: Trials> Search<L> {
         !self.is_rough && coarse.any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
     }
 
-    /// Tries all step sizes, on a geometric grid, that cost less than the best setting.
+    /// Tries all step sizes on a geometric grid that cost less than the best setting.
     pub fn scan(&mut self, scheme: Scheme, coarsest: u64) {
         let mut steps = coarsest;
         while CLOSE * self.cost(scheme, steps as f64) < self.least_cost()
@@ -198,7 +207,7 @@ impl<L: Trials> Search<L> {
             if dearest / low < CLOSE || guess >= CLOSE * dearest {
                 return;
             }
-            // With few steps, the next integer may be the solution.
+            // If there are few steps, the next integer may be the solution.
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);
             if steps as f64 >= dearest || self.trial(scheme, steps, self.rules.share).is_none() {
                 return;

@@ -1,26 +1,28 @@
-//! Ladders: trials of a scheme with increasing numbers of steps.
+//! Trials of a scheme with larger and larger numbers of steps.
 //!
-//! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. A
-//! ladder ends if a trial meets the tolerance or costs more than a known setting, if the law error
-//! ∝ ε^order predicts either, or if two trials in a row gain nothing.
+//! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. The
+//! trials stop if one meets the tolerance or costs more than a known setting, or if the law error ∝
+//! ε^order predicts this. They also stop if two successive trials gain nothing.
 
 use kahan_core::Composition;
 
 use super::{PLAIN, SMALL, STALL, Scheme, Search, Setting, Trials, WIDE};
 
-/// The accepted relative deviation of a gain's logarithm from the law error ∝ ε^order.
+/// The accepted relative deviation of a gain's logarithm from the prediction of the law error ∝
+/// ε^order.
 const LAWFUL: f64 = 0.3;
-/// The error below which the law is trusted.
+/// The error below which the law error ∝ ε^order is trusted.
 const USEFUL: f64 = 0.01;
-/// The number of successive trials without gain after which a ladder checks for rounding errors.
+/// The number of successive trials without gain after which the search checks for rounding errors.
 const STALLS: u32 = 2;
-/// Once the law has held, a trial gains nothing if its gain is less than this fraction of the
-/// predicted one, in logarithms.
+/// Once errors have followed the law error ∝ ε^order, a trial counts as without gain if the
+/// logarithm of its gain is less than this fraction of the predicted one.
 const LITTLE: f64 = 0.3;
 const RUNGS: usize = 34;
 /// The factor by which rounding errors vary between neighbouring values of ε.
 const NEAR: f64 = 30.0;
-/// The largest factor between successive numbers of steps, once the law holds.
+/// The largest factor between successive numbers of steps, once errors follow the law error ∝
+/// ε^order.
 const LEAP: u64 = 1 << 12;
 
 #[derive(Clone, Copy, Debug)]
@@ -28,12 +30,13 @@ struct ErrorReduction {
     before: f64,
     /// The previous error divided by the current one.
     factor: f64,
-    /// The logarithm of the factor, divided by its predicted logarithm.
+    /// The logarithm of the factor, divided by the logarithm that the order predicts.
     part: f64,
 }
 
 impl ErrorReduction {
-    /// Returns whether the gain follows the law, at an error small enough to trust it.
+    /// Returns whether the gain follows the law error ∝ ε^order, at an error small enough to trust
+    /// it.
     fn is_lawful(&self) -> bool {
         (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
     }
@@ -45,12 +48,12 @@ impl ErrorReduction {
     }
 }
 
-/// The result of a ladder.
+/// The result of the trials of one scheme.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RefinementResult {
-    /// Whether some trial followed the law.
+    /// Whether some trial followed the law error ∝ ε^order.
     was_lawful: bool,
-    /// Whether some trial gained less than the law predicts.
+    /// Whether some trial gained less than the order predicts.
     gained_little: bool,
     stalls: u32,
     has_stalled: bool,
@@ -58,20 +61,20 @@ pub struct RefinementResult {
 }
 
 impl RefinementResult {
-    /// Returns whether errors fell less than the order predicts, possibly because of rounding
-    /// errors, which compensation reduces.
+    /// Returns whether errors fell less than the order predicts. The reason may be rounding errors,
+    /// which compensation reduces.
     #[must_use]
     pub const fn has_felt_roundings(&self) -> bool {
         self.gained_little
     }
 
-    /// Returns whether the ladder ended because of rounding errors.
+    /// Returns whether the trials stopped because of rounding errors.
     #[must_use]
     pub const fn has_stalled(&self) -> bool {
         self.has_stalled
     }
 
-    /// Records a trial; returns its gain over the previous trial, if that had a finite error.
+    /// Records a trial. Returns its gain over the previous trial, if that trial had a finite error.
     fn add(&mut self, trial: Setting) -> Option<ErrorReduction> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = ErrorReduction::of(&before, &trial);
@@ -85,8 +88,8 @@ impl RefinementResult {
 }
 
 impl<L: Trials> Search<L> {
-    /// Tries increasing numbers of steps of a scheme, from `coarsest` on, until a trial meets the
-    /// tolerance or further trials cannot be the cheapest.
+    /// Tries larger and larger numbers of steps of a scheme, beginning with `coarsest`. Stops if a
+    /// trial meets the tolerance, or if no further trial can be the cheapest.
     pub fn refine_steps(&mut self, scheme: Scheme, coarsest: u64) -> RefinementResult {
         self.refine_at_most(scheme, coarsest, RUNGS)
     }
@@ -107,8 +110,8 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS {
-                // Near the tolerance another trial may meet it by chance, so only the cost ends the
-                // ladder.
+                // Near the tolerance another trial may meet it by chance, so only the cost stops
+                // the trials.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     climb.has_stalled = true;
@@ -117,7 +120,7 @@ impl<L: Trials> Search<L> {
                 // In a stiff motion, coarse steps may meet poles of the map that finer steps avoid.
                 climb.stalls = 0;
             }
-            // Rounding ε to fewer bits changes the number of steps.
+            // If ε is rounded to fewer bits, the number of steps changes.
             steps = if self.rules.leaps { trial.steps } else { steps }.saturating_mul(2);
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * self.rules.enough * self.tolerance);
@@ -125,7 +128,7 @@ impl<L: Trials> Search<L> {
                 if is_dear || self.trials.gives_up(scheme, steps, enough, share) {
                     break;
                 }
-                // If the law holds, trials in between are unnecessary.
+                // If errors follow the law error ∝ ε^order, trials in between are unnecessary.
                 if self.rules.leaps && gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
@@ -134,14 +137,16 @@ impl<L: Trials> Search<L> {
         climb
     }
 
-    /// Returns whether rounding dominates the error of a trial: in `Dd` the error is smaller.
+    /// Returns whether rounding dominates the error of a trial; this is so if the error in `Dd` is
+    /// smaller.
     pub(super) fn has_roundings(&mut self, trial: &Setting) -> bool {
         let wide = WIDE.composed(trial.scheme.composition);
         let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, self.rules.share) };
         other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
-    /// Returns the largest number of steps up to which errors of plain `f64` fell by the law.
+    /// Returns the largest number of steps up to which errors of plain `f64` fell by the law error
+    /// ∝ ε^order.
     pub(super) fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
         let scheme = PLAIN.composed(composition);
         let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();

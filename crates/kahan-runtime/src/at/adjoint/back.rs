@@ -1,4 +1,4 @@
-//! The reverse sweep over one step, stage by stage.
+//! The reverse sweep of the adjoint method over one step, stage by stage.
 
 use kahan_core::{Composition, Scalar};
 
@@ -9,14 +9,16 @@ use crate::{MapAt, RuntimeFloat};
 use super::Gradient;
 use super::terms::Terms;
 
-/// The largest growth of a cotangent in a transposed solve, a loss of 10 bits. Larger growth means
-/// that det A is nearly 0: a pole of the map, or a removable singularity.
+/// The largest accepted growth factor of a cotangent (λ in ∂L/∂x) in a transposed solve; this
+/// factor loses 10 bits. A larger growth means that det A is nearly 0, at a pole of the map or at a
+/// removable singularity.
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
-    /// Kahan's map at γε, and γ, for each distinct γ of the composition.
+    /// For each distinct coefficient γ of the composition, Kahan's map at γε, and γ.
     distinct: Vec<(MapAt<T>, T)>,
-    /// `None` if coefficients depend on ε: dual numbers then differentiate the whole stage.
+    /// The terms of the field; `None` if coefficients depend on ε, because dual numbers then
+    /// differentiate the whole stage.
     terms: Option<Terms<T>>,
     solver: Transposed<'a, T>,
     /// The entries of f′ at the points before and after a stage.
@@ -63,7 +65,8 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         }
     }
 
-    /// Propagates `gradient.start` back over the last step of `points`, and removes that step.
+    /// Propagates `gradient.start` back over the last step in `points`, and removes this step from
+    /// `points`.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -86,7 +89,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
             self.take_by_duals(stage, x, gradient);
         } else {
             let half = T::one() / (T::one() + T::one());
-            // q(x,x̃) = c + ½Bx + ½f′(x)x̃
+            // The polarised field at x and x̃ is q(x,x̃) = c + ½Bx + ½f′(x)x̃.
             let mut along = terms.along_linear(x, mu);
             gradient.start.copy_from_slice(mu);
             for (((i, j), before), behind) in solver.entries().iter().zip(&*before).zip(&*behind) {
@@ -99,7 +102,8 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Propagates the cotangent back by forward-mode derivatives, which also work near det A = 0.
+    /// Propagates the cotangent back over a stage by forward-mode derivatives, which also work near
+    /// det A = 0.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

@@ -4,13 +4,17 @@
 //! respect to the rows of the orbit. Out: the derivatives of L with respect to start, parameters
 //! and ε.
 //!
-//! A step solves R = x̃ − x − 2ε q(x,x̃) = 0 for x̃, where q is the polarised field
+//! # Method
+//!
+//! A step solves R = x̃ − x − 2ε q(x,x̃) = 0 for x̃. Here q is the polarised field, and A(x,ε) = I
+//! − εf′(x):
 //!
 //! ```text
 //! q(x,x̃) = Q(x,x̃) + ½B(x + x̃) + c,   ∂R/∂x̃ = A(x,ε),   ∂R/∂x = −A(x̃,−ε).
 //! ```
 //!
-//! With λ̃ = ∂L/∂x̃ known, one transposed solve gives λ = ∂L/∂x:
+//! If λ̃ = ∂L/∂x̃ is known, one solve with the transposed matrix gives λ = ∂L/∂x. For a parameter
+//! a:
 //!
 //! ```text
 //! A(x,ε)ᵀ μ = λ̃
@@ -20,8 +24,8 @@
 //! ```
 //!
 //! The states are recomputed from about √steps checkpoints. A stage of a composition is a step with
-//! γε, whose derivative with respect to γε enters ∂L/∂ε with the factor γ. For coefficients that
-//! depend on ε, dual numbers differentiate the whole step.
+//! γε; its derivative with respect to γε, times γ, is added to ∂L/∂ε. If coefficients depend on ε,
+//! dual numbers differentiate the whole step.
 
 mod back;
 mod terms;
@@ -39,12 +43,12 @@ use back::BackwardPass;
 /// [`MapAt::gradient`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient<T> {
-    /// With respect to the coordinates of the start.
+    /// The derivatives with respect to the coordinates of the start.
     pub start: Vec<T>,
-    /// With respect to the parameters, in the order of
+    /// The derivatives with respect to the parameters, in the order of
     /// [`Field::parameters`](crate::Field::parameters).
     pub parameters: Vec<T>,
-    /// With respect to ε, half the time step.
+    /// The derivative with respect to ε, half the time step.
     pub eps: T,
 }
 
@@ -62,15 +66,15 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Computes the gradient of a scalar L of the orbit from `start`.
     ///
     /// The rows of `weights` are the derivatives of L with respect to the points after 0, `every`,
-    /// 2·`every`, … steps; the orbit ends with the last of these points. The gradient is that of
-    /// the computed orbit, including [compositions](Self::composed), not of the flow. The report is
-    /// `None` if the orbit ends before its last row.
+    /// 2·`every`, … steps; the orbit ends with the last of these points. The gradient belongs to
+    /// the computed orbit, also for [compositions](Self::composed), and not to the flow. The report
+    /// is `None` if the orbit ends before its last row.
     ///
-    /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first steps
-    /// forward, then equally many backward. [`ControlFlow::Break`] stops the work.
+    /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first of the
+    /// steps forward, then of equally many steps backward. [`ControlFlow::Break`] stops the work.
     ///
-    /// Cost: for each step of the orbit two steps of the map, one factorisation of A(x,ε)ᵀ, and a
-    /// multiplication for each parameter of each term. Memory: about 2√`steps` states.
+    /// Cost: for each step of the orbit, two steps of the map, one factorisation of A(x,ε)ᵀ, and a
+    /// multiplication for each parameter in each term of the field. Memory: about 2√`steps` states.
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `start` is not the dimension of the map, or the length
@@ -131,8 +135,8 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // Each segment between checkpoints is summed separately: shorter sums lose fewer
-            // digits.
+            // Each segment between two checkpoints is summed separately, because shorter sums lose
+            // fewer digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;
@@ -171,7 +175,8 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // `follow` returns `Complete` if the watch stops it after the last step of a segment.
+            // If the watch stops `follow` after the last step of a segment, `follow` returns
+            // `Complete`.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

@@ -1,6 +1,6 @@
-//! The coefficients of a field and their derivatives with respect to parameters, as numbers.
+//! The coefficients of a field, and their derivatives with respect to parameters, as numbers.
 //!
-//! In: a field and exact parameter values. Out: lists of terms whose coefficients are rounded once.
+//! In: a field and exact parameter values. Out: lists of terms; each coefficient is rounded once.
 
 use std::collections::BTreeMap;
 
@@ -11,21 +11,24 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::interpreted::round;
 use crate::{Map, RuntimeFloat};
 
-/// The states of a term: none in c, one in B, two in Q.
+/// The indices of the states in a term: none in the constant c, one in the linear part B, two in
+/// the quadratic part Q.
 type States = [Option<usize>; 2];
 
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// For each entry of f′ its constant term, and the end of its range in `slopes`.
+    /// For each entry of f′, its constant term, and the index at which its terms in `slopes` end.
     entries: Vec<(T, usize)>,
-    /// The terms k·x of f′, entry by entry: index of x, and k.
+    /// The terms k·x of f′, entry by entry: the index of the state x, and k.
     slopes: Vec<(usize, T)>,
-    /// The terms of f of degree 0 and 1: component, state and coefficient.
+    /// The terms of f of degree 0 and 1: the index of the component, the index of the state if any,
+    /// and the coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms whose coefficients depend on parameters: component, states, and the end of the
-    /// term's range in `by_parameters`.
+    /// The terms whose coefficients depend on parameters: the index of the component, the states,
+    /// and the index at which the term's derivatives in `by_parameters` end.
     varying: Vec<(usize, States, usize)>,
-    /// The derivatives of these coefficients, term by term: index of the parameter, and derivative.
+    /// The derivatives of the coefficients in `varying`, term by term: the index of the parameter,
+    /// and the derivative.
     by_parameters: Vec<(usize, T)>,
 }
 
@@ -38,7 +41,7 @@ struct Coefficient {
 
 impl Coefficient {
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
-        // The monomial, with the exponent of the factor `lowered` reduced by 1.
+        // Computes the monomial, with the exponent of the factor `lowered` reduced by 1.
         let product = |lowered: Option<usize>| {
             powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
                 let power = power - u32::from(lowered == Some(place));
@@ -67,7 +70,7 @@ impl Coefficient {
     }
 }
 
-/// Returns the coefficients of a polynomial, keyed by the states they multiply.
+/// Returns the coefficients of a polynomial; the key of each is the states that it multiplies.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
@@ -126,7 +129,7 @@ impl<T: RuntimeFloat> Terms<T> {
     }
 
     pub(super) fn slopes(&self, x: &[T], slopes: &mut [T]) {
-        // Four independent sums hide the latency of additions.
+        // Four independent sums hide the latency of additions in the processor.
         const SUMS: usize = 4;
         let mut first = 0;
         for (slope, (constant, end)) in slopes.iter_mut().zip(&self.entries) {
@@ -143,7 +146,7 @@ impl<T: RuntimeFloat> Terms<T> {
         }
     }
 
-    /// Returns μ·(c + ½Bx).
+    /// Returns μ·(c + ½Bx), where ẋ = c + Bx + Q(x,x).
     pub(super) fn along_linear(&self, x: &[T], mu: &[T]) -> T {
         let half = T::one() / (T::one() + T::one());
         self.linear.iter().fold(T::zero(), |sum, (i, state, coefficient)| {
@@ -151,7 +154,7 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to `sums` for each parameter a, with the polarised field q.
+    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to `sums` for each parameter a, where q is the polarised field.
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {

@@ -1,7 +1,7 @@
 //! Orbits of chains with any number of sites, in doubles.
 //!
-//! In: a lattice, its map, and an initial state. Out: rows of the variables, or for long chains the
-//! range of each array, with the conserved quantities; and the states themselves.
+//! In: a lattice, its map, and an initial state. Out: rows, and the states themselves. A row holds
+//! the variables, or for long chains the range of each array, and the conserved quantities.
 
 use std::ops::{ControlFlow, Range};
 
@@ -98,9 +98,9 @@ impl Chain {
         }
     }
 
-    /// Advances the state by the steps that [`head`](Self::head) describes. Passes rows to a
-    /// consumer like an [`Orbit`](super::Orbit), after showing the state to `see`, which may end
-    /// the work by [`ControlFlow::Break`].
+    /// Advances the state by the steps that [`head`](Self::head) describes. Each state goes first
+    /// to `see`, which may end the work by [`ControlFlow::Break`]; its row then goes to `rows`,
+    /// like a row of an [`Orbit`](super::Orbit).
     pub fn rows(
         &mut self,
         paces: RowSchedule,
@@ -151,7 +151,7 @@ impl OrbitPoints<Float64> for ShownChain<'_> {
         } else {
             cells.extend_from_slice(state);
         }
-        // The state has the length of the chain, so this call succeeds.
+        // The state has the length of the chain, so the call succeeds.
         cells.extend(map.integrals(state).into_iter().flatten());
         cells.extend(map.hamiltonian(state).ok().flatten());
         cells.extend(map.modified_energy(state).ok().flatten());

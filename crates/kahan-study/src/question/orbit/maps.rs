@@ -21,7 +21,7 @@ use crate::study::Study;
 use super::points::{EarlyEnd, EndReason, OrbitPoints, moment, one_by_one};
 use super::{NoOrbit, Orbit};
 
-/// An arithmetic for moving points whose numbers are cells of tables.
+/// An arithmetic in which points can move, and whose numbers can be cells of tables.
 pub(super) trait PointArithmetic: Printable {
     type Cell: Clone;
 
@@ -30,7 +30,7 @@ pub(super) trait PointArithmetic: Printable {
 
     const UNDEFINED: Self::Cell;
 
-    /// The scalar of the library with these numbers.
+    /// The library's scalar type that corresponds to these numbers.
     type Scalar: ProjectiveScalar + Into<Self::Value>;
 
     /// Returns the cell of a number; undefined if it is not finite.
@@ -43,7 +43,7 @@ pub(super) trait PointArithmetic: Printable {
 
     fn values(cells: &[Self::Cell]) -> Values<'_>;
 
-    /// Rounds a count to the nearest number, faster than [`Printable::round`].
+    /// Rounds an integer to the nearest number, faster than [`Printable::round`].
     fn whole(n: i64) -> Self::Value;
 
     /// Rounds a double-double to a number; `None` for exact numbers.
@@ -59,7 +59,8 @@ pub(super) trait PointArithmetic: Printable {
     ) -> Result<Box<dyn OrbitPoints<Self> + 'a>, StudyError>;
 }
 
-/// Implements [`PointArithmetic`] for a float arithmetic; values, scalars and cells have one type.
+/// Implements [`PointArithmetic`] for an arithmetic of floats, whose values, scalars and cells have
+/// one type.
 macro_rules! of_float {
     ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $lifted:expr) => {
         impl PointArithmetic for $arithmetic {
@@ -115,7 +116,7 @@ of_float!(
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
-    // The remainder after rounding to double is a double.
+    // The remainder of an `i64` after rounding to a double is itself a double.
     |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
     |study, at, _| Study::lifted_step(study, at)
 );

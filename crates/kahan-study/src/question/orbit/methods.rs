@@ -47,7 +47,7 @@ impl<A: PointArithmetic> ExplicitOrbit<'_, A> {
         plan.evaluate(self.arithmetic, |input| match symbols.symbol(input.variable()?) {
             Symbol::State(i) | Symbol::SecondState(i) => Some(x[i].clone()),
             Symbol::Parameter(k) => Some(self.parameters[k].clone()),
-            // The field does not depend on ε here, and the integrals are those of the flow.
+            // Here the field does not depend on ε. At ε = 0 the integrals are those of the flow.
             Symbol::Epsilon => Some(A::round(&Rational::zero())),
         })
     }
@@ -74,7 +74,7 @@ impl<A: PointArithmetic> ExplicitOrbit<'_, A> {
         let second = self.field(&self.moved(half, &first));
         let third = self.field(&self.moved(half, &second));
         let fourth = self.field(&self.moved(&h, &third));
-        // The mean slope is (k₁ + 2k₂ + 2k₃ + k₄)/6.
+        // In the Runge–Kutta method the mean slope is (k₁ + 2k₂ + 2k₃ + k₄)/6.
         let sixth = A::round(&Rational::new(1, 6));
         let mean = |i: usize| {
             let inner = arithmetic.add(&second[i], &third[i]);
@@ -104,7 +104,8 @@ impl<A: PointArithmetic> OrbitPoints<A> for ExplicitOrbit<'_, A> {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        // Exact numbers get twice as many digits in each step.
+        // Exact numbers at least double their digits in each step, so their rows are passed on
+        // singly.
         if A::KIND == ScalarKind::Exact { 1 } else { moment(self.x.len(), every) }
     }
 
@@ -163,7 +164,7 @@ pub(super) fn flow<A: PointArithmetic>(
 
 impl Solution {
     /// Advances by `steps` steps, and shows each point. Computes the solution for many steps at
-    /// once, fewer near a singularity.
+    /// once, and for fewer near a singularity.
     fn walk<A: PointArithmetic>(
         &mut self,
         steps: u64,

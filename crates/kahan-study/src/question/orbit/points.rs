@@ -29,13 +29,13 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// det A = 0; only for a reduced map is it certain that no value exists.
+    /// det A = 0. Only for a reduced map does this prove that the map is undefined.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,
-    /// The projective map has no limit that is independent of the direction.
+    /// The limit of the projective map depends on the direction of approach.
     NoLimit(Option<SingularStep>),
-    /// A step of the map leaves the range of the scalar.
+    /// A step of Kahan's map leaves the range of the scalar.
     Range,
     /// A step of another method leaves the range of the scalar.
     TooLarge,
@@ -68,23 +68,26 @@ pub(super) trait OrbitPoints<A: PointArithmetic> {
         Ok(())
     }
 
-    /// Returns the number of rows of a block, small enough that readers see rows soon.
+    /// Returns the number of rows in a block. Blocks are small, so that readers see the first rows
+    /// soon.
     fn at_once(&self, _every: u64) -> usize {
         1
     }
 
-    /// Returns the coordinates; empty if the point may be at infinity or is too long for a message.
+    /// Returns the coordinates for a message; empty if the point may be at infinity, or has too
+    /// many.
     fn point(&self) -> Vec<Number> {
         Vec::new()
     }
 
-    /// Returns whether steps of floats run as machine code, if the question applies.
+    /// Returns whether float steps run as machine code; `None` where this has no meaning.
     fn is_code(&self) -> Option<bool> {
         None
     }
 }
 
-/// Returns the number of rows in floats, each after `every` steps, that take some milliseconds.
+/// Returns a number of rows of floats, each after `every` steps, that takes some milliseconds to
+/// compute.
 pub(super) fn moment(variables: usize, every: u64) -> usize {
     const MOST: u64 = 1024;
     // The cost of a step is taken to grow with the square of the number of variables.
@@ -107,7 +110,7 @@ pub(super) fn one_by_one(
 }
 
 impl EarlyEnd {
-    /// Returns an error for an orbit that did not reach its end.
+    /// Returns an [`EarlyEnd`] if the orbit did not make all its steps.
     pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> EndReason) -> Result<(), Self> {
         match followed.end {
             End::Complete => Ok(()),

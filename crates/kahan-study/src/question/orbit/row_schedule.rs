@@ -1,4 +1,4 @@
-//! The steps of an orbit at which rows are taken, and a run along them in floats.
+//! The steps of an orbit at which rows are taken, and a loop over these steps in floats.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -11,14 +11,14 @@ use kahan_runtime::{DimensionError, End, Follow, Followed};
 pub struct RowSchedule {
     /// The number of steps before the first row.
     pub transient: u64,
-    /// The number of steps after the first row; the last ones may lie after the last row.
+    /// The number of steps after the first row. The last row may come some steps before the end.
     pub steps: u64,
     /// The number of steps between rows.
     pub every: NonZeroU64,
 }
 
 impl RowSchedule {
-    /// Returns the paces of an orbit; `None` if `every` is 0.
+    /// Returns the schedule of an orbit; `None` if `every` is 0.
     #[must_use]
     pub fn new(transient: u64, steps: u64, every: u64) -> Option<Self> {
         Some(RowSchedule { transient, steps, every: NonZeroU64::new(every)? })
@@ -41,7 +41,7 @@ impl RowSchedule {
     }
 
     /// Follows an orbit from `x` to its last point and writes its rows one after another. Reports
-    /// the number of filled rows; the others stay unchanged.
+    /// the number of rows that were filled; the remaining rows stay unchanged.
     ///
     /// # Errors
     /// [`DimensionError`] if `x` does not have the length of a state, or the length of `rows` is
@@ -63,7 +63,7 @@ impl RowSchedule {
         let (first, rest) = rows.split_at_mut(x.len());
         first.copy_from_slice(x);
         let Followed { report, end } = step.rows(x, self.every, rest, &mut watch)?;
-        // The steps after the last row show whether the orbit can be completed.
+        // The remaining steps, after the last row, show whether the orbit can be completed.
         let left = self.steps % self.every;
         let end = match end {
             End::Complete if left > 0 => step.follow(x, left, watch)?.end.after(self.in_all() - left),

@@ -13,11 +13,11 @@ use crate::numbers::ScalarKind;
 use crate::numbers::exact::{self, ExactJson};
 use crate::range::{Axis, Range};
 
-/// A name with the values of its axis: a variable, for its initial value, a parameter, `eps`, and
-/// for orbits also the `order` of the method and the `scalar`.
+/// A name with the values of its axis. The name is a variable (for its initial value), a parameter,
+/// or `eps`; for orbits also the `order` of the method, or the `scalar`.
 ///
-/// Its JSON is an entry of an object: a [`Range`] `"x": "0:1:/9"`, a list `"x": [0, "1/2"]`, one
-/// value `"x": 1`, or draws `"x": {"draw": "sobol", "low": 0, "high": 1}`.
+/// In JSON an axis is an entry of an object: a [`Range`] `"x": "0:1:/9"`, a list `"x": [0, "1/2"]`,
+/// one value `"x": 1`, or draws `"x": {"draw": "sobol", "low": 0, "high": 1}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxisOver {
     /// The name of the axis.
@@ -35,7 +35,7 @@ pub enum AxisValues {
     List(Vec<Rational>),
     /// Listed scalars.
     Scalars(Vec<ScalarKind>),
-    /// Drawn values, whose number the question sets; all drawn axes vary together.
+    /// Random or quasi-random values. The question sets their number; all drawn axes vary together.
     Drawn {
         /// The source of the draws.
         source: Source,
@@ -50,9 +50,10 @@ pub enum AxisValues {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
-    /// Sobol's sequence, with a dimension for each axis, which fills the box evenly.
+    /// Sobol's sequence, which fills the box of the drawn axes evenly. Each axis has a dimension of
+    /// the sequence.
     Sobol,
-    /// Random numbers by the seed of the question.
+    /// Random numbers from the seed of the question.
     Uniform,
 }
 
@@ -115,7 +116,7 @@ type Draw = dyn Fn(u64) -> f64 + Sync;
 
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
-    /// The numbers of bits of the scalars.
+    /// The scalars, each by its number of bits.
     Scalars(Vec<Rational>),
     Spaced {
         first: Rational,
@@ -130,7 +131,8 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Builds the values of the axis with index `place`; drawn axes have `draws` values by `seed`.
+    /// Builds the values of the axis at index `place`. A drawn axis gets `draws` values from
+    /// `seed`.
     pub(super) fn of(axes: &'a [AxisOver], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
         let is_sobol =
             |axis: &&AxisOver| matches!(axis.through, AxisValues::Drawn { source: Source::Sobol, .. });

@@ -35,20 +35,21 @@ pub(in crate::question) struct CellInputs<V> {
     pub(in crate::question) eps: V,
 }
 
-/// All cells. Drawn axes vary fastest, then the axes from last to first, then the first points.
+/// All cells. Drawn axes vary fastest, then the last axis, and so on to the first axis; first
+/// points vary slowest.
 pub(in crate::question) struct Cells<'a> {
     pub(in crate::question) axes: Vec<ResolvedAxis<'a>>,
-    /// The number of trailing axes with one value for each first point.
+    /// The number of axes, at the end of the list, that have one value for each first point.
     with_starts: usize,
     starts: &'a [Vec<Rational>],
-    /// The values before axes replace them.
+    /// The values of the question, which the axes replace.
     exactly: CellInputs<Rational>,
     in_doubles: CellInputs<f64>,
     draws: u64,
     pub(in crate::question) count: u64,
 }
 
-/// The most cells; larger numbers would not fit a column.
+/// The largest number of cells; the number of a cell must fit into a column.
 const MOST: u64 = 1 << 62;
 
 impl<'a> Cells<'a> {
@@ -56,8 +57,8 @@ impl<'a> Cells<'a> {
         Self::with_starts(over, 0, study)
     }
 
-    /// Builds the cells; the last `with_starts` axes have one value for each first point and do not
-    /// multiply the number of cells.
+    /// Builds the cells. The last `with_starts` axes have one value for each first point, so they
+    /// do not multiply the number of cells.
     ///
     /// # Errors
     /// The errors of [`Over::cells`], or an axis whose number of values differs from the number of
@@ -115,8 +116,8 @@ impl<'a> Cells<'a> {
         last.map_or(!self.starts.is_empty(), is_start)
     }
 
-    /// Returns the columns that describe a cell: its number, its first point if first points are
-    /// listed, and the axes with more than one value.
+    /// Returns the columns that describe a cell: its number, the number of its first point if first
+    /// points are listed, and each axis that has more than one value.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)> {
         let index = column("index", "place of the point in the plan, from 0 on", StoredColumn::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
@@ -167,13 +168,14 @@ impl<'a> Cells<'a> {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// Returns the number of values of the last multiplied axis.
+    /// Returns the number of values of the last axis whose values multiply the number of cells.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
     }
 
-    /// Returns point, parameters and ε of a cell in doubles, with the value of each axis.
+    /// Returns point, parameters and ε of a cell in doubles, and the value of each axis at the
+    /// cell.
     pub(in crate::question) fn in_doubles(&self, index: u64) -> (CellInputs<f64>, Vec<f64>) {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
@@ -254,7 +256,7 @@ fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Resol
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
-        // Drawn values are arbitrary, so NaN stands for them and matches no known value.
+        // Drawn values are arbitrary. NaN stands for them here, because NaN equals no other value.
         None => f64::NAN,
     });
     match own.find(|value| !known.contains(value)) {

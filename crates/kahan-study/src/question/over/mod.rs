@@ -1,8 +1,8 @@
 //! A question at every combination of values on some axes: a chart, or a sweep.
 //!
-//! In: a question, and axes. Out: a table with a row for each cell. First points vary slowest, then
-//! the axes, the last one fastest, and drawn axes, which share one index, fastest of all. A row
-//! depends only on its number, not on threads, time, or other cells.
+//! In: a question, and axes. Out: a table with a row for each cell. From slowest to fastest vary
+//! the first points, the axes in order, and the drawn axes, which share one index. A row depends
+//! only on its number, not on threads, time, or other cells.
 
 mod at_cell;
 mod axis;
@@ -36,16 +36,17 @@ pub(super) use cells::{CellEntry, Cells};
 /// A question asked at every value of some axes: [`Observe`](super::Observe), or a question about a
 /// point or a map, such as [`Heights`](super::Heights).
 ///
-/// Its JSON is the question's with `over`, and optionally `starts`, `draws` and `seed`: `{"ask":
-/// "heights", "steps": 9, "over": {"x": "0:1:/9", "y": 1, "eps": ["1/10", "1/20"]}}`. The
+/// The JSON has the fields of the question and `over`, and optionally `starts`, `draws` and `seed`:
+/// `{"ask": "heights", "steps": 9, "over": {"x": "0:1:/9", "y": 1, "eps": ["1/10", "1/20"]}}`. The
 /// question's `at` and `eps` may be left out if axes give all their values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Over {
-    /// The question; axes replace its values.
+    /// The question. The values of the axes replace those of the question.
     pub question: Box<Question>,
-    /// The axes. Their values are combined in all ways, except that drawn axes share an index.
+    /// The axes. All combinations of their values occur, except that drawn axes share an index.
     pub over: Vec<AxisOver>,
-    /// The first points, each with a coordinate for each variable; empty for the question's own.
+    /// The first points, each with a coordinate for each variable; empty to use the question's
+    /// point.
     pub starts: Vec<Vec<Rational>>,
     /// The number of values of each drawn axis.
     pub draws: u64,
@@ -90,7 +91,7 @@ impl Over {
         }
     }
 
-    /// Asks with one draw.
+    /// Asks the question over these axes, with one draw.
     #[must_use]
     pub fn new(question: Question, over: Vec<AxisOver>) -> Self {
         Over { question: Box::new(question), over, starts: Vec::new(), draws: 1, seed: 1 }
@@ -103,7 +104,7 @@ impl Over {
         if object.contains_key("seconds") {
             return Err(Misread::at("seconds", "no clock ends a row; leave `seconds` out"));
         }
-        // A search has no first point, and may leave ε generic.
+        // A search for preserved structures needs no first point, and may leave ε generic.
         if name != "discover" {
             object.entry("at").or_insert_with(|| json!([]));
             if over.iter().any(|axis| axis.name == "eps") {
@@ -245,9 +246,9 @@ impl Serialize for Over {
 }
 
 enum CellRows<'a> {
-    /// Orbits, in SIMD lanes.
+    /// Orbits, followed in SIMD lanes.
     Orbits(Orbits<'a>),
-    /// Cells one by one, by the question.
+    /// Another question, asked at one cell after another.
     OneByOne(&'a dyn AtCell),
 }
 

@@ -1,7 +1,7 @@
 //! Observes the orbits of cells.
 //!
-//! In: cells, and the observables. Out: a row for each cell. Orbits with any maps share SIMD lanes;
-//! a cell whose field divides by zero has no orbit.
+//! In: cells, and the observables. Out: a row for each cell. Orbits share SIMD lanes even if their
+//! maps differ. A cell whose field divides by zero has no orbit.
 
 use std::ops::ControlFlow;
 
@@ -17,7 +17,7 @@ use crate::rows::{Column, StoredColumn};
 use crate::study::Study;
 
 const LANES: u64 = 16;
-/// The number of steps, of all orbits together, in one block.
+/// The number of steps in one block, of all its orbits together.
 const AT_ONCE: u64 = 1 << 24;
 
 const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite), escaped or reembed";
@@ -46,7 +46,7 @@ impl<'a> Orbits<'a> {
         }
         let (CellInputs { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
-        // A mistake in the only field is reported once, instead of at every cell.
+        // If all cells share one field, report a mistake in it once, instead of at every cell.
         let is_one_field =
             !cells.axes.iter().any(|along| matches!(along.target, VariedQuantity::Parameter(_)));
         if is_one_field {
@@ -65,8 +65,8 @@ impl<'a> Orbits<'a> {
         [ended, steps].into_iter().chain(seen).collect()
     }
 
-    /// Returns the least and the largest number of cells in a block: enough to fill registers, and
-    /// few enough to finish soon.
+    /// Returns the smallest and the largest number of cells in a block. The smallest fills the SIMD
+    /// registers; the largest keeps the time of a block short.
     pub(super) fn at_once(&self) -> [u64; 2] {
         [LANES, (AT_ONCE / self.asked.steps_in_all().max(1)).clamp(LANES, 256)]
     }
@@ -90,7 +90,7 @@ impl<'a> Orbits<'a> {
             }
             for (begun, found) in same.iter().zip(found) {
                 let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
-                // In an undefined field no point follows the start.
+                // If the field is undefined, no point follows the start.
                 let end = found.as_ref().map_or(End::Range(0), |found| found.end);
                 row.push(CellEntry::Text(end.name().to_owned()));
                 row.push(CellEntry::Integer(end.steps(self.asked.transient + self.asked.steps) as i64));
@@ -139,7 +139,7 @@ impl<'a> Orbits<'a> {
         let column = |k: usize| points.iter().map(|point| nearest(point[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
-        // Orbits of a lifted field may end although the map has a next point.
+        // The lift may end an orbit of a lifted field although the map has a next point.
         let is_plain = own.first().is_none_or(|map| self.study.steps(map, self.asked.reembed).is_none());
         let found = match own[..] {
             [] => Vec::new(),
@@ -164,8 +164,8 @@ impl<'a> Orbits<'a> {
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
-    /// Returns the last point of each orbit, without observers. Neighbouring orbits with one map
-    /// use its faster step for columns.
+    /// Returns the last point of each orbit, without observers. Neighbouring orbits that share a
+    /// map use the map's faster step for columns.
     fn ends<T: MachineFloat>(
         &self,
         maps: &[&MapAt<T>],
@@ -200,7 +200,7 @@ impl<'a> Orbits<'a> {
     }
 }
 
-/// The map at the last used parameters; `None` if the field divides by zero there.
+/// The map at the parameters of the latest call; `None` if the field divides by zero there.
 #[derive(Default)]
 struct CachedMap(Option<(Vec<f64>, Option<Map>)>);
 

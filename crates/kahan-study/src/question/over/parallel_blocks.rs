@@ -10,16 +10,16 @@ use kahan_runtime::{End, threads};
 use crate::count::WorkCount;
 use crate::rows::{Rows, Table};
 
-/// The number of blocks for each thread that are computed before their rows are passed on.
+/// The number of blocks that each thread computes before rows are passed on.
 const WAVE: u64 = 64;
 
-/// A function that computes rows of cells; it reports finished cells, and ends if that returns
-/// `false`.
+/// A function that computes the rows of some cells. The function reports the number of finished
+/// cells to its second argument, and ends when that returns `false`.
 pub(super) type RowComputation<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Passes the rows of a range to a consumer, up to the first missing one, whose number is in
-/// [`End::Stopped`]. Blocks have between `least` and `most` cells, and each thread gets several,
-/// for a balanced load.
+/// Passes the rows of a range to a consumer, up to the first row that is missing; [`End::Stopped`]
+/// holds its number. A block has between `least` and `most` cells. Each thread gets several blocks,
+/// so that the load is balanced.
 pub(super) fn in_parallel_blocks(
     range: Range<u64>,
     [least, most]: [u64; 2],

@@ -1,4 +1,5 @@
-//! Limit cycles of the flow: ε is found with the points, starting from close returns of an orbit.
+//! Limit cycles of the flow. ε is found together with the points; the search starts from close
+//! returns of an orbit.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, DMatrix};
@@ -16,11 +17,11 @@ use crate::range::Axis;
 
 use super::{Family, Periodic};
 
-/// The most numbers stored along a cycle of N points; the refined cycle of 4N points then takes
-/// about a second per Newton step.
+/// The largest number of values stored along a cycle of N points. With this number, the refined
+/// cycle of 4N points takes about a second for each Newton step.
 const MOST_NUMBERS: usize = 4_000_000;
 
-/// Returns the numbers stored for each point of a cycle in n variables.
+/// Returns the number of values that are stored for each point of a cycle in n variables.
 fn numbers(n: usize) -> usize {
     n * (n + 4)
 }
@@ -35,8 +36,8 @@ pub struct FlowFound {
 }
 
 impl FlowFound {
-    /// Extrapolates from the cycles at N, 2N, 4N, … steps; the returned point has extrapolated
-    /// multipliers.
+    /// Extrapolates from the cycles at N, 2N, 4N, … steps. The returned point has extrapolated
+    /// multipliers; `powers` are the powers of the step size in the error.
     fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
         let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
             Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
@@ -66,8 +67,8 @@ impl FlowFound {
     }
 }
 
-/// Describes a cycle in JSON. Without finer cycles, the period is that of the map, without an
-/// error.
+/// Describes a cycle in JSON. If no finer cycles were computed, gives the period of the map's
+/// cycle, without an error estimate.
 pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
     let of_map = period(cycle, eps);
     json!({
@@ -80,13 +81,13 @@ pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64)
     })
 }
 
-/// Returns the period 2εN of the map's cycle.
+/// Returns the period 2εN of the map's cycle of N points.
 fn period(cycle: &PeriodicPoint, eps: f64) -> f64 {
     2.0 * eps * cycle.points.len() as f64
 }
 
-/// The field's map between points in the original variables, with derivatives. For a lifted field
-/// each step starts on the relations, so that these contribute no multipliers.
+/// The map of a field, with its derivatives, in the original variables. For a lifted field each
+/// step starts on the relations, so the relations contribute no multipliers.
 struct FlowAt<'a> {
     family: &'a Family,
     at: ParametricAt,
@@ -150,7 +151,7 @@ impl Parametric for FlowAt<'_> {
         rates.truncate(x.len());
         let place = self.family.parameter.filter(|place| self.at.place() == *place);
         let Some((place, _)) = place.zip(self.family.study.relations()) else { return rates };
-        // New variables may also depend on the parameter.
+        // New variables of a lift may also depend on the parameter.
         let width = 1e-6 * self.values[place].abs().max(1e-3);
         let [below, above] = [-width, width].map(|shift| {
             let mut values = self.values.clone();
@@ -165,9 +166,9 @@ impl Parametric for FlowAt<'_> {
 }
 
 impl Family {
-    /// Returns the map at a value of the varied parameter and an ε, with its derivative with
-    /// respect to parameter `by`, or ε for `None`. Once the watch has ended the work, all values
-    /// are NaN, which ends every search.
+    /// Returns the map at a value of the varied parameter and an ε. The map also has the derivative
+    /// with respect to the parameter with index `by`, or for `None` with respect to ε. After the
+    /// watch has cancelled the work, all values are NaN, which ends every search.
     fn flow_at(
         &self,
         value: f64,
@@ -183,7 +184,7 @@ impl Family {
         OnLevelSet { map: FlowAt { family: self, at: at.by(by), values }, leaf: &self.leaf }
     }
 
-    /// Searches for a limit cycle near the start, then near close returns of its orbit.
+    /// Searches for a limit cycle near the start, and then near close returns of the start's orbit.
     pub(super) fn flow_cycle(
         &self,
         asked: &Periodic,
@@ -202,8 +203,8 @@ impl Family {
         let (eps, wanted) = (self.eps.to_f64(), (asked.period > 1).then_some(asked.period));
         let search = |start: &[f64], eps: f64, steps: usize| {
             let found = flow_cycle(map, start, eps, steps)?;
-            // A cycle that winds several times is replaced by a single round, which then has the
-            // wrong number of steps.
+            // A cycle that goes round several times is replaced by one round, which then has fewer
+            // steps than requested.
             let is_it = found.is_near(wanted.unwrap_or(found.cycle.points.len()), eps);
             if is_it { Ok(found) } else { Err(NoPeriodicPoint::NoReturn) }
         };
@@ -238,8 +239,8 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // An even number, so that a cycle after a period doubling consists of two rounds of
-                // equal length.
+                // The number of steps is even, so that a cycle after a period doubling consists of
+                // two rounds of equal length.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -263,8 +264,8 @@ impl Family {
         if numbers > MOST_NUMBERS {
             return Err(StudyError::LongCycle { unknowns: numbers, most: MOST_NUMBERS });
         }
-        // Steps that start on the relations of a lifted field have no inverse at −ε, so odd powers
-        // occur.
+        // If steps start on the relations of a lifted field, the step with −ε is not the inverse of
+        // the step with ε. The error then has odd powers of ε, too.
         let powers = if self.study.lifted().is_some() { Extrapolated::ALL } else { Extrapolated::EVEN };
         let begin = asked.begin();
         let map = |eps| self.flow_at(begin, eps, None, count);
@@ -310,8 +311,8 @@ impl Family {
     }
 }
 
-/// A branch, and for each of its points the extrapolated numbers, if the finer branches have it
-/// too.
+/// A branch with the extrapolated numbers of each point; `None` for a point that the finer branches
+/// lack.
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {

@@ -1,8 +1,9 @@
-//! The orbits of a section, in groups on all threads, with their crossings in order.
+//! Follows the orbits of a section in groups on all threads, and passes on their crossings in
+//! order.
 //!
-//! In: a question, and its orbits as cells. Out: rows, and the end of each orbit. An orbit with a
-//! full buffer of crossings is suspended until its rows are due, so memory is bounded, and rows and
-//! ends do not depend on threads.
+//! In: a question, and its orbits as cells. Out: rows, and the end of each orbit. An orbit whose
+//! buffer of crossings is full waits until its rows are passed on. Memory is therefore bounded, and
+//! rows and ends do not depend on threads.
 
 use std::ops::{ControlFlow, Range};
 
@@ -22,7 +23,7 @@ use super::section_orbit::SectionOrbit;
 use super::side_by_side::{self, SectionRequest};
 use super::{Cells, Crossed, Section};
 
-/// The capacity of all buffers of crossings together.
+/// The number of crossings that all buffers together can hold.
 const ROOM: usize = 1 << 21;
 
 pub(super) struct Orbits<'a> {
@@ -42,7 +43,7 @@ struct StartedOrbit {
 }
 
 impl<'a> Orbits<'a> {
-    /// Checks the question, with the plane of the first orbit.
+    /// Checks the question, using the plane of the first orbit.
     ///
     /// # Errors
     /// The errors of [`Section::find`].
@@ -116,8 +117,8 @@ impl<'a> Orbits<'a> {
         courses
     }
 
-    /// Passes all crossings of an orbit to a consumer, resuming it as needed, and appends its end
-    /// to `found`. Returns the orbit at its end.
+    /// Passes all crossings of an orbit to a consumer. Continues the orbit whenever its buffer was
+    /// full, and appends the orbit's end to `found`. Returns the orbit at its last point.
     fn finish(
         &self,
         index: u64,
@@ -165,9 +166,9 @@ impl<'a> Orbits<'a> {
         if self.asked.carry { self.carried(rows, &count) } else { self.in_parallel_blocks(rows, &count) }
     }
 
-    /// Follows many groups on all threads, then passes their rows on, and so forth.
+    /// Alternates between following some groups on all threads and passing on their rows.
     fn in_parallel_blocks(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
-        /// The number of groups for each thread before rows are passed on.
+        /// The number of groups that each thread follows before rows are passed on.
         const GROUPS: u64 = 4;
 
         let (all, threads) = (self.cells.count, count.threads() as u64);

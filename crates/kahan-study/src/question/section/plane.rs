@@ -9,8 +9,8 @@ use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::study::Study;
 
-/// Reads a formula in the variables, the integrals claimed without a condition, the parameters and
-/// `eps`, at these values. Reports call it `what`.
+/// Reads a formula at these values of the parameters and ε. The formula may use the variables, the
+/// integrals claimed without a condition, the parameters and `eps`. Error messages call it `what`.
 fn formula_at(
     system: &System,
     parameters: &[Rational],
@@ -29,7 +29,7 @@ fn formula_at(
 
 impl Study {
     /// Reads a formula in the variables, the integrals claimed without a condition, the parameters
-    /// and `eps`. Reports call it `what`.
+    /// and `eps`. Error messages call the formula `what`.
     ///
     /// # Errors
     /// [`StudyError::Formula`], or missing values.
@@ -60,7 +60,7 @@ impl Plane {
         }
     }
 
-    /// Returns the largest index of a variable, or of an integral after them, in the formula.
+    /// Returns the largest index in the formula. Indices count the variables, then the integrals.
     #[must_use]
     pub fn last_variable(&self) -> Option<usize> {
         self.0.last_variable()
@@ -68,7 +68,8 @@ impl Plane {
 
     /// Returns the formula as a function of the point.
     pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
-        // Integrals follow the variables, and are computed only if the formula uses one.
+        // The values of integrals come after the variables, and are computed only if the formula
+        // uses one.
         let variables = at.map().field().variables().len();
         let has_integrals = self.last_variable().is_some_and(|last| last >= variables);
         let integrals = at.map().field().integrals().len();
@@ -79,7 +80,7 @@ impl Plane {
             }
             let mut known: RuntimePoint<f64> = x.iter().copied().collect();
             known.resize(x.len() + integrals, 0.0);
-            // Both slices have the lengths of the field, so this call succeeds.
+            // Both slices have the lengths that the field requires, so the call succeeds.
             let _ = at.integrals(x, &mut known[x.len()..]);
             formula(&known)
         }

@@ -1,4 +1,4 @@
-//! The state of one orbit: its point, and its crossings not yet passed on.
+//! The state of one orbit: its point, and the crossings that were not yet passed on.
 
 use std::ops::ControlFlow;
 
@@ -9,7 +9,7 @@ use kahan_runtime::{End, Follow};
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-/// An orbit that is followed while its buffer of crossings has room, and can be resumed.
+/// An orbit that is followed while its buffer of crossings has room. A stopped orbit can continue.
 #[derive(Clone, Debug)]
 pub(super) struct SectionOrbit {
     pub(super) x: Vec<f64>,
@@ -20,7 +20,7 @@ pub(super) struct SectionOrbit {
     pub(super) end: Option<End>,
 }
 
-/// Crossings in columns, in the shown variables.
+/// The buffered crossings: steps, times, and the columns of the shown variables.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CrossingBuffer {
     steps: Vec<i64>,
@@ -63,7 +63,7 @@ impl CrossingReceiver<Crossing<Vec<f64>, f64>> for BufferedCrossings<'_> {
     fn report(self) {}
 }
 
-/// An observer of a resumed orbit, with steps counted from its start.
+/// An observer of an orbit that continues; counts steps from the first point of the orbit.
 struct ContinuedObserver<'a, O> {
     section: &'a mut O,
     before: u64,
@@ -84,8 +84,8 @@ impl<O: Observer<f64>> Observer<f64> for ContinuedObserver<'_, O> {
 }
 
 impl SectionOrbit {
-    /// Prepares an orbit at its first point, with `most` requested crossings and a buffer for
-    /// `room`.
+    /// Prepares an orbit at its first point. The question asks for `most` crossings; the buffer
+    /// holds `room` crossings.
     pub(super) fn new(x: Vec<f64>, shown: usize, most: u64, room: usize) -> Self {
         let kept =
             CrossingBuffer { points: vec![Vec::new(); shown], most, room, ..CrossingBuffer::default() };
@@ -110,7 +110,8 @@ impl SectionOrbit {
         }
     }
 
-    /// Follows the orbit to step `limit`, until it has all crossings or a full buffer.
+    /// Follows the orbit to step `limit`; stops earlier if all crossings are found or the buffer is
+    /// full.
     pub(super) fn follow(
         &mut self,
         study: &Study,
@@ -158,7 +159,8 @@ impl SectionOrbit {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes the crossings to a consumer and empties the buffer; `values` precede each crossing.
+    /// Passes the crossings to a consumer and empties the buffer; in each row, `values` precede the
+    /// crossing.
     pub(super) fn pass_crossings(
         &mut self,
         columns: &[Column],

@@ -1,8 +1,9 @@
 //! Follows orbits in SIMD lanes, and shows sign changes of the formula to their sections.
 //!
-//! In: orbits at their first points, with a map and a plane each. Out: orbits at their ends, or
-//! with full buffers of crossings. The formula is evaluated for a group at once. A section sees
-//! only the two points around a sign change, so crossings have the bits of a single orbit's.
+//! In: orbits at their first points, each with a map and a plane. Out: orbits at their ends, or
+//! with full buffers of crossings. The formula is evaluated for a whole group at once. A section
+//! sees only the two points around a sign change. Crossings therefore have the same bits as those
+//! of an orbit that is followed singly.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -19,7 +20,7 @@ use super::section_orbit::{BufferedCrossings, SectionOrbit};
 
 /// The number of steps between checks of which orbits continue.
 const STEPS: u64 = 1024;
-/// The number of orbits below which orbits are followed singly.
+/// Fewer orbits than this number are followed one by one.
 const FEWEST: usize = 4;
 
 /// The data of the question that all orbits share.
@@ -103,8 +104,8 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for LaneObserver<'_, '_, F> {
 
     fn report(self) {}
 
-    /// Evaluates the formula for all orbits at once if the last points are finite, which implies
-    /// that all earlier points are.
+    /// Evaluates the formula for all orbits at once if the last point of the burst is finite in
+    /// each lane. All earlier points are then finite, too.
     fn observe_burst<P: Grouped<f64>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let abreast = group.iter().flatten().find_map(|own| own.abreast);
         let last = burst.steps().last();
@@ -164,7 +165,7 @@ fn show<F: Fn(&[f64]) -> f64 + Copy, P: Grouped<f64>>(
 }
 
 pub(super) fn pass(asked: &SectionRequest<'_>, maps: &[&MapAt<f64>], courses: &mut [SectionOrbit]) {
-    /// The number of steps of an orbit between checks of the watch.
+    /// The number of steps that an orbit makes between two checks of the watch.
     const AT_ONCE: u64 = 1 << 14;
 
     let (eps, first) = (maps.iter().map(|map| MapAt::eps(map)).collect::<Vec<_>>(), maps[0]);

@@ -1,4 +1,4 @@
-//! The costs of generated functions, and the step as a straight-line program.
+//! The costs of the generated functions, and the step as a straight-line program.
 
 use kahan_algebra::derive;
 use kahan_algebra::derived::{Derived, StepListing};
@@ -9,16 +9,16 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The plans of a system's code, with the time to make them.
+/// The plans of a system's code, with the time that it took to make them.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShownPlans {
     /// The name of the system.
     pub system: String,
     /// The cost of each generated function.
     pub objects: Vec<FunctionCost>,
-    /// The step as a straight-line program; `None` if it eliminates in a loop.
+    /// The step as a straight-line program; `None` if the step eliminates in a loop.
     pub step: Option<Listing>,
-    /// The step for every scalar, if the main form divides by the time step.
+    /// The step for scalars of any kind; `None` unless the main form divides by the time step.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
@@ -29,7 +29,8 @@ pub struct ShownPlans {
     pub derived: Derived,
 }
 
-/// The operations of a generated function; `None` if it eliminates in a loop.
+/// The operations of a generated function; each count is `None` if the function eliminates in a
+/// loop.
 #[derive(Clone, Debug, Serialize)]
 pub struct FunctionCost {
     /// The result of the function.
@@ -38,7 +39,8 @@ pub struct FunctionCost {
     pub additions: Option<usize>,
     /// Multiplications.
     pub multiplications: Option<usize>,
-    /// Multiply-adds: one operation each on targets that have them, otherwise two.
+    /// Multiply-adds. A multiply-add is one operation on targets that have the instruction,
+    /// otherwise two.
     pub multiply_adds: Option<usize>,
     /// Divisions.
     pub divisions: Option<usize>,
@@ -59,7 +61,8 @@ pub struct Listing {
     pub reciprocals: Vec<Option<String>>,
     /// The instructions of x̃, one for each component.
     pub next: Vec<String>,
-    /// The largest |εf′| for which the error of the step is near the error of elimination.
+    /// The largest |εf′| for which the error of this step is near the error of Gaussian
+    /// elimination.
     pub holds_to: u32,
 }
 
