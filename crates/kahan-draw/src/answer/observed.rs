@@ -134,7 +134,7 @@ fn number(value: f64) -> String {
 
 /// Writes the digits of a value up to the first digit that an error of this size changes.
 fn known(value: f64, error: f64) -> String {
-    let places = -error.log10().floor();
+    let places = -libm::log10(error).floor();
     // Eight digits are written if there is no error estimate, or if more than eight decimals are
     // certain.
     if !(value.is_finite() && (..=8.0).contains(&places)) {

@@ -146,7 +146,7 @@ impl NumberLine {
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
         // The decimals remove rounding errors such as that of 0.1 + 0.2. A step of 0.25 needs one
         // decimal more than its size suggests.
-        let size = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
+        let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);
             (digits - digits.round()).abs() < 1e-6 * digits

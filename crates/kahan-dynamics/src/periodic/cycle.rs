@@ -291,7 +291,7 @@ fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
         }
         // Here yᴴx = 1, because both vectors are 1 at index i, and at each other index one of the
         // two is 0.
-        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, f64::hypot);
+        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, libm::hypot);
         (eigenvalue, norm(&right) * norm(&left))
     };
     (0..n).map(condition).collect()

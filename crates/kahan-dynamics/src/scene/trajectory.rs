@@ -134,7 +134,9 @@ where
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < LOST {
                     // The factor 2 allows for rounding errors that vary with ε.
-                    NoSetting::OutOfReach { best: (2.0 * VOUCHING * least_error).log2().ceil().exp2() }
+                    NoSetting::OutOfReach {
+                        best: libm::exp2(libm::log2(2.0 * VOUCHING * least_error).ceil()),
+                    }
                 } else if is_short_of_work {
                     NoSetting::TooLong { time: agreed_until }
                 } else {
