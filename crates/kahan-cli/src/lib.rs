@@ -58,7 +58,8 @@ Examples:
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
   kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
 
-`kahan COMMAND --help` lists options and examples, `kahan help COMMAND` explains them.";
+`kahan COMMAND --help` lists options and examples.
+`kahan help COMMAND` explains them.";
 
 /// Runs the command with these arguments; the first one is the name of the program. Prints to
 /// standard output and standard error.

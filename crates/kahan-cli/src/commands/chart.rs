@@ -21,7 +21,7 @@ use crate::reading::{self, Start, Stepping, Transient, observable, whole};
 
 use rows::Rows;
 
-/// Charts a property of orbits over one or two variables or parameters.
+/// Charts a property of orbits over one or two quantities.
 ///
 /// --over, given once or twice, names what varies: the initial value of a variable, a parameter, or
 /// eps. All else is fixed by --at, --param and --eps. For each value, or pair of values, an orbit

@@ -9,7 +9,7 @@ use crate::printing::layout::{headed, labelled, paragraphs, table};
 use crate::printing::{Answer, ProgressDisplay, UsageError, joined};
 use crate::reading::{Source, whole};
 
-/// Tests steps with extreme inputs, and compares each with exact arithmetic.
+/// Tests steps with extreme inputs against exact arithmetic.
 ///
 /// The exact step starts from the same floats as the tested step. It evaluates the reduced map, or
 /// solves A x' = b in ball arithmetic of growing precision if the map has too many terms. Every

@@ -387,8 +387,8 @@ fn what_is_gone_through_has_no_other_value() {
         answer(&over_r);
         answer(&over_eps);
         for (arguments, part) in [
-            ([&over_r[..], &["--param", "r=7"]].concat(), "values of r; leave --param r out"),
-            ([&over_eps[..], &["--eps", "2"]].concat(), "values of eps; leave --eps out"),
+            ([&over_r[..], &["--param", "r=7"]].concat(), "--over already varies r; leave --param r out"),
+            ([&over_eps[..], &["--eps", "2"]].concat(), "--over already varies eps; leave --eps out"),
         ] {
             let paragraph = refusal(&arguments);
             assert!(paragraph.contains(part), "{arguments:?}: {paragraph}");
