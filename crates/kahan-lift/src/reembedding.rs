@@ -11,8 +11,8 @@ const ROUNDING: f64 = 8.0;
 /// Steps of a lifted map with symmetric projection onto the relations w = g(x) between new
 /// variables w and states x.
 ///
-/// A step begins at (x, g(x) + μ). The shift μ is chosen such that the image (x̃, w̃) satisfies w̃
-/// + μ = g(x̃). Reversible maps stay reversible, and a composed map keeps its order.
+/// A step begins at (x, g(x) + μ). The shift μ is chosen such that the image (x̃, w̃) satisfies
+/// w̃ + μ = g(x̃). Reversible maps stay reversible, and a composed map keeps its order.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
     /// The shift μ of the previous step, which is the initial guess for the next step.

@@ -17,8 +17,8 @@ pub const fn points<T: InLanes>() -> usize {
     T::MOST
 }
 
-/// Replaces each of [`points`] points x by A(x,ε)⁻¹f(x). Entry i of point p has index i·[`points`]
-/// + p. If the magnitude of `growth[p]` exceeds
+/// Replaces each of [`points`] points x by A(x,ε)⁻¹f(x). Entry i of point p has the index
+/// i·[`points`] + p. If the magnitude of `growth[p]` exceeds
 /// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR), the pivots of point p are too small. A
 /// zero pivot gives numbers that are not finite.
 pub fn velocities<T: InLanes>(

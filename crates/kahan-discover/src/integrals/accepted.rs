@@ -20,8 +20,8 @@ use crate::modular::subspace::tidy;
 /// accepted.
 const MOST_AHEAD: usize = 150;
 
-/// The total length up to which P/Q is not replaced by another quotient of elements of the pencil P
-/// + cQ.
+/// The total length up to which P/Q is not replaced by another quotient of elements of the
+/// pencil P + cQ.
 const SHORT: usize = 60;
 
 pub(crate) struct Accepted<'a> {

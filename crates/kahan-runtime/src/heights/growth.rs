@@ -5,8 +5,9 @@ use std::fmt;
 /// The class of the growth of heights with the number of steps n.
 ///
 /// **Rule.** Let h₁ … h_N be the heights of the component that rises most from h₁ to h_N.
+///
 /// 1. *bounded*: N ≥ 4 and no value of the second half exceeds the greatest of the first half. (An
-/// orbit over ℚ with bounded heights is finite, and therefore periodic in the end.)
+///    orbit over ℚ with bounded heights is finite, and therefore periodic in the end.)
 /// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values
 ///    each, d₁, d₂, d₃ their first differences, and s₁, s₂ their second ones. Means damp
 ///    fluctuations. If all d are positive, with ρ = d₃/d₂:
