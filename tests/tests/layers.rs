@@ -64,7 +64,7 @@ const ALGEBRA: Layered = Layered {
         "arithmetic",
         "field",
         "kahan",
-        "kept",
+        "subexpressions",
         "plan",
         "relations",
         "modified_integrals",
@@ -90,10 +90,10 @@ const PLAN: Layered = Layered {
         "operation",
         "builder",
         "horner",
-        "values",
+        "subexpressions",
         "dense",
         "step",
-        "words",
+        "descriptions",
         "writing",
         "accuracy",
         "forms",
@@ -326,7 +326,11 @@ fn every_way_up_is_found() {
     let allowed = [
         (PLAN, "writing/plan_draft.rs", "use crate::plan::{Node, StepPlan}; use crate::poly::Variable;"),
         (CORE, "map/orbit/mod.rs", "use super::{KahanMap, at::KahanAt}; use crate::Scalar;"),
-        (COMMAND, "commands/page/figures.rs", "use super::super::line::Line; use crate::reading::Block;"),
+        (
+            COMMAND,
+            "commands/page/figures.rs",
+            "use super::super::command_line::CommandLine; use crate::reading::Block;",
+        ),
     ];
     for (layered, file, text) in allowed {
         let (upward, paths) = layered.upward(&layered.source().join(file), text);

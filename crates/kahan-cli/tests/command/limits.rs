@@ -7,8 +7,9 @@ use crate::running::refusal;
 const REFERENCE: &str = include_str!("../../../../kahan-core/docs/language.md");
 
 fn table() -> Vec<(&'static str, u64)> {
-    let (_, section) =
-        REFERENCE.split_once("\nQuestions about a field have limits, too.\n").expect("the table");
+    let (_, section) = REFERENCE
+        .split_once("\nThe commands that answer questions about a field have limits, too.\n")
+        .expect("the table");
     let rows = section.lines().skip_while(|line| !line.starts_with("|---")).skip(1);
     let rows = rows.take_while(|line| line.starts_with('|')).map(|row| {
         let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();

@@ -89,7 +89,8 @@ pub struct Search<L> {
 }
 
 impl<L: Trials> Search<L> {
-    /// Prepares a search for a setting with an error of at most [`SearchParameters::enough`] · `tolerance`.
+    /// Prepares a search for a setting with an error of at most [`SearchParameters::enough`] ·
+    /// `tolerance`.
     #[must_use]
     pub const fn new(trials: L, tolerance: f64, rules: SearchParameters) -> Self {
         Self { trials, tolerance, rules, tried: Vec::new(), is_rough: false }

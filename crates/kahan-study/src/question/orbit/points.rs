@@ -52,8 +52,8 @@ pub(super) trait OrbitPoints<A: PointArithmetic> {
     /// Advances by `steps` steps, or to the last point.
     fn advance(&mut self, steps: u64, progress: &WorkCount<'_>) -> Result<(), EarlyEnd>;
 
-    /// Appends the cells of `count` rows, each after `every` steps. An [`EarlyEnd`] counts steps from
-    /// the call.
+    /// Appends the cells of `count` rows, each after `every` steps. An [`EarlyEnd`] counts steps
+    /// from the call.
     fn rows(
         &mut self,
         every: u64,
@@ -137,8 +137,8 @@ pub(super) struct OrbitRows<'a, A: PointArithmetic> {
 }
 
 impl<A: PointArithmetic> OrbitRows<'_, A> {
-    /// Passes a range of rows to a consumer, in reused blocks. An [`EarlyEnd`] counts steps from the
-    /// first point.
+    /// Passes a range of rows to a consumer, in reused blocks. An [`EarlyEnd`] counts steps from
+    /// the first point.
     pub(super) fn pass_rows(
         &self,
         points: &mut dyn OrbitPoints<A>,
