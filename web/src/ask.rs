@@ -7,8 +7,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, ShowForm, Heights, StoredColumn, Lift, Orbit, Orbited, Poles, Show, Study, StudyError, Subject,
-    Systems, Watch, list,
+    Answer, Discover, Heights, Lift, Orbit, Orbited, Poles, Show, ShowForm, StoredColumn, Study, StudyError,
+    Subject, Systems, Watch, list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;

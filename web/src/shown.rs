@@ -5,7 +5,7 @@ use kahan_draw::document::{JACOBIAN, LINE, display};
 use kahan_draw::picture::{self, PictureOptions};
 use kahan_draw::{Canvas as Paper, answer};
 use kahan_latex::breaking;
-use kahan_study::{Answer, HeightsFound, LiftFound, FormulaSheet, ShownField};
+use kahan_study::{Answer, FormulaSheet, HeightsFound, LiftFound, ShownField};
 use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;

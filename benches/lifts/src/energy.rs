@@ -1,7 +1,7 @@
 //! Measures how energies of conservative systems drift: the energy that the lifted map preserves,
 //! and the original energy.
 
-use kahan_lift::{Reembedding, LiftCriterion};
+use kahan_lift::{LiftCriterion, Reembedding};
 
 use crate::systems::{Formula, System};
 

@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use kahan_algebra::lenient;
 use kahan_core::Composition;
-use kahan_lift::{Lift, Options, LiftCriterion, lift};
+use kahan_lift::{Lift, LiftCriterion, Options, lift};
 use kahan_runtime::Map;
 use ode_solvers::{Dop853, OutputType, SVector};
 

@@ -10,7 +10,7 @@
 
 use std::fmt;
 
-use kahan_lift::{RelationBehaviour, Lift, LiftCriterion};
+use kahan_lift::{Lift, LiftCriterion, RelationBehaviour};
 
 use crate::systems::{System, distance, size};
 

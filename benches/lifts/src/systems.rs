@@ -8,7 +8,7 @@ use kahan_algebra::lenient;
 use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::syntax::{Expr, ExprKind, Factor, InFormula, Term};
 use kahan_algebra::token::Token;
-use kahan_lift::{Lift, Options, LiftCriterion, lift, stated};
+use kahan_lift::{Lift, LiftCriterion, Options, lift, stated};
 use kahan_runtime::Map;
 use ode_solvers::{DVector, Dop853, OutputType};
 

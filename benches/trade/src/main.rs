@@ -23,7 +23,7 @@ use anyhow::{Result, ensure};
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Dd, ExtendScalars};
-use kahan_study::reference::{TrajectoryLimits, Reference, Trajectory};
+use kahan_study::reference::{Reference, Trajectory, TrajectoryLimits};
 
 use scene::{Scene, Setting, to};
 use unseen_fields::{

@@ -17,8 +17,8 @@ mod words;
 
 // The included files of `kahan-jit` refer to these names by the path `crate`.
 use kahan_jit::{
-    CalledFunction, ComposedOrbit, Constants, Float, Function, Input, Instruction, InstructionSet, LaneCount, Orbit,
-    Program, CompileError, Shape, Sweep,
+    CalledFunction, CompileError, ComposedOrbit, Constants, Float, Function, Input, Instruction,
+    InstructionSet, LaneCount, Orbit, Program, Shape, Sweep,
 };
 
 pub use expansion::expand;
