@@ -30,9 +30,11 @@
 //!
 //! | task | item |
 //! |---|---|
-//! | write a field, and claim what its map conserves | [`kahan!`], explained in [`language`]; [`include_kahan!`] for one in a file |
+//! | write a field, claim what its map conserves | [`kahan!`] ([`language`]), [`include_kahan!`] |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
-//! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]); [`compensated`](Orbit::compensated) reduces rounding, [`composed`](Orbit::composed) raises the order to 4, 6 or 8 ([`Composition`]) |
+//! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]) |
+//! | many steps with smaller rounding errors | [`Orbit::compensated`] |
+//! | many steps of order 4, 6 or 8 | [`Orbit::composed`] ([`Composition`]) |
 //! | states at given times, up to a time, the first zero of a function | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |
 //! | an orbit through its poles | [`Orbit::projective`], points of projective space |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
@@ -48,7 +50,7 @@
 //!
 //! | task | item |
 //! |---|---|
-//! | your own scalar | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
+//! | your own scalar | [`Scalar`], [`Constant`], [`Pivot`], [`FloatScalar`], [`EnsembleScalar`] |
 //! | a function over any map: compiled, composed, a chain, read at run time | `fn f<M: Step<Scalar = f64>>(map: M, start: M::State)` with [`Step`]; [`Orbit::new`] and [`observe::first_crossing`] take any |
 //! | a map chosen at run time | `&dyn Step<Scalar = f64>`, itself a [`Step`] with `Vec`s as states; `kahan-runtime` makes maps and chains from text |
 //! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`ExtendScalars`] |

@@ -11,7 +11,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// A type that implements none of the traits below; therefore their diagnostics appear.
+/// A type without an implementation of the traits below, so that their diagnostics appear.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 

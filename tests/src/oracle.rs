@@ -26,7 +26,7 @@ pub fn file(system: &str) -> File {
 }
 
 impl File {
-    /// Returns the entries under `cases`, `orbits` or `singular`. Panics if there are none.
+    /// Returns the entries under `cases`, `orbits` or `singular`. Panics without such a key.
     #[must_use]
     pub fn entries(&self, key: &str) -> Vec<Entry<'_>> {
         let list = self.0[key].as_array().unwrap_or_else(|| panic!("no {key}"));

@@ -27,7 +27,8 @@ fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<
 }
 
 /// Changes one state so that the polynomial vanishes, given values of states, parameters and ε.
-/// `None` if the polynomial is linear, with a nonzero coefficient, in none of the states.
+/// Uses a state in which the polynomial is linear with a nonzero coefficient; `None` without such
+/// a state.
 #[must_use]
 pub fn moved_onto(
     polynomial: &Polynomial,

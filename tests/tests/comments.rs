@@ -20,7 +20,7 @@ const WIDTH: usize = 100;
 /// Blank lines are not counted. A crate's root may explain the crate at length.
 const HEAD: usize = 8;
 
-/// Returns whether a folder is none of those with builds, the code of others, or generated code.
+/// Returns false for folders with builds, the code of others, or generated code.
 fn is_written_here(folder: &str) -> bool {
     !folder.starts_with('.') && !["target", "expected", "golden", "node_modules"].contains(&folder)
 }

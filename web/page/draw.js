@@ -130,8 +130,8 @@ function joined({ context, x, y, width, height }, sets) {
   context.restore()
 }
 
-// The portrait of orbits, a ring of its colour at each first point, the picked one filled; the sheet
-// tells where a pointer is.
+// Draws orbits, and a ring of the orbit's colour at each first point; the ring of the picked orbit
+// is filled. The returned sheet maps pointer positions to coordinates.
 function portrait(canvas, window, drawAxes, sets, starts, picked, rings) {
   const drawn = sheet(canvas, window)
   points(drawn, sets)

@@ -1,5 +1,5 @@
-// The plot under the portrait: by how much integrals change along the picked orbit, or where none is
-// known the orbit against the time; and the time until which both are drawn.
+// The plot under the portrait shows the change of the integrals along the picked orbit. Without a
+// known integral it shows the orbit against the time. The slider sets the last time that is drawn.
 
 // Strokes of relations, which tell them apart from integrals.
 const RELATION_PAINTS = ['--c4', '--c5', '--c2', '--c3', '--c6', '--c1']

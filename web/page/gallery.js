@@ -1,5 +1,6 @@
-// Classical systems that are not in the catalog: what one sees, a source, text, parameters, ε, first points, axes. The page
-// opens with the first; the last are not quadratic.
+// Classical systems that are not in the catalog, each with a sentence, a source, a text,
+// parameters, ε, first points and axes. The page opens with the first system; the last ones are not
+// quadratic.
 const CLASSICAL = [
   { name: 'Helmholtz’ oscillator, a spring softer on one side', seen: 'A spring that is softer on one side. Kahan’s map stays on closed curves, Euler’s method spirals out.', source: 'H. von Helmholtz, Die Lehre von den Tonempfindungen, 1863', field: 'xdot = v;\nvdot = -x - x^2;', eps: '0.15', at: ['1/10,0', '1/5,0', '3/10,0', '2/5,0', '12/25,0'], picked: 2, steps: 1000 },
   { name: 'The Volterra lattice of five sites', seen: 'Five species in a ring, each of which eats the next. Orbits of the map fill a torus, as those of the flow do.', source: 'M. Kac and P. van Moerbeke, Adv. Math. 16 (1975) 160', field: 'x1dot = x1*(x2 - x5);\nx2dot = x2*(x3 - x1);\nx3dot = x3*(x4 - x2);\nx4dot = x4*(x5 - x3);\nx5dot = x5*(x1 - x4);', eps: '0.05', at: ['1,2/3,1/2,1,3/4'], steps: 10000, axes: ['x1', 'x3'] },

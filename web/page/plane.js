@@ -1,6 +1,5 @@
-// The field in the plane of the portrait: its directions, the curves on which a variable rests, the
-// equilibria with the eigenvalues of the field there, and the curves on which an integral of the map
-// has the values of the first points.
+// Overlays of the portrait: directions of the field, nullclines, equilibria with the eigenvalues of
+// f′, and the level curves of an integral through the first points.
 const OVERLAYS = { directions: 'Direction field', nullclines: 'Nullclines', equilibria: 'Equilibria', levels: 'Level curves of an integral', colours: 'A colour for each orbit' }
 const GRID = [72, 48]
 // An arrow stands at each third point of the grid.

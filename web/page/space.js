@@ -2,8 +2,8 @@
 
 const isSpace = () => state.axes.length === 3
 
-// What is seen of the unit cube: points across and upwards, from the angles about the third axis and
-// above the plane of the others.
+// Projects a point of the unit cube to the screen, for a viewer at two angles: about the third
+// axis, and above the plane of the first two axes.
 function seenFrom([about, above], box) {
   const [cosA, sinA, cosE, sinE] = [Math.cos(about), Math.sin(about), Math.cos(above), Math.sin(above)]
   const scales = box.map(([low, high]) => [(low + high) / 2, 2 / Math.sqrt(3) / (high - low)])

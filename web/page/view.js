@@ -121,8 +121,8 @@ function pointers() {
   }
   canvas.onpointercancel = event => { down.delete(event.pointerId); held = -1 }
   canvas.onpointerleave = () => { $('where').textContent = '' }
-  // A wheel scrolls the page, but with Ctrl, as pinches of touchpads have it, or in a picture that has
-  // the focus.
+  // A wheel scrolls the page. With Ctrl (also sent by touchpad pinches), or over a picture that has
+  // the focus, the wheel zooms.
   canvas.addEventListener('wheel', event => {
     if (!frame || !(event.ctrlKey || event.metaKey || document.activeElement === canvas)) return
     event.preventDefault()

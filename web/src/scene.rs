@@ -56,9 +56,8 @@ fn joined(point: &[Rational]) -> String {
     point.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
 }
 
-/// Returns values for the parameters that have none, the study at these values, and an orbit. The
-/// values are the first ones for which an orbit stays bounded; if there are none, the first ones of
-/// all.
+/// Returns values for the parameters without a value, the study at these values, and an orbit. The
+/// first values with a bounded orbit are taken; if every orbit escapes, the first values.
 fn with_values(study: &Study) -> Result<(Map<String, Value>, Study, ShownOrbit), StudyError> {
     let valued = study.valued();
     let missing = study.parameters().iter().zip(valued).filter(|(_, value)| value.is_none());

@@ -1,8 +1,8 @@
 //! A process that times tasks on request, so that several builds of it can be timed alternately.
 //!
-//! It first writes its tasks, one on each line, then an empty line. A line has the system, the
-//! task, and the number of operations of a step without divisions, if they are counted. It answers
-//! a request `TASK UNITS` by the time that these units take, in seconds.
+//! The process first writes its tasks, one on each line, then an empty line. A line has the system,
+//! the task, and the number of operations of a step without divisions, if they are counted. The
+//! answer to a request `TASK UNITS` is the time that this number of units takes, in seconds.
 
 use std::io::{self, BufRead, Write};
 

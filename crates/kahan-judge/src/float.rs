@@ -51,7 +51,8 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
         Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
     }
 
-    /// Makes the step that [`WIDER_TIER`](Self::WIDER_TIER) names. `None` if there is none.
+    /// Makes the step that [`WIDER_TIER`](Self::WIDER_TIER) names. `None` for a float without a
+    /// wider tier.
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
     where
         M: ExtendScalars<Self, N>,

@@ -68,8 +68,8 @@ impl TestedMap {
     }
 }
 
-/// Returns the given value. If there is none, returns for the k-th parameter a number that makes
-/// zero divisors unlikely.
+/// Returns the given value of the k-th parameter. A missing value is replaced by a number that
+/// depends on k and makes zero divisors unlikely.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),

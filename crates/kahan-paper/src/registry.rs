@@ -88,7 +88,7 @@ impl Paper {
         threads: Option<usize>,
         work: impl Fn(&Claim) -> R + Sync,
     ) -> Vec<R> {
-        // Claims about long orbits come first, so that none of them delays the end.
+        // Claims about long orbits come first, so that they do not delay the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
         let mut results = threads::map(order.len(), threads, |turn| (order[turn], work(claims[order[turn]])));

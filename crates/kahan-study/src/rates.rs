@@ -94,7 +94,7 @@ impl Rates {
 
 /// Estimates the spectral radius by power iteration, as the mean growth factor of a vector.
 fn spectral_radius(matrix: &[f64], n: usize) -> f64 {
-    // A symmetric field has invariant subspaces; a generic start lies in none of them.
+    // A symmetric field has invariant subspaces; a generic start lies outside of them.
     let mut x: Vec<f64> = (0..n).map(|k| 1.0 + (k as f64 * 0.618).fract()).collect();
     let mut product = vec![0.0; n];
     let [before, measured] = PRODUCTS;

@@ -40,7 +40,7 @@ pub trait LatticeMap<T: LatticeScalar>: Clone + Debug + Sync {
     #[doc(hidden)]
     const SITE_PARAMETERS: &'static [&'static str] = &[];
 
-    /// The names of the linear integrals. For a family read at run time there are none.
+    /// The names of the linear integrals. The list is empty for a family read at run time.
     const INTEGRALS: &'static [&'static str] = &[];
     /// The name of the Hamiltonian H, if the family is ẋ = K∇H with a constant antisymmetric matrix
     /// K.

@@ -25,7 +25,7 @@
 //! |---|---|
 //! | the range of an observable | [`Extrema`] |
 //! | how well integrals are conserved | [`Drift`] |
-//! | the largest Lyapunov exponent, all in descending order, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
+//! | Lyapunov exponents: the largest, all, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
 //! | regular or chaotic motion, after few steps | [`Fli`], [`Megno`], [`Sali`] |
 //! | the rotation number | [`Rotation`] |
 //! | crossings of a section, the first crossing | [`Section`], [`first_crossing`] |

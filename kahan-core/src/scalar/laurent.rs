@@ -34,7 +34,8 @@ impl<T: Scalar> Laurent<T> {
         Series { start: 1, terms: terms.collect() }
     }
 
-    /// Returns the lowest power with a known nonzero coefficient, or `None` if there is none.
+    /// Returns the lowest power with a known nonzero coefficient, or `None` if all known
+    /// coefficients are zero.
     pub(crate) fn order(&self) -> Option<i64> {
         match self {
             Number(number) => (!number.is_zero()).then_some(0),

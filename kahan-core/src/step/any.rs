@@ -27,12 +27,15 @@ use crate::{Scalar, SingularStep};
 /// | a composition of such a map | [`KahanAt::composed`](crate::KahanAt::composed) | `SVector` |
 /// | of a family, a chain of sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
 /// | of a text read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
-/// | any of these except chains, with rounding errors | [`Increments::compensated`](crate::Increments::compensated) | `SMatrix` of two columns, `Vec` |
+/// | with compensated rounding, except chains | [`Increments::compensated`] | `SMatrix`, `Vec` |
 /// | a map with tangent vectors | [`Tangent`](crate::Tangent) | `Vec` |
-/// | of a text, with derivatives by initial state, parameters and ε | `kahan_runtime::MapAt::sensitivities` | `Vec` |
-/// | a map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
+/// | of a text, with derivatives | `kahan_runtime::MapAt::sensitivities` | `Vec` |
+/// | a map over `f64`, on states in `f32` | [`ThroughF64::of_step`] | `Vec` |
 /// | a reference to any | `&map` | the map's |
-/// | any map, chosen at run time | `&dyn Step<Scalar = f64>`, `Box<dyn Step<Scalar = f64>>` | `Vec` |
+/// | any map, chosen at run time | `&dyn Step<Scalar = f64>`, or in a `Box` | `Vec` |
+///
+/// [`Increments::compensated`]: crate::Increments::compensated
+/// [`ThroughF64::of_step`]: crate::ThroughF64::of_step
 ///
 /// [`state`](Self::state) creates a state from the numbers of a point.
 /// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) accept

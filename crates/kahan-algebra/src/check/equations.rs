@@ -89,7 +89,7 @@ fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &
 }
 
 /// Finds the innermost subexpression with odd powers of ε, and returns the place of the first `eps`
-/// in it. If there is none, returns the place of the whole expression.
+/// in it. If every subexpression is even in ε, returns the place of the whole expression.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd =
         |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));

@@ -134,7 +134,7 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
 }
 
 /// Compiles further claims about the field of a system, without proving them. A claim may use
-/// earlier claims of `tokens`, but none of the system.
+/// earlier claims of `tokens`, but not the claims of the system.
 ///
 /// # Errors
 /// Returns the mistakes.

@@ -120,8 +120,8 @@ fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
 }
 
 impl AccuracyLoss {
-    /// Returns whether a step loses so many digits that a more accurate step must replace it, if
-    /// there is one.
+    /// Returns whether the loss of digits exceeds [`REFUSED`], so that a more accurate step is
+    /// preferred.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }

@@ -106,8 +106,8 @@ impl Polynomial {
         (Self::from_sorted(quotient), Self::from_sorted(rest))
     }
 
-    /// Returns q₁, …, q_k and r such that the polynomial is v₁·q₁ + … + v_k·q_k + r and r contains
-    /// none of the variables vᵢ. One pass suffices; each term goes to the first vᵢ that it
+    /// Returns q₁, …, q_k and r such that the polynomial is v₁·q₁ + … + v_k·q_k + r and r is free
+    /// of the variables vᵢ. One pass suffices; each term goes to the first vᵢ that it
     /// contains.
     pub fn split_among(&self, variables: &[Variable]) -> (Vec<Self>, Self) {
         let ranks =

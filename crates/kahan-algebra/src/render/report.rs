@@ -42,8 +42,8 @@ pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [u
     [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
 }
 
-/// Returns the byte range of the token with this index. If there is none, returns the range of the
-/// last token.
+/// Returns the byte range of the token with this index, or of the last token if the index is too
+/// large.
 fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
     let last = ranges.len().saturating_sub(1);
     ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())

@@ -81,7 +81,7 @@ pub(crate) struct Extremes {
 
     /// Print one JSON object.
     ///
-    /// It holds system, systems, trials, seed, seconds, random_fields (name, text), odd_fields
+    /// The keys: system, systems, trials, seed, seconds, random_fields (name, text), odd_fields
     /// (their number), cells (regime, tier, scalar, trials, max_error_u, flagged,
     /// unjustified_flags, silently_wrong), broken (name, text, silently_wrong, unjustified_flags,
     /// first; only systems with such results), failures.

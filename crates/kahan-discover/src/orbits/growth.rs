@@ -163,7 +163,7 @@ mod tests {
         let Growth::Exponential { entropy } = growth((0..8).map(|n| 3usize.pow(n))) else { panic!() };
         assert!((entropy - 3f64.ln()).abs() < 1e-12);
         assert_eq!(growth([1, 2, 4]), Growth::Undecided);
-        // Cubic growth is none of the classes, for any number of degrees.
+        // Cubic growth is undecided for any number of degrees: no class has it.
         assert_eq!(growth((0..30).map(|n| n * n * n + 1)), Growth::Undecided);
         assert_eq!(growth((0..12).map(|n| n * n * n + 1)), Growth::Undecided);
     }

@@ -13,8 +13,8 @@ const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A [`Scheme`] with ε and a number of steps, for the time span of a [`Scene`](crate::Scene).
 /// [`Scene::choose`](crate::Scene::choose) returns the cheapest accurate setting.
 ///
-/// It is displayed as a line of Rust; `map` stands for the map and `x` for the first point, both in
-/// the setting's precision.
+/// `Display` writes a line of Rust in which `map` is the map and `x` the first point, both in the
+/// setting's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

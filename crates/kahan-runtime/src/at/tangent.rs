@@ -65,7 +65,8 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// // x' = a·x²: one step takes x to x/(1 − 2εax)
     /// let at = Field::parse("xdot = a*x^2;").unwrap().with([("a", 3)]).unwrap().at(0.125);
     /// let mut state = [0.5, 0.0, 1.0];
-    /// at.sensitivities(&[Sensitivity::Parameter(0), Sensitivity::Start]).advance(&mut state, 1).unwrap();
+    /// let vectors = [Sensitivity::Parameter(0), Sensitivity::Start];
+    /// at.sensitivities(&vectors).advance(&mut state, 1).unwrap();
     /// assert_eq!(state, [0.8, 0.16, 2.56]);
     /// ```
     #[must_use]

@@ -32,7 +32,7 @@ pub use scaled::Scaled;
 /// | plain | [`KahanMap::orbit`] | [`KahanAt`](crate::KahanAt) |
 /// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
 /// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
-/// | compensated and of higher order | these two, in either order | `Compensated<Composed<KahanAt<…>>>` |
+/// | compensated, of higher order | both, in any order | `Compensated<Composed<KahanAt<…>>>` |
 /// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
 /// The iterator yields no compensations. [`projective`](Self::projective) continues a plain orbit

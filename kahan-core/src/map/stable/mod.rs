@@ -10,7 +10,7 @@
 //! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
 //! | 3 | floating point with 17 × 64 bits | overflow, underflow, extreme cancellation |
 //! | 4 | the numbers of level 3, in the form N/D | increments that cancel against the state |
-//! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms too far apart for the other forms |
+//! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms that differ in size too much |
 //!
 //! [`stable_step`] selects the scalar. [`try_precisions`] tries the levels in order
 //! (`precisions.rs`). Each level makes a [`BoundedStep`](bounded_step::BoundedStep), which runs the

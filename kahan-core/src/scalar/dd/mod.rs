@@ -32,7 +32,7 @@ mod traits;
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
 /// | [`exp`](Dd::exp), [`ln`](Dd::ln) | 12u², 32u² | series of a reduced argument |
 /// | [`sin`](Dd::sin), [`cos`](Dd::cos) | 16u², and 2⁻¹⁵⁵ of the argument | series of a reduced argument |
-/// | [`multiply_add`](crate::Scalar::multiply_add) and variants | 16u² of the product and 5u² of the result | the product is not normalised |
+/// | [`multiply_add`](crate::Scalar::multiply_add) | 16u² of the product and 5u² of the result | |
 ///
 /// Products and quotients below 2⁻⁹⁶⁹ lose low bits, which adds an error of at most 2⁻¹⁰⁷². Sums
 /// never underflow. Results from 2¹⁰²⁴ on become infinite, and so do products in multiply-adds.

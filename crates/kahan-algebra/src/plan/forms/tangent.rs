@@ -26,7 +26,7 @@ const MOST_OPERATIONS: usize = 300;
 
 /// Returns the plan of ṽ from x, v and x̃, with one output for each component. The first half of
 /// the second states is x̃. The plan is the cheapest form that is accurate in long steps; `None` if
-/// there is none.
+/// every form loses digits.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);

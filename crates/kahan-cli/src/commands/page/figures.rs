@@ -50,8 +50,8 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field with values and with integrals. Integrals are the claimed ones; if there are none,
-    /// the discovered ones.
+    /// The field with values and with integrals. The claimed integrals are used; a field
+    /// without claims has the discovered ones.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
@@ -248,7 +248,7 @@ impl Subject<'_> {
     }
 }
 
-/// A drawing with notes and an explanation, or the reason why there is none.
+/// A drawing with notes and an explanation, or the reason why nothing could be drawn.
 pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), UsageError>;
 
 pub(super) fn figure(id: &str, title: &str, line: &CommandLine, drawn: Figure) -> Markup {

@@ -27,8 +27,8 @@ const MORE_RUNGS: usize = 5;
 pub(in crate::scene) const PLAIN: Scheme = Scheme::of(Precision::Double);
 /// The scheme in `Dd` without compensation; its rounding errors are negligible.
 pub(in crate::scene) const WIDE: Scheme = Scheme::of(Precision::DoubleDouble);
-/// The alternatives to plain `f64` for a single orbit. `f32` is none, because its steps take as
-/// long as in `f64`.
+/// The alternatives to plain `f64` for a single orbit. `f32` is left out, because its steps take as
+/// long as those of `f64`.
 pub(in crate::scene) const OTHERS: [Scheme; 2] = [WIDE, PLAIN.compensated()];
 pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
