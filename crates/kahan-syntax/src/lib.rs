@@ -3,8 +3,8 @@
 //! The input is a text, or the tokens of a macro. The output is the syntax tree of a block or
 //! formula, with positions, exact numbers and mistakes. Names are not resolved, and polynomials are
 //! unknown here. The crate `kahan-algebra` decides which blocks are fields and which claims hold.
-//! The modules [`rational`] (exact numbers) and [`table`] (short sorted lists) serve `kahan-algebra`,
-//! too.
+//! `kahan-algebra` also uses the modules [`rational`] (exact numbers) and [`table`] (short sorted
+//! lists).
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
