@@ -1,4 +1,4 @@
-//! Chooses the begin of a picture of a field: ε, values of parameters that have none, first points
+//! Chooses the initial picture of a field: ε, values of parameters that have none, first points
 //! whose orbits stay bounded, and the two variables in which most orbits are wide.
 
 use kahan_algebra::rational::Rational;
