@@ -1,5 +1,5 @@
 //! Benchmarks that compare generated steps with hand-written code and other integrators, and
-//! ensembles with the machine's bounds. They also measure the cost of compiling.
+//! ensembles with the machine's bounds. The benchmarks also measure the cost of compiling.
 
 mod by_hand;
 mod cli;

@@ -313,9 +313,9 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
-    /// Replaces pivot k by its reciprocal, and writes the factors with which the rows below
-    /// subtract its row. The factors of the other rows are 0. Returns whether a factor exceeds
-    /// `most`, or `None` if the pivot is 0.
+    /// Replaces pivot k by its reciprocal. Elimination subtracts multiples of row k from the rows
+    /// below row k. Writes the factors of these multiples; the factors of the other rows are 0.
+    /// Returns whether a factor exceeds `most`, or `None` if the pivot is 0.
     #[inline(always)]
     fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
         let own = &mut columns[self.column(k)..][..self.height];

@@ -1,9 +1,9 @@
 //! Methods that a system lacks, with diagnostics that say which declaration is missing.
 //!
 //! A block without an integral, without a density, or with integer parameters gets these methods
-//! instead. Their bounds are never satisfied, and therefore every call is a compile error. They
-//! take `&mut self`, because rustc tries `&self` methods first. Therefore handwritten integrals
-//! take precedence, and so do maps whose scalar is not yet inferred.
+//! instead. The bounds of these methods are never satisfied, and therefore every call is a compile
+//! error. The methods take `&mut self`, because rustc tries `&self` methods first. Therefore
+//! handwritten integrals take precedence, and so do maps whose scalar is not yet inferred.
 
 use core::iter::Empty;
 

@@ -79,7 +79,7 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     });
 }
 
-/// A mode is a map. Its states include the numbers that are stored beside the point.
+/// A mode is a map. The states of a mode include the numbers that are stored beside the point.
 #[test]
 fn modes_are_maps() {
     let (start, mut workspace) = (vector![0.5, 1.0, 0.25], Workspace::new());
@@ -174,7 +174,7 @@ fn every_map_has_orbits() {
     let found = orbits.0.first_crossing(500, |x| x[2] - 0.2).unwrap();
     let expected = orbits.1.first_crossing(500, |x| x[2] - 0.2).unwrap();
     assert_eq!((found.time, found.point.as_slice()), (expected.time, expected.point.as_slice()));
-    // A compensated orbit also works. Its points and fractions of steps are those of the map.
+    // A compensated orbit also works. The points and fractions of steps are those of the map.
     let carried = plain.orbit(start.into()).compensated().first_crossing(500, |x| x[2] - 0.2).unwrap();
     assert_eq!(carried.step, expected.step);
     assert!((carried.time - expected.time).abs() < 1e-13);

@@ -34,9 +34,9 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// The flow is computed in about forty pieces. Each errs by less than a rounding unit u relative to
-/// x ≤ 1. The flow finally contracts. It amplifies an early error by at most e^{t} x(1−x)… ≤
-/// 1/(4x₀) = 2.5.
+/// The flow is computed in about forty pieces. The error of each piece is less than a rounding unit
+/// u relative to x ≤ 1. The flow finally contracts. Before it contracts, the flow amplifies an
+/// early error by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -116,8 +116,8 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // The integral ∫ns dt is subtracted from n. It stays below 1e-12 for t < 0.1 and is
-        // negligible later. The exponent multiplies it by 100.
+        // The integral ∫ns dt is subtracted from n. The integral stays below 1e-12 for t < 0.1, and
+        // is negligible later. The exponent multiplies the integral by 100.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

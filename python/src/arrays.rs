@@ -139,7 +139,7 @@ fn readonly<'py, T: Element>(
     borrowed.map_err(|error| PyValueError::new_err(format!("{name}: {error}; give a copy of it")))
 }
 
-/// Checks the array for a result. It must be in C order, and have these sizes and this type.
+/// Checks the array for a result. The array must be in C order, and have these sizes and this type.
 pub(crate) fn out<'py, T: Element>(
     given: &Bound<'py, PyAny>,
     sizes: &[usize],

@@ -24,7 +24,7 @@ const SHORT: u64 = 1 << 16;
 /// The stack size of a working thread. Recursion over long formulas needs more than the default.
 const STACK: usize = 64 << 20;
 
-/// The [`Watch`] of running work. It receives progress and results, and may stop the work.
+/// The [`Watch`] of running work. The watch receives progress and results, and may stop the work.
 pub(crate) struct Caller {
     stop: AtomicBool,
     is_done: AtomicBool,
@@ -124,8 +124,9 @@ impl Watch for Caller {
     }
 }
 
-/// A listener in Python. It is called with the name of the counted things, their number and the
-/// total; or with `found`, and the kind, name and text of a finding.
+/// A listener in Python. For progress, the listener is called with the name of the counted things,
+/// their number and the total. For a finding, the listener is called with `found`, and the
+/// finding's kind, name and text.
 pub(crate) struct Listener<'py>(pub(crate) Option<Bound<'py, PyAny>>);
 
 impl Listener<'_> {

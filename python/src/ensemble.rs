@@ -17,8 +17,8 @@ use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The number of trajectories that a thread takes at once. Their columns stay in the thread's
-/// cache.
+/// The number of trajectories that a thread takes at once. The columns of these trajectories stay
+/// in the thread's cache.
 const TOGETHER: usize = 1024;
 /// The number of steps, summed over all trajectories, between two checks for signals.
 const AT_ONCE: u64 = 1 << 22;

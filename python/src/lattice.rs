@@ -23,7 +23,7 @@ pub(crate) fn is_family(text: &str) -> bool {
 pub(crate) struct Chain {
     lattice: Lattice,
     sites: usize,
-    /// The map of the chain. Its scratch memory allows only one call at a time.
+    /// The map of the chain. The scratch memory of the map allows only one call at a time.
     at: Mutex<ChainAt>,
 }
 

@@ -17,7 +17,7 @@ pub(crate) struct Program(Formulas);
 
 #[pymethods]
 impl Program {
-    /// Reads the formulas `texts`. They may use `names`, and `definitions`, which are named
+    /// Reads the formulas `texts`. The formulas may use `names`, and `definitions`, which are named
     /// formulas.
     #[new]
     fn new(names: Vec<String>, definitions: Vec<(String, String)>, texts: Vec<String>) -> PyResult<Self> {

@@ -119,8 +119,8 @@ impl Vectors {
 }
 
 impl Field {
-    /// Returns the vectors for these names. Their order is that of the field, so that compiled code
-    /// serves every order of names.
+    /// Returns the vectors for these names. The vectors are in the order of the field, so that
+    /// compiled code serves every order of names.
     fn vectors(&self, asked: &[String]) -> Vectors {
         let study = self.study();
         let parameters = study.parameters().iter().enumerate();
@@ -154,8 +154,8 @@ impl Field {
         }
     }
 
-    /// Returns the derivatives of the last points of an ensemble. They are NaN if a trajectory or
-    /// one of its derivatives leaves the range of floats.
+    /// Returns the derivatives of the last points of an ensemble. The derivatives are NaN if a
+    /// trajectory or one of its derivatives leaves the range of floats.
     fn at_the_end<'py, T: Float>(
         &self,
         points: &PyReadonlyArrayDyn<'py, T>,

@@ -1,8 +1,8 @@
 //! Returns points along many trajectories.
 //!
-//! In: an ensemble, and the steps to show. Out: the rows of each trajectory, with the bits of
-//! single orbits. Trajectories are followed in columns. Trajectories of a lifted field that left
-//! the lift's domain are followed again, one by one.
+//! In: an ensemble, and the steps to show. Out: the rows of each trajectory, equal to those of
+//! single orbits bit for bit. Trajectories are followed in columns. Trajectories of a lifted field
+//! that left the lift's domain are followed again, one by one.
 
 use std::sync::{Mutex, PoisonError};
 

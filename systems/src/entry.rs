@@ -61,8 +61,8 @@ macro_rules! row_of_the_tables {
 pub(crate) use row_of_the_tables;
 
 impl Entry {
-    /// Makes an entry without parameters, closed solution and claims. Its usual name is that of its
-    /// type.
+    /// Makes an entry without parameters, closed solution and claims. The usual name of the system
+    /// is that of its type.
     pub(crate) const fn new(
         command: &'static str,
         type_name: &'static str,

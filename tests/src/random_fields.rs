@@ -1,7 +1,7 @@
 //! The random fields of `random_systems.rs`, compiled by the macro over ℚ.
 //!
 //! Code over floats dominates the build time of the tests, so only the fields in `IN_FLOATS` get
-//! steps over floats. They include every kind from two dimensions on, and every dimension.
+//! steps over floats. These fields include every kind from two dimensions on, and every dimension.
 //! `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends` rewrites the file.
 
 pub use kahan_judge::random_fields::RandomField;

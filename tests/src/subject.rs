@@ -45,7 +45,7 @@ impl Subject {
         self.interpreted.dimension()
     }
 
-    /// Returns generated code and interpreter.
+    /// Returns the two implementations of the system: the generated code and the interpreter.
     #[must_use]
     pub fn back_ends(&self) -> [&dyn BackEnd; 2] {
         [self.generated.as_ref(), &self.interpreted]

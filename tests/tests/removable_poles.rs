@@ -175,8 +175,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// Returns a field that moves all variables except the final one, z, along one ray, so that 1 −
-/// εu·z cancels.
+/// Returns a random field. Let z be the last variable, and u a random number. Every other variable
+/// x has the equation x′ = u·x·z, so that the factor 1 − εu·z cancels in the map.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));

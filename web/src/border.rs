@@ -16,8 +16,9 @@ use serde_json::json;
 
 use crate::ask::{Answered, Asker};
 
-// SAFETY: the worker provides functions with these signatures. They only read `length` bytes from
-// `text` on, which do not change during the call, and do not touch other memory of this module.
+// SAFETY: the worker provides functions with these signatures. The functions only read `length`
+// bytes from `text` on. These bytes do not change during the call. The functions do not touch other
+// memory of this module.
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
     /// Returns the milliseconds since the worker began.
@@ -98,7 +99,7 @@ extern "C" fn columns() -> *const f64 {
     STATE.with_borrow(|state| state.answered.columns.as_ptr())
 }
 
-/// Returns the number of floats in the columns.
+/// Returns the number of floats in all columns of the last answer together.
 #[unsafe(no_mangle)]
 extern "C" fn floats() -> usize {
     STATE.with_borrow(|state| state.answered.columns.len())

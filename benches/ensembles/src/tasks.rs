@@ -13,7 +13,8 @@ use kahan_core::{Ensemble, KahanAt, Level, Reciprocal};
 use crate::bounds;
 use crate::counted::operations;
 
-/// The number of trajectories. Their states in three variables fit the first-level cache.
+/// The number of trajectories. The states of these trajectories, in three variables, fit into the
+/// first-level cache.
 pub(crate) const POINTS: usize = 512;
 
 const SEGMENT: usize = 1024;

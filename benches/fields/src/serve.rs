@@ -12,8 +12,8 @@ pub struct Task {
     pub system: &'static str,
     /// The name of the task.
     pub what: &'static str,
-    /// The number of additions, multiplications and multiply-adds of a step. It is 0 if they are
-    /// not counted.
+    /// The number of additions, multiplications and multiply-adds of a step. The number is 0 if the
+    /// operations are not counted.
     pub operations: usize,
     /// Runs a number of units of work, and returns the seconds.
     pub seconds: Box<dyn Fn(usize) -> f64>,

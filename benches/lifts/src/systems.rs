@@ -115,7 +115,8 @@ impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
     }
 }
 
-/// A right-hand side as written. It is evaluated independently of the crate under test.
+/// A right-hand side as written. The right-hand side is evaluated independently of the crate under
+/// test.
 pub(crate) enum Formula {
     Number(f64),
     State(usize),

@@ -23,8 +23,8 @@ pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Computes the denominator as D = (1 + (Y − X)) + ε((X + Y) − ε) with X = εx and Y = εy. This is a
-/// chain of six operations.
+/// Computes the denominator as D = (1 + (Y − X)) + ε((X + Y) − ε) with X = εx and Y = εy. The
+/// critical path has six operations.
 pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let two_eps = 2.0 * eps;
     move |[x, y]| {

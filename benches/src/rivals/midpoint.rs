@@ -4,8 +4,8 @@ use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
 pub(crate) const NAME: &str = "implicit midpoint, Newton";
-/// The largest permitted final update of Newton's method. It is relative to max(1, |x̃|), in the
-/// maximum norm.
+/// The largest permitted final update of Newton's method, relative to max(1, |x̃|), in the maximum
+/// norm.
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
 /// Returns a step by h = 2ε. Newton's method starts at Euler's step and uses the exact Jacobian I −

@@ -14,8 +14,8 @@ use crate::system::System;
 pub struct Coefficient {
     /// The index of the component.
     pub component: usize,
-    /// The indices of the states in the monomial. An entry of c has none, one of B has one, and one
-    /// of Q has two.
+    /// The indices of the states in the monomial. An entry of c has no index, an entry of B has one
+    /// index, and an entry of Q has two indices.
     pub states: [Option<usize>; 2],
     /// The index of the parameter in the monomial, if there is one.
     pub parameter: Option<usize>,

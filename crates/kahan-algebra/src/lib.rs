@@ -98,7 +98,7 @@ pub fn check_unproved(block: Block) -> Checked {
     checked(block, None, Diagnostics::default())
 }
 
-/// Checks a block. Its claims are proved only if the tokens are given.
+/// Checks a block. The claims of the block are proved only if the tokens are given.
 fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
     let (stand_in, checked) = match &block.family {
         Some(head) => {

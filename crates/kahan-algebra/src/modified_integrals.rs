@@ -70,11 +70,11 @@ pub struct ModifiedIntegral {
 }
 
 /// Returns all integrals that polarisation and rotation yield. First comes a basis of the linear
-/// integrals, then one of those by polarisation, modulo products of linear integrals. The integrals
-/// by rotation follow for each form m. All of them are linearly independent, and usually also
-/// functionally independent.
+/// integrals. The integrals by polarisation follow, as a basis modulo products of linear integrals.
+/// The integrals by rotation come last, for one form m after another. All integrals are linearly
+/// independent, and usually also functionally independent.
 ///
-/// The amount of work is bounded; integrals that would take more are omitted.
+/// The amount of work is bounded. Integrals that would take more work are omitted.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
@@ -96,8 +96,8 @@ pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<Modifie
 }
 
 /// Returns a basis of the linear integrals Σ cₖ xₖ with numeric coefficients, each as pairs (k,
-/// cₖ). They are integrals of the flow and of the map, for all parameters and ε. The list is empty
-/// if the work would exceed a bound.
+/// cₖ). The linear integrals are integrals of the flow and of the map, for all parameters and ε.
+/// The list is empty if the work would exceed a bound.
 ///
 /// `order` must be a permutation of the states. The basis is in reduced echelon form, counted from
 /// the end of `order`: the last variable of each integral occurs in no other one.
@@ -184,7 +184,8 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        // Linear integrals come first in the basis of the forms whose derivatives are affine.
+        // Forms with affine derivatives include the linear integrals. To complete a basis, take the
+        // forms whose last term is not the last term of a linear integral.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
         let mut forms = Vec::new();
@@ -428,7 +429,8 @@ impl<'a> Flow<'a> {
         let of_flow = centred.numerator().clone();
         let (_, leading) = above.leading_term().expect("δ is not 0");
         let rule = if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation };
-        // If m is an integral, then 1 + ε²δm² is one too, and need not be divided by.
+        // If m is an integral, then 1 + ε²δm² is also an integral, and the division by it may be
+        // omitted.
         if self.directional_derivative(&multiplier, &self.components, budget)?.is_zero() {
             return Ok(ModifiedIntegral { rule, of_map: of_flow.clone().into(), of_flow });
         }

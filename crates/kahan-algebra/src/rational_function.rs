@@ -69,8 +69,8 @@ impl RationalFunction {
         &self.numerator
     }
 
-    /// Returns the denominator, which is primitive with positive leading term. It is 1 exactly if
-    /// the function is a polynomial.
+    /// Returns the denominator, which is primitive with positive leading term. The denominator is 1
+    /// exactly if the function is a polynomial.
     pub fn denominator(&self) -> &Polynomial {
         &self.denominator
     }

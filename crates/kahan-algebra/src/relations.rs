@@ -24,14 +24,14 @@ pub struct Relations {
 /// An obstacle to adding a relation to earlier ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
-    /// The earlier relations already imply this one.
+    /// The earlier relations already imply this relation.
     Identity,
     /// The relation never holds.
     Contradiction,
     /// No name occurs linearly in the relation.
     NotLinear,
-    /// The relation is a product of these two polynomials. It does not say which of them must
-    /// vanish.
+    /// The relation is a product of these two polynomials. The relation does not say which
+    /// polynomial must vanish.
     Product(Polynomial, Polynomial),
     /// The relation is too large to be solved.
     TooLarge,

@@ -75,9 +75,9 @@ impl System {
         Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
     }
 
-    /// Returns the system where these relations between parameters hold. It has no claims, and does
-    /// not contain the parameters for which the relations are solved. Returns `None` if the field
-    /// divides by zero, or if limits on sizes are exceeded.
+    /// Returns the system where these relations between parameters hold. The returned system has no
+    /// claims, and does not contain the parameters for which the relations are solved. Returns
+    /// `None` if the field divides by zero, or if limits on sizes are exceeded.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;

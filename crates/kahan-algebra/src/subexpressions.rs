@@ -37,7 +37,8 @@ pub(crate) enum Value {
     Reciprocal(Polynomial),
 }
 
-/// The named subexpressions of a field. Their variables are numbered after those of all symbols.
+/// The named subexpressions of a field. The variables of named subexpressions are numbered after
+/// the variables of all symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Subexpressions {
     first: usize,
@@ -428,10 +429,10 @@ impl FieldWithSubexpressions {
         WithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
-    /// Returns whether a step that is planned from expanded sums may lose digits. It may if a term
-    /// contains two written sums, or a constant multiplied by a sum as in `(y - 1)/s`. A sum that
-    /// contains the component's own state does no harm, because the constant is also on the
-    /// diagonal of A and cancels.
+    /// Returns whether a step that is planned from expanded sums may lose digits. The step may lose
+    /// digits if a term contains two written sums, or a constant multiplied by a sum as in `(y -
+    /// 1)/s`. A sum that contains the component's own state does no harm, because the constant is
+    /// also on the diagonal of A and cancels.
     ///
     /// Every subexpression must be a sum, as in a field with named constants.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {

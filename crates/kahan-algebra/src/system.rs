@@ -79,7 +79,7 @@ impl Condition {
         solved.into_iter().map(condition).collect()
     }
 
-    /// Returns the condition `NAME = value`. It has no place in the text.
+    /// Returns the condition `NAME = value`. The condition has no place in the text.
     #[must_use]
     pub fn fixed(symbols: &Symbols, variable: Variable, value: &Rational) -> Condition {
         let expr = |kind| Expr { kind, span: Span::token(0) };
@@ -170,7 +170,7 @@ impl System {
         self.claims.iter().filter(|claim| !claim.is_unconditional())
     }
 
-    /// Returns the system's name, or `field` if it has none.
+    /// Returns the system's name, or `field` if the system has no name.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())

@@ -1,4 +1,5 @@
-//! Tests written forms. They keep products, divisors and differences, but nothing that cancels.
+//! Tests written forms. Written forms keep products, divisors and differences, but nothing that
+//! cancels.
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};

@@ -85,8 +85,8 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks that the integral of the map equals that of the flow at ε = 0, and that the rules derive
-/// the integral of the map from that of the flow.
+/// Checks that at ε = 0 the integral of the map equals the integral of the flow. Checks that the
+/// rules derive the integral of the map from the integral of the flow.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]
@@ -195,7 +195,8 @@ fn fields_that_nearly_fit_keep_nothing() {
     assert!(modified_integral(&euler.field, &with_eps).is_none());
 }
 
-/// Returns a random polynomial in all states. Its constant term contains a parameter.
+/// Returns a random polynomial in all states. The constant term of the polynomial contains a
+/// parameter.
 fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polynomial {
     let mut factors = vec![Polynomial::one()];
     factors.extend((0..symbols.dimension()).map(|i| Polynomial::variable(symbols.state(i))));

@@ -67,7 +67,7 @@ fn both_provers_agree_on_true_and_on_false_claims() {
 #[test]
 fn an_invariant_tensor_that_is_not_poisson_is_refused() {
     // The map is the identity, so every bracket is invariant. But the Jacobi identity fails for
-    // this one.
+    // this bracket.
     let text = "xdot = 0; ydot = 0; zdot = 0; bracket P { {x,y} = z; {y,z} = x; {z,x} = x*y; }";
     let reading = reading(text);
     let [diagnostic] = reading.diagnostics() else { panic!("one mistake") };

@@ -129,8 +129,8 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// The fields have four to seven states and few terms. They are too large to expand, and have one
-/// or several blocks.
+/// The fields have four to seven states and few terms. The fields are too large to expand, and have
+/// one or several blocks.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -154,9 +154,9 @@ fn random_sparse_fields_are_stepped_by_their_structure() {
     }
 }
 
-/// The fields have one to three states, constants of either sign, parameters and divisors. Their
-/// reduced maps have various factors and signs. An equation that another one drives makes the
-/// denominator a product.
+/// The fields have one to three states, constants of either sign, parameters and divisors. The
+/// reduced maps of the fields have various factors and signs. If one equation drives another
+/// equation, the denominator is a product.
 #[test]
 fn random_small_fields_are_stepped_by_their_reduced_maps() {
     let mut numbers = Numbers(SplitMix64::new(43));

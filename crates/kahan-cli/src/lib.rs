@@ -80,7 +80,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // The notes show undeclared names. They help if a term was refused because a variable was
+    // The notes show undeclared names. The notes help if a term was refused because a variable was
     // misspelled.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);

@@ -215,9 +215,9 @@ pub struct Report {
     pub linear_iterates: Option<usize>,
     /// The Hilbert function of a generic orbit. `None` if every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
-    /// The number of independent algebraic integrals that orbits show or that are proved. It counts
-    /// formulas, integrals in bases, modified Hamiltonians, and integrals for which no formula was
-    /// found.
+    /// The number of independent algebraic integrals that orbits show or that are proved. The
+    /// number includes formulas, integrals in bases, modified Hamiltonians, and integrals for which
+    /// no formula was found.
     pub independent: usize,
     /// The upper bound on the number of integrals that follows from fixed points of the map.
     pub ceiling: Option<IntegralBound>,

@@ -72,8 +72,8 @@ impl Scan {
     }
 }
 
-/// The number of iterates at each point. It is low enough for thousands of points, and sufficient
-/// to find special values.
+/// The number of iterates at each point. The number is low enough for thousands of points, and
+/// sufficient to find special values.
 const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;

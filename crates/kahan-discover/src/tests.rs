@@ -70,7 +70,8 @@ impl Arithmetic for Modulus {
     }
 }
 
-/// A watch whose clock advances by a millisecond at each reading. It may end the computation.
+/// A watch whose clock advances by a millisecond at each reading. The watch may end the
+/// computation.
 #[derive(Debug, Default)]
 pub(crate) struct Ticking {
     ticks: AtomicU64,

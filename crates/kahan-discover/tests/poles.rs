@@ -32,7 +32,7 @@ fn patterns_of_known_systems() {
     ];
     let expected = weierstrass.map(|(curve, confined, images)| (curve.to_owned(), confined, images));
     assert_eq!(verdicts(&found(WEIERSTRASS, None, 8)), expected);
-    // Lotka and Volterra's map contracts three lines, and none of them is confined.
+    // Lotka and Volterra's map contracts three lines. The singularity of each line is not confined.
     let generic = found(LOTKA_VOLTERRA, None, 8);
     assert!(
         verdicts(&generic).iter().all(|(_, confined, images)| *confined == Some(false) && *images == [0; 8])

@@ -1,5 +1,5 @@
-//! Fields with coefficients that depend on ε. Their maps have an integral, while the maps of the
-//! fields at ε = 0 have none.
+//! Fields with coefficients that depend on ε. The map of each field has an integral. The field at ε
+//! = 0 has a map without an integral.
 //!
 //! At ε = 0 the fields are those of H = x y z² and H = x y² z³ with z = 1 + x + y, divided by z and
 //! by y z². They are inhomogeneous forms of the reduced Nahm systems of octahedral and icosahedral

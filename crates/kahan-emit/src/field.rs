@@ -67,8 +67,8 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
     })
 }
 
-/// Returns the bodies of `field` and `field_jacobian`. They are emitted plans, or calls of methods
-/// of `__Coupled`. The parameters of these methods include ε if coefficients depend on it.
+/// Returns the bodies of `field` and `field_jacobian`. The bodies are emitted plans, or calls of
+/// methods of `__Coupled`. The parameters of these methods include ε if coefficients depend on it.
 fn emit_value_and_slope(
     context: &Context<'_>,
     derived: &Derived,

@@ -66,7 +66,7 @@ impl PostfixWriter<'_> {
                 let (of, place) = match self.symbols.symbol(variable) {
                     Symbol::State(k) => (quote!(State), k),
                     Symbol::Parameter(k) => (quote!(Parameter), k),
-                    // If coefficients depend on ε, it follows the parameters.
+                    // If coefficients depend on ε, then ε has the index after the last parameter.
                     Symbol::Epsilon => (quote!(Parameter), self.symbols.parameters.len()),
                     Symbol::SecondState(_) => unreachable!("a field has no such variable"),
                 };

@@ -64,7 +64,8 @@ impl<'a> Type<'a> {
     }
 
     /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas`
-    /// returns the documentation. Its argument tells whether the user's documentation comes first.
+    /// returns the documentation. The argument of `formulas` tells whether the user's documentation
+    /// comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();

@@ -261,7 +261,8 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     }
 }
 
-/// Emits a `compile_error!` at the tokens of each mistake. For a file, emits a single one.
+/// Emits a `compile_error!` at the tokens of each mistake. If the block is included from a file,
+/// emits one `compile_error!` that lists all mistakes.
 fn emit_errors(diagnostics: &[Diagnostic], input: &FlatTokens) -> TokenStream {
     let spans = &input.spans;
     if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {

@@ -22,8 +22,8 @@ use super::inputs::binding;
 use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
-/// The budget of the search for a lift. It is small enough for an unoptimised macro, and equal in
-/// every build.
+/// The budget of the search for a lift. The budget is small enough for an unoptimised macro, and
+/// equal in every build.
 const NODES: usize = 200;
 
 pub(super) struct Lifted {

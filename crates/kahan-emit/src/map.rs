@@ -71,7 +71,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// Emits the step by sparse elimination. Its Jacobian is computed by sparse elimination too.
+/// Emits the step by sparse elimination, and also the Jacobian of the step by sparse elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let dimension = &context.dimension;

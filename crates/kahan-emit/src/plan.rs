@@ -47,8 +47,8 @@ impl Expression {
         Expression { tokens, level: Precedence::Atom }
     }
 
-    /// Returns the tokens. They are in parentheses if the precedence of the expression is lower
-    /// than `level`.
+    /// Returns the tokens. The tokens are in parentheses if the precedence of the expression is
+    /// lower than `level`.
     fn grouped(self, level: Precedence) -> TokenStream {
         if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }

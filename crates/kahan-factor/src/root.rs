@@ -19,8 +19,8 @@ pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u
         let power = dense::power(field, base, exponent, polynomial);
         dense::gcd(field, polynomial, &dense::difference(field, &power, less))
     };
-    // In the field with p elements, xᵖ − x is the product of x − r over all elements r. Its gcd
-    // with the polynomial has the polynomial's roots.
+    // In the field with p elements, xᵖ − x is the product of x − r over all elements r. The gcd of
+    // xᵖ − x and the polynomial has the polynomial's roots.
     let mut roots = common(&polynomial, &[0, 1], field.prime(), &[0, 1]);
     for _ in 0..MOST_DRAWS {
         match roots.len() {

@@ -20,8 +20,8 @@ pub(super) struct LiftingProblem<'a> {
     /// length.
     pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
-    /// For each factor a multiple of its leading coefficient. Its coefficients are ordered by
-    /// powers of y, and there are as many as in a row of `whole`.
+    /// For each factor a multiple of its leading coefficient. The coefficients of a multiple are
+    /// ordered by powers of y. Their number is that of a row of `whole`.
     pub(super) multipliers: &'a [Dense],
     pub(super) point: u64,
 }

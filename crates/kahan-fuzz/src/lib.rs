@@ -1,5 +1,5 @@
-//! The bodies of the fuzz targets. They make inputs from bytes, and check every result. Private
-//! modules of `kahan-jit` are compiled here again.
+//! The bodies of the fuzz targets. The bodies make inputs from bytes, and check every result.
+//! Private modules of `kahan-jit` are compiled here again.
 
 #[path = "../../kahan-jit/src/tests/draw.rs"]
 #[expect(dead_code, reason = "the crate has tests that draw programs in another way")]

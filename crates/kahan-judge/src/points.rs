@@ -17,7 +17,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point. It is `MixedMagnitudes` if no pole was found.
+    /// The regime of the point. The regime is `MixedMagnitudes` if no pole was found.
     pub(crate) regime: Regime,
 }
 

@@ -79,8 +79,8 @@ mod tests {
     #[test]
     fn roots_are_found_over_the_whole_range() {
         let mut random = SplitMix64::new(1);
-        // The polynomials 3v − 2^3000 and v² − 2·2^−2000 have roots. 1 + 5v² and constants have
-        // none.
+        // The polynomials 3v − 2^3000 and v² − 2·2^−2000 have roots. The polynomial 1 + 5v² and
+        // constants have no roots.
         let linear = [Dyadic::new(-1, 3000), Dyadic::new(3, 0)];
         let third = root(&linear, 60, &mut random).unwrap();
         assert!((&(&third * &Dyadic::new(3, 0)) - &Dyadic::new(1, 3000)).ratio(&third) < 1e-18);

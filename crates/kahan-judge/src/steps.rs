@@ -1,7 +1,7 @@
 //! The steps that are tested. A system's compiled formulas are run one operation after the other.
 //!
 //! The input is a system at parameters at which it is defined. The output is every kind of step of
-//! its map over a scalar, with the bits of generated code; tests compare these on the whole
+//! its map over a scalar, equal to generated code bit for bit; tests compare these on the whole
 //! catalog. Dimensions are padded to four or eight with constant states, since the first arithmetic
 //! of `try_step` differs between these two. Compiling two dimensions takes a quarter of the time of
 //! compiling eight.

@@ -209,9 +209,9 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number if `try_step` must not refuse, otherwise `None`. It must not
-    /// refuse if the field is defined, the format holds x̃, and the condition number is below the
-    /// bound.
+    /// Returns the condition number if `try_step` must not refuse, otherwise `None`. The method
+    /// must not refuse if the field is defined, the format holds x̃, and the condition number is
+    /// below the bound.
     fn forbidden_flag(&self) -> Option<f64> {
         let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

@@ -34,8 +34,8 @@ pub(crate) struct SearchEffort {
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. The function 0 stands for the work done since
-    /// the start.
+    /// The new variables as functions of the states. If a new variable is the mechanical work done
+    /// since the start, its function is replaced by 0.
     pub(crate) new: Vec<Laurent>,
     /// Alternative quadratic fields. The preferred field comes first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
@@ -95,7 +95,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // If sums are coordinates, sets are small. Their size limits the search without these sums.
+    // If sums are coordinates, sets are small. The size of these small sets limits the search
+    // without sums as coordinates.
     let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
     let mut candidates = lifts(&equations.ring, least);
@@ -241,8 +242,8 @@ fn with_potential(
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: Some(energy) })
 }
 
-/// Returns the modified integral that Kahan's map preserves. It corresponds to a quadratic integral
-/// of the field.
+/// Returns the modified integral that Kahan's map preserves. The modified integral corresponds to a
+/// quadratic integral of the field.
 pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
     let integral = component(integral, field.dimension());
     modified_integral(field, integral.numerator())

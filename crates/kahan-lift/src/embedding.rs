@@ -16,7 +16,8 @@ use crate::ring::{CoordinateDefinition, Function, Ring};
 /// An input of the program, which is a state or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// A state, given by its index in a point. If the time is lifted, it has the highest index.
+    /// A state, given by its index in a point. If the time is a state of the lifted field, the time
+    /// has the highest index.
     State(usize),
     /// A parameter, given by its index.
     Parameter(usize),
@@ -88,7 +89,7 @@ impl Calls<CalledFunction> for Exact {
 /// The new variables as functions of the states and the parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Embedding {
-    /// The program. Its outputs are the values of the new variables.
+    /// The program. The outputs of the program are the values of the new variables.
     pub program: Program<Vec<Operation>>,
     /// One register for each instruction. The registers of constants already hold their values.
     constants: Vec<f64>,
@@ -108,8 +109,8 @@ impl Embedding {
         self.program.outputs.iter().map(|value| found[value.0]).collect()
     }
 
-    /// Returns the new variables at a point. They are exact for rational functions of the states,
-    /// and otherwise computed in floats by `libm`. `None` if a value is infinite.
+    /// Returns the new variables at a point. Rational functions of the states are computed exactly,
+    /// and other functions in floats by `libm`. Returns `None` if a value is infinite.
     pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         let [floats, of] =
             [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());

@@ -190,8 +190,8 @@ impl Laurent {
         derivative
     }
 
-    /// Returns the monomial that has the smallest exponent of each coordinate. It is a common
-    /// factor of all terms.
+    /// Returns the monomial that has the smallest exponent of each coordinate. The returned
+    /// monomial is a common factor of all terms.
     pub(crate) fn monomial_content(&self) -> Monomial {
         let least = |content: Monomial, next: &Monomial| content.zip(next, i16::min);
         let first = self.0.keys().next().cloned().unwrap_or_default();

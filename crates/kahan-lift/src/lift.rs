@@ -377,9 +377,9 @@ impl Lift {
         Builder::embedding(&self.ring, &slopes(&self.ring, states, self.new.iter().map(|one| &one.value)))
     }
 
-    /// Returns the values of the new variables at a point. They are exact for rational functions of
-    /// the states, and otherwise the floats of [`embed`](Self::embed). `None` if a value is
-    /// infinite.
+    /// Returns the values of the new variables at a point. Rational functions of the states are
+    /// computed exactly. For other functions, the values are the floats of [`embed`](Self::embed).
+    /// Returns `None` if a value is infinite.
     ///
     /// # Panics
     /// If there are fewer values than states or parameters.

@@ -1,8 +1,8 @@
 //! Writes derivatives as quadratic polynomials in the lifted variables.
 //!
-//! A monomial may have several representations: x² is x·x, or the variable that stands for it. They
-//! agree where the relations hold, but give different fields elsewhere. All representations are
-//! listed, up to a limit.
+//! A monomial may have several representations: x² is x·x, or the variable that stands for it. The
+//! representations agree where the relations hold, but give different fields elsewhere. All
+//! representations are listed, up to a limit.
 
 use std::collections::BTreeMap;
 

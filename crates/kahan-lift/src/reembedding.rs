@@ -67,9 +67,9 @@ impl Reembedding {
 }
 
 impl Embedding {
-    /// Returns the indices of the new variables that are positive by definition. They are even
-    /// roots, powers with non-integer exponents, exponentials, and sums, products, quotients and
-    /// powers of these.
+    /// Returns the indices of the new variables that are positive by definition. Positive variables
+    /// are even roots, powers with non-integer exponents, and exponentials. Sums, products,
+    /// quotients and powers of positive variables are also positive.
     #[must_use]
     pub fn positive(&self) -> Vec<usize> {
         let operations = &self.program.operations;

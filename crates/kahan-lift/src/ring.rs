@@ -197,9 +197,9 @@ impl Ring {
         self.derivatives.known().clear();
     }
 
-    /// Returns the ring in which frequent sums are further coordinates. These are the polynomial
-    /// factors of P′, P″ and P‴ for the base P of each root. `None` if no derivative has such a
-    /// factor.
+    /// Returns the ring in which frequent sums are further coordinates. The frequent sums are the
+    /// polynomial factors of P′, P″ and P‴ for the base P of each root. Returns `None` if no
+    /// derivative has such a factor.
     ///
     /// For example, Kepler's problem becomes one in r, x·p and p·p.
     pub(crate) fn grouped(&self) -> Option<Self> {

@@ -93,8 +93,9 @@ struct Search<'a> {
     sets: Vec<Vec<MonomialId>>,
 }
 
-/// Returns the smallest closed sets that are found within `budget` nodes, of at most `most`
-/// variables. Sets that have up to `surplus` more variables follow. `None` if no set is found.
+/// Returns the smallest closed sets of at most `most` variables that the search finds. Closed sets
+/// with up to `surplus` more variables follow. The search visits at most `budget` nodes. Returns
+/// `None` if it finds no closed set.
 pub(crate) fn search(
     ring: &Ring,
     problem: &Problem,
@@ -306,8 +307,8 @@ impl<'a> Search<'a> {
         ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
     }
 
-    /// Returns pairs of new monomials whose product is `target`. Their exponents lie between 0 and
-    /// those of `target`.
+    /// Returns pairs of new monomials whose product is `target`. The exponents of each monomial lie
+    /// between 0 and those of `target`.
     fn pairs(&mut self, target: MonomialId) -> Vec<[MonomialId; 2]> {
         let target = self.table.monomial(target).clone();
         let mut halves = vec![Monomial::one()];

@@ -57,7 +57,7 @@ pub(super) struct Misprint {
 /// The outcome of checking a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Both sides have equal expansions over ℚ. They also agree modulo primes.
+    /// Both sides have equal expansions over ℚ. Both sides also agree modulo primes.
     Proved,
     /// Both sides agree at random points modulo primes. The probability of an error is below 2⁻¹⁰⁰.
     ProvedModP,

@@ -52,8 +52,8 @@ fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     Rational::parse(&mean.to_digits(50))
 }
 
-/// Computes the limit C₁ for dE8: (M/φ(M)) Σ 1/m over 0 < m < M coprime to M, where M is the
-/// denominator of τ + 1/2 and φ is Euler's function. The limit is 1 for M = 1.
+/// Computes the limit C₁ for dE8. Let M be the denominator of τ + 1/2, and φ Euler's function. The
+/// limit is (M/φ(M)) Σ 1/m over the numbers 0 < m < M coprime to M. The limit is 1 for M = 1.
 fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();

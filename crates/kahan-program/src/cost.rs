@@ -1,6 +1,6 @@
 //! Computes the cost of a program: operation counts and critical path. Latencies are those of
-//! x86-64 cores of the last ten years, in cycles. They serve to compare programs and never enter an
-//! error bound.
+//! x86-64 cores of the last ten years, in cycles. The latencies serve to compare programs, and
+//! never enter an error bound.
 //!
 //! A multiply-add saves one instruction. But its result is ready 4 cycles after its addend, while
 //! an addition takes 3 cycles. [`Program::fused`] therefore does not fuse if a late addend would

@@ -43,8 +43,8 @@ pub type RuntimePoint<T> = SmallVec<[T; 8]>;
 /// rejected steps.
 ///
 /// No number causes a panic: at a pole the result is not finite. After the first call on a thread,
-/// steps do not allocate. Threads can share a map. They wait for each other only while one of them
-/// plans or compiles at first use.
+/// steps do not allocate. Threads can share a map. The threads wait for each other only while one
+/// thread plans or compiles at first use.
 #[derive(Clone, Debug)]
 pub struct MapAt<T: RuntimeFloat> {
     map: Map,
@@ -103,9 +103,9 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
-    /// Returns the map whose steps have the bits of ensembles at an instruction-set level; levels
-    /// above the baseline fuse multiply-adds. Columns use the instructions of the level. Returns
-    /// `None` if the processor lacks the level, or the step has no machine code.
+    /// Returns the map whose steps compute the same bits as ensembles at an instruction-set level;
+    /// levels above the baseline fuse multiply-adds. Columns use the instructions of the level.
+    /// Returns `None` if the processor lacks the level, or the step has no machine code.
     ///
     /// [`Level::Baseline`], the default, has the bits of this build, computed in the widest
     /// registers available.
@@ -240,8 +240,8 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Steps have the bits of [`advance`](MapAt::advance). A state of another length causes a panic,
-/// like a dimension error in nalgebra.
+/// Steps compute the same bits as [`advance`](MapAt::advance). A state of another length causes a
+/// panic, like a dimension error in nalgebra.
 impl<T: RuntimeFloat> Step for MapAt<T> {
     type Scalar = T;
     type State = Vec<T>;
@@ -274,7 +274,7 @@ impl<T: RuntimeFloat> Step for MapAt<T> {
     }
 }
 
-/// Steps have the bits of [`advance_with_carry`](MapAt::advance_with_carry).
+/// Steps compute the same bits as [`advance_with_carry`](MapAt::advance_with_carry).
 impl<T: RuntimeFloat> Increments for MapAt<T> {
     type Carried = Vec<T>;
 

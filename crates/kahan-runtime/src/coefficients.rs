@@ -162,8 +162,8 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // In a symmetric array, two equal halves make one coefficient. Their sum is exact,
-            // unless it overflows.
+            // In a symmetric array, two equal halves make one coefficient. The sum of the halves is
+            // exact, unless it overflows.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };

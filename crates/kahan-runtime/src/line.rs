@@ -198,7 +198,8 @@ impl Line {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the program in its registers; `None` if a division by zero has no value in the scalar.
+    /// Runs the program in its registers. Returns `None` if a division by zero is undefined in the
+    /// scalar.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,

@@ -94,8 +94,8 @@ impl FieldText {
         })
     }
 
-    /// Returns the tokens of the block. They are not stored, because they take more memory than the
-    /// text.
+    /// Returns the tokens of the block. The tokens are not stored, because they would take more
+    /// memory than the text.
     fn tokens(&self) -> Vec<Token> {
         lenient::read(self.given()).lexed.tokens
     }

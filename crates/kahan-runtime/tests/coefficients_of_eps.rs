@@ -309,7 +309,7 @@ fn a_homogeneous_field_has_no_scaled_orbit() {
     assert!(Advance { a: 2.0 }.orbit(vector![0.5], 0.125).nth(1).is_some());
 }
 
-/// In an exact orbit, too, 1/x changes by −2ε(1 + aε²) in each step.
+/// Also in an exact orbit, 1/x changes by −2ε(1 + aε²) in each step.
 #[test]
 fn exact_orbits_are_those_of_the_formula() {
     let field = Field::parse(ADVANCE).unwrap();

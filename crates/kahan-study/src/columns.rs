@@ -43,8 +43,8 @@ pub struct ColumnIndices {
     pub others: Vec<(String, usize)>,
 }
 
-/// A mistake in the columns of a table. Its display is a sentence without the subject: the caller
-/// puts the table's name in front.
+/// A mistake in the columns of a table. The displayed text is a sentence without the subject: the
+/// caller puts the table's name in front.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnError {
     /// A state has no column.

@@ -238,7 +238,7 @@ pub enum StudyError {
         /// The most variables allowed.
         most: usize,
     },
-    /// The question measures times, and the watch has no clock.
+    /// The question measures times, but the caller's `Watch` provides no clock.
     NoClock,
     /// The requested comparison of settings has nothing to measure.
     Trade {

@@ -1,4 +1,5 @@
-//! Steps of lifted fields. They end an orbit where the original equations become undefined.
+//! Steps of lifted fields. A lifted step ends an orbit where the original equations become
+//! undefined.
 //!
 //! In: the map of a lifted field at an ε. Out: a [`Step`]. This step returns NaN in two cases: a
 //! variable that is positive by definition, such as a square root, would become negative; or a

@@ -131,8 +131,8 @@ pub enum Exact {
     Undefined,
 }
 
-/// A cell of a table. Its display is its text in CSV: empty for an undefined value, `inf` for an
-/// infinite one. JSON has `null` for both, and strings for exact numbers.
+/// A cell of a table. The displayed text is that in CSV: empty for an undefined value, `inf` for an
+/// infinite value. JSON has `null` for both, and strings for exact numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell<'a> {
     /// A float.

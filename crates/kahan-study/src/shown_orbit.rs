@@ -35,8 +35,8 @@ const STEPS: u64 = 4000;
 const REACH: f64 = 1e3;
 /// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
-/// Coordinates of first points. They are small fractions, so that exact orbits are feasible. They
-/// differ, so that the point lies on no symmetry axis.
+/// The coordinates of first points. The coordinates are small fractions, so that exact orbits are
+/// feasible. All coordinates differ, so that the point lies on no symmetry axis.
 const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 /// Sizes of first points, relative to the field's length scale, in the order of trial.
 const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];

@@ -384,8 +384,8 @@ impl Study {
         StudyError::UnknownAxis { what, system, name, known }
     }
 
-    /// Extends a point to all variables. It may have a coordinate for each variable, or for each
-    /// original variable of a lifted field.
+    /// Extends a point to all variables. The given point may have a coordinate for each variable,
+    /// or for each original variable of a lifted field.
     ///
     /// # Errors
     /// A wrong number of coordinates, or a new variable that is undefined at the point.

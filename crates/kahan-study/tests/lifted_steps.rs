@@ -193,7 +193,8 @@ fn torricellis_law_ends_where_the_water_does() {
     }
 }
 
-/// In a group, the orbit that ends at this point ends there too, and the other orbits continue.
+/// An orbit that ends at this point also ends there in a group of orbits. The other orbits of the
+/// group continue.
 #[test]
 fn orbits_side_by_side_end_alone() {
     let study = lifted(TORRICELLI);

@@ -163,8 +163,9 @@ fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     }
 }
 
-/// If the steps of a composition are too long for the fast component, errors are as large as this
-/// component. Halving such steps may gain nothing, which must not count as rounding error.
+/// If the steps of a composition are too long for a fast component, the errors are as large as that
+/// component. Halving such steps may not reduce the errors. The study must not attribute these
+/// errors to rounding.
 #[test]
 fn steps_that_are_too_long_are_not_taken_for_roundings() {
     let reference = reference(&Kinetics, "", &[], &["1", "0", "0"], 0.125, 1e-9).expect("a reference");

@@ -85,8 +85,9 @@ fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
 }
 
 /// Returns whether samples show that the function is continuous along a step and passes through 0.
-/// The samples are refined repeatedly around the sign change. They must change little, relative to
-/// the function's size at the ends, and variables must stay near their sizes at the ends.
+/// The samples are refined repeatedly around the sign change. The samples must change little,
+/// relative to the function's size at the ends, and variables must stay near their sizes at the
+/// ends.
 fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2]) -> bool {
     let (mut workspace, eps) = (Workspace::new(), *Step::eps(at));
     let size = ends.map(|x| height(x).abs()).into_iter().fold(0.0, f64::max);

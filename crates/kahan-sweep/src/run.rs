@@ -1,4 +1,4 @@
-//! Computes a shard. Its parts are computed one after another, each on all threads.
+//! Computes a shard. The parts of the shard are computed one after another, each on all threads.
 
 use std::io;
 use std::ops::{ControlFlow, Range};

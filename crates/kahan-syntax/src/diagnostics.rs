@@ -9,7 +9,7 @@ use std::fmt;
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// The rule that a mistake breaks. It serves tests and tools; messages do not show it.
+/// The rule that a mistake breaks. Tests and tools use the rule; messages do not show the rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
@@ -54,7 +54,7 @@ pub struct Diagnostic {
     pub span: Span,
     /// A description of the mistake, in one sentence.
     pub message: String,
-    /// The text that should be written instead. It may be empty.
+    /// The text that should be written instead, which may be empty.
     pub help: String,
 }
 

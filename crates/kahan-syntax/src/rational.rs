@@ -150,7 +150,8 @@ impl Rational {
     }
 
     /// Returns the numerator and the denominator, if the absolute values of both are at most 2²⁴.
-    /// They are then exact in `f32`, so a single division rounds correctly in every float type.
+    /// Numerator and denominator are then exact in `f32`, so a single division rounds correctly in
+    /// every float type.
     pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
         const EXACT_IN_F32: i64 = 1 << 24;
         self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
@@ -182,7 +183,8 @@ impl Rational {
         }
     }
 
-    /// Returns the bit length of |p| or of q, whichever is larger. It is at least 1.
+    /// Returns the bit length of |p| or of q, whichever is larger. The returned length is at least
+    /// 1.
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Repr::Small { num, den } => {

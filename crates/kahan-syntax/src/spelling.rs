@@ -30,9 +30,9 @@ pub fn number(name: &str) -> Option<String> {
 
 /// Returns the known name that is closest to `name`, if a misspelling is plausible.
 ///
-/// The distance counts letters that differ and neighbours that are swapped; case is ignored. It may
-/// be 0 for a name of one letter, 1 for two to four letters, and 2 for more. Among equally close
-/// names, the first one is returned.
+/// The distance counts letters that differ and neighbours that are swapped; case is ignored. The
+/// distance may be 0 for a name of one letter, 1 for two to four letters, and 2 for longer names.
+/// Among equally close names, the first one is returned.
 #[must_use]
 pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {
@@ -60,7 +60,7 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// Returns advice on how to write a derivative of `state`. It is `xdot = …`, or a chain of
+/// Returns advice on how to write a derivative of `state`. The advice is `xdot = …`, or a chain of
 /// equations if the order is above 1.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {

@@ -37,11 +37,11 @@ pub struct Block<X = InFamily> {
     pub family: Option<FamilyHead>,
     /// The claims, which begin with `integral`, `density`, `bracket` or `drift`.
     pub claims: Vec<Claim>,
-    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`. They are stored as claims of
-    /// integrals.
+    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`. Hamiltonians are stored as claims
+    /// of integrals.
     pub hamiltonians: Vec<Claim>,
-    /// Left-hand sides without `dot`. They were already reported, so later mistakes about them are
-    /// not.
+    /// Left-hand sides without `dot`. These names were already reported, so later mistakes about
+    /// them are not reported.
     pub misspelt_states: Vec<Name>,
 }
 
@@ -63,7 +63,7 @@ impl<X> Default for Block<X> {
 /// The boundary condition of a chain of sites.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// The site after the last one is site 0.
+    /// The site after the last site is site 0.
     Periodic,
     /// States beyond the ends are 0.
     Open,
@@ -97,7 +97,7 @@ pub struct Header {
     pub described: Vec<WrittenTokens>,
 }
 
-/// Tokens that only Rust understands. They are kept as written.
+/// Tokens that only Rust understands. The tokens are kept as written.
 #[derive(Clone, Debug, Default)]
 pub struct WrittenTokens {
     /// The lines of the tokens as text.
@@ -212,7 +212,8 @@ pub struct TensorEntry {
     pub value: Expr,
 }
 
-/// A condition after `when`. It is a relation `expr = expr` between parameters and `eps`.
+/// A condition after `when`. The condition is a relation `expr = expr` between parameters and
+/// `eps`.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The left side.
@@ -377,7 +378,7 @@ pub enum InFamily {
         /// The distance from site i.
         offset: i64,
     },
-    /// The sum `sum(a)` over all sites. It occurs only in claims.
+    /// The sum `sum(a)` over all sites. Sums over all sites occur only in claims.
     OverSites(Box<Expr>),
 }
 

@@ -1,8 +1,8 @@
 //! Sorted lists and maps of a few dozen entries.
 //!
-//! The sort and the maps of the standard library are compiled anew for every type. They took a
-//! third of the code that each user of the macro compiles. Insertion in order takes little code,
-//! and is fast enough here.
+//! The sort and the maps of the standard library are compiled anew for every type. The sort and the
+//! maps took a third of the code that each user of the macro compiles. Insertion in order takes
+//! little code, and is fast enough here.
 
 use std::cmp::Ordering;
 use std::ops::Index;
@@ -46,7 +46,7 @@ impl<K: Ord, V> Table<K, V> {
         Table { entries: Vec::new() }
     }
 
-    /// Creates a map from entries. Their keys must be strictly increasing.
+    /// Creates a map from entries. The keys of the entries must be strictly increasing.
     pub fn from_sorted(entries: Vec<(K, V)>) -> Self {
         debug_assert!(entries.is_sorted_by(|(left, _), (right, _)| left < right));
         Table { entries }

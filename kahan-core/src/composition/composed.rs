@@ -32,8 +32,8 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates the palindrome of 2·`len` − 1 stages. Its k-th stage is `step(k)`, and `len` is 1 to
-    /// 9.
+    /// Creates the palindrome of 2·`len` − 1 stages. Stage k of the palindrome is `step(k)`, and
+    /// `len` is 1 to 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }

@@ -1,7 +1,7 @@
 //! Elimination for several points at once, with one point per lane.
 //!
 //! In: packed coefficients and as many points as a register of 512 bits holds. Out: A(x,ε)⁻¹f(x)
-//! for each point, with the bits of a single point, and the growth of each elimination.
+//! for each point, equal to that of a single point bit for bit, and the growth of each elimination.
 
 use core::marker::PhantomData;
 

@@ -39,7 +39,7 @@ impl<T: Copy, const N: usize> Columns<T, N> {
         let mut entries: Vec<T> = Vec::with_capacity(N * stride + skipped_at_most);
         let start = match entries.as_ptr().align_offset(LINE) {
             start if start <= skipped_at_most => start,
-            // No aligned index can be reached. This makes loads slower, but changes no result.
+            // No aligned index can be reached. Loads are then slower, but no result changes.
             _ => 0,
         };
         entries.resize(start, entry(0, 0));

@@ -20,10 +20,11 @@ pub enum Level {
     Baseline,
     /// AVX2 with fused multiply-adds, four `f64` or eight `f32` at a time.
     Avx2,
-    /// AVX-512F, eight `f64` or sixteen `f32` at a time, with the bits of [`Avx2`](Self::Avx2). The
-    /// divider of AVX-512F is no faster. It helps mainly if multiplications limit the speed.
+    /// AVX-512F, eight `f64` or sixteen `f32` at a time. AVX-512F computes the same bits as
+    /// [`Avx2`](Self::Avx2). The divider of AVX-512F is no faster. Therefore AVX-512F helps mainly
+    /// if multiplications limit the speed.
     Avx512,
-    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time, with the bits of
+    /// NEON on 64-bit Arm, two `f64` or four `f32` at a time. NEON computes the same bits as
     /// [`Avx2`](Self::Avx2).
     Neon,
 }
@@ -65,12 +66,12 @@ pub enum Reciprocal {
     /// scalars, this equals [`Divided`](Self::Divided).
     ///
     /// The estimate is up to a third faster in a step that does little but divide (Lotka–Volterra).
-    /// It is no faster if multiplications limit the speed. Sometimes a reciprocal differs from the
-    /// correctly rounded one by one unit in the last place. Over operands of all exponents,
-    /// including subnormal ones, this happens in one case of 900 for `f64` and in one of 340 for
-    /// `f32`. If the reciprocal is infinite (at 0 or by overflow) or the operand is infinite, the
-    /// result is NaN. Poles and overflowing denominators therefore stay visible. A division by
-    /// infinity would silently leave the point unchanged.
+    /// The estimate is no faster if multiplications limit the speed. Sometimes a reciprocal differs
+    /// from the correctly rounded one by one unit in the last place. Over operands of all
+    /// exponents, including subnormal ones, this happens in one case of 900 for `f64` and in one of
+    /// 340 for `f32`. If the reciprocal is infinite (at 0 or by overflow) or the operand is
+    /// infinite, the result is NaN. Poles and overflowing denominators therefore stay visible. A
+    /// division by infinity would silently leave the point unchanged.
     Estimated,
 }
 

@@ -33,8 +33,8 @@ pub(super) trait ChainArithmetic: Sized {
 
     type Parts: PartSolver<Self>;
 
-    /// The widest numbers with error bounds, which never underflow. They decide the cases that
-    /// `BoundedWorking` leaves undecided.
+    /// The widest numbers with error bounds, which never underflow. The widest numbers decide the
+    /// cases that `BoundedWorking` leaves undecided.
     type BoundedWide: BoundedScalar<Self>;
 
     /// The rounding unit u, which is 0 for an exact scalar.

@@ -77,7 +77,8 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         &self.prepared
     }
 
-    /// Returns x̃, the state after one step, with the bits of [`KahanMap::step`].
+    /// Returns x̃, the state after one step. The result equals that of [`KahanMap::step`] bit for
+    /// bit.
     ///
     /// # Panics
     /// If the scalar is exact and `x` is a pole.

@@ -28,7 +28,8 @@ pub struct Carried<M: TangentMap, const K: usize> {
 }
 
 impl<M: TangentMap, const K: usize> Carried<M, K> {
-    /// Starts with arbitrary vectors. Their directions avoid the axes and other special directions.
+    /// Starts with arbitrary vectors. The directions of the vectors avoid the axes and other
+    /// special directions.
     pub(super) fn new(map: M) -> Self {
         let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
         Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
@@ -219,8 +220,8 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
 /// pole only one or two steps do.
 pub const PAUSE: u64 = 16;
 
-/// Returns whether vectors are scaled after every step. This is so if the indicator needs the
-/// lengths, and for `f32`, whose range a vector can leave in a single step.
+/// Returns whether vectors are scaled after every step. The answer is yes if the indicator needs
+/// the lengths. The answer is also yes for `f32`, whose range a vector can leave in a single step.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()

@@ -28,9 +28,9 @@ pub struct Growth {
 pub struct Exponent {
     /// The mean growth rate, NaN without a step.
     pub value: f64,
-    /// An estimate of the error, not a bound. It is the distance of `value` from the mean rate up
-    /// to an earlier step, between an eighth and a quarter of the run. The estimate is NaN before
-    /// step 4.
+    /// An estimate of the error, not a bound. The estimate is the distance of `value` from the mean
+    /// rate up to an earlier step, between an eighth and a quarter of the run. The estimate is NaN
+    /// before step 4.
     pub error: f64,
 }
 

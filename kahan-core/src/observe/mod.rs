@@ -158,7 +158,8 @@ pub trait Observer<T> {
     /// Processes the point after `step` steps. Steps come in order, beginning with x₀ at step 0.
     fn observe(&mut self, step: u64, x: &[T]);
 
-    /// Returns whether the observer needs no further points. This is called after each point.
+    /// Returns whether the observer needs no further points. A loop calls this method after each
+    /// point.
     ///
     /// A finished observer ends the run of an orbit. In an ensemble its trajectory continues
     /// unobserved. Tuples, arrays and vectors finish as soon as one of their members finishes.

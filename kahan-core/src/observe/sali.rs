@@ -18,7 +18,7 @@ use super::growth::{Size, square};
 /// [`TangentMap`]. A step costs two tangent vectors, which share the work on the points.
 pub type Sali<M> = IndicatorObserver<Alignment, M, 2>;
 
-/// The indicator that [`Sali`] computes. It reads the vectors only at the end.
+/// The indicator that [`Sali`] computes. The vectors are read only at the end.
 #[derive(Clone, Debug)]
 pub struct Alignment;
 

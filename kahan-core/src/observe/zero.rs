@@ -37,9 +37,10 @@ pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2])
 
 /// Returns two arguments with the sign change between them, or a zero and an argument beside it.
 ///
-/// The search uses the Illinois method. It takes secants; the value at a retained end is halved in
-/// the next secant. Each new argument keeps a least distance from both ends. After two secants that
-/// did not halve the interval, and after a value beyond both ends, bisection replaces the secant.
+/// The search uses the Illinois method. Each new argument is the zero of a secant. If an end of the
+/// interval is retained, its value is halved in the next secant. Each new argument keeps a least
+/// distance from both ends. After two secants that did not halve the interval, and after a value
+/// beyond both ends, bisection replaces the secant.
 pub(super) fn narrow<T: FloatScalar>(
     [start, end]: [T; 2],
     mut level: impl FnMut(T) -> T,

@@ -27,8 +27,8 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         Self { value, gradient: from_fn(|_| T::zero()) }
     }
 
-    /// Creates the coordinate of direction `i`. Its derivative is 1 along `i` and 0 along the other
-    /// directions.
+    /// Creates the coordinate of direction `i`. The derivative of the coordinate is 1 along `i` and
+    /// 0 along the other directions.
     pub fn coordinate(value: T, i: usize) -> Self {
         Self { value, gradient: from_fn(|j| if i == j { T::one() } else { T::zero() }) }
     }

@@ -84,9 +84,9 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// Returns a component of x̃, possibly [`fenced`]. In `f32` it is fenced, because registers have
-/// more lanes than x̃ has components. It is also fenced after `several` successive reciprocals,
-/// where one component is on an orbit's critical path.
+/// Returns a component of x̃, possibly [`fenced`]. In `f32` the component is fenced, because
+/// registers have more lanes than x̃ has components. The component is also fenced after `several`
+/// successive reciprocals, where one component is on an orbit's critical path.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }

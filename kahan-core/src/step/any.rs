@@ -41,9 +41,9 @@ use crate::{Scalar, SingularStep};
 /// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) accept
 /// any map. Chains cannot be composed, and have neither compensation nor tangent vectors.
 ///
-/// Results have the bits of the map's own methods. A state of another length panics. A chain has
-/// its own method `advance`; therefore write `Step::advance(&chain, …)` for the method of this
-/// trait.
+/// Results equal those of the map's own methods bit for bit. A state of another length panics. A
+/// chain has its own method `advance`; therefore write `Step::advance(&chain, …)` for the method of
+/// this trait.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -80,7 +80,7 @@ pub trait Step {
     /// The type of the numbers in a state.
     type Scalar: Scalar;
 
-    /// The type of states. It is an array if the number of variables is known at compile time.
+    /// The type of states. States are arrays if the number of variables is known at compile time.
     type State: StateVector<Self::Scalar>
     where
         Self: Sized;

@@ -10,9 +10,9 @@ use super::{PreparedStep, Quotients, StepCost, StraightStep};
 /// A step with two forms. One is divided by ε and serves floats at an ordinary ε; the other is
 /// general.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x. This saves one multiplication on
-/// the critical path. The divided form is undefined at ε = 0, overflows sooner, and cannot run in
-/// lanes.
+/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x. The multiple saves one
+/// multiplication on the critical path. The divided form is undefined at ε = 0, overflows sooner,
+/// and cannot run in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
     /// The divided form, `None` if ε or the scalar does not allow this form.
@@ -80,8 +80,8 @@ where
 }
 
 /// Evaluates the general form for a scalar that usually takes the divided form. The function is not
-/// inlined, which keeps the step small. It takes copies, and therefore a loop keeps its state in
-/// registers.
+/// inlined, which keeps the step small. The function takes copies, and therefore a loop keeps its
+/// state in registers.
 #[cold]
 #[inline(never)]
 fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>

@@ -53,8 +53,8 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // The product εw overflows, and elimination divides by it. This gives x̃₁ = x₁, but exactly x̃₁
-    // − x₁ is 2.7e-10.
+    // The product εw overflows, and elimination divides by it. Elimination therefore gives x̃₁ =
+    // x₁, but the exact difference x̃₁ − x₁ is 2.7e-10.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);

@@ -1,5 +1,5 @@
-//! More maps for ensembles. They have one to six variables; some have parameters, and one
-//! eliminates.
+//! More maps for ensembles. The maps have one to six variables. Some maps have parameters, and one
+//! map eliminates.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};

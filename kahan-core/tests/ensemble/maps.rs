@@ -1,4 +1,5 @@
-//! Tests one map per trajectory: each trajectory gets the bits of an ensemble moved by its map.
+//! Tests one map per trajectory: each trajectory equals, bit for bit, that of an ensemble with the
+//! same map.
 
 use kahan_core::observe::{Extrema, Lyapunov};
 use kahan_core::prelude::*;

@@ -1,4 +1,5 @@
-//! Tests that observers of ensembles report the bits of single orbits, at any index.
+//! Tests that observers of ensembles report the same bits as observers of single orbits, at any
+//! index.
 
 use kahan_core::observe::{Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::prelude::*;

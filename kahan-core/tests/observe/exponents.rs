@@ -79,9 +79,9 @@ fn an_integrable_map_has_no_exponent_beyond_its_error() {
 }
 
 /// The determinant of a step has a few rounding errors. The product of the lengths of
-/// orthogonalised vectors has n² of these in n variables. They are multiplied by the Jacobian's
-/// condition number, which is below 2 for such short steps. In the mean each error counts once,
-/// divided by 2ε.
+/// orthogonalised vectors has n² of these in n variables. These errors are multiplied by the
+/// Jacobian's condition number, which is below 2 for such short steps. In the mean each error
+/// counts once, divided by 2ε.
 #[test]
 fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
     let (start, steps) = (vector![1.0, 1.0, 20.0], 5_000);

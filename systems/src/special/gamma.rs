@@ -39,8 +39,8 @@ pub(super) fn is_pole<T: Real>(x: &T) -> bool {
     !x.is_positive() && x.floor() == *x
 }
 
-/// Returns the least argument x at which Stirling's series reaches full precision. Its smallest
-/// term is about e^(−2πx).
+/// Returns the least argument x at which Stirling's series reaches full precision. The smallest
+/// term of the series is about e^(−2πx).
 pub(super) fn asymptotic_from<T: Real>() -> i64 {
     5 + (T::DIGITS as i64 * 45) / 100
 }

@@ -50,9 +50,9 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     large.power_real(&(T::from_int(2) * *sigma)) * (-series).exp() * (numerator / denominator)
 }
 
-/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ) for real w and σ away from the poles. This is the
-/// derivative of ln [`centered_gamma_ratio`] by w. The relative precision is full even where both
-/// terms are nearly equal.
+/// Returns ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ) for real w and σ away from the poles. The difference is
+/// the derivative of ln [`centered_gamma_ratio`] by w. The relative precision is full even where
+/// both terms are nearly equal.
 ///
 /// ```
 /// use kahan_systems::special::centered_digamma_difference;

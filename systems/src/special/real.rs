@@ -79,7 +79,7 @@ pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// [`digamma`](super::digamma).
     fn digamma(&self) -> Self;
 
-    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈. They are computed once.
+    /// Returns the Bernoulli numbers B₂, B₄, …, B₁₂₈. The numbers are computed once.
     fn bernoulli() -> &'static [Self];
 
     /// Returns 1/2.

@@ -3,7 +3,7 @@
 //! With w = N + j + 1/2, j ≥ 0, a term of the series expands as Σ_i w^(−s−2i)(a_i + b_i ln w + c_i
 //! ln² w). The midpoint form of the Euler–Maclaurin formula sums each power: Σ_j w_j^(−s) = N^(1−s)
 //! [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))]. Derivatives by s yield the
-//! logarithms. They are computed by jets, which are polynomials in η for the exponent s + η.
+//! logarithms. Jets compute the derivatives; a jet is a polynomial in η for the exponent s + η.
 
 use super::Real;
 use super::gamma::asymptotic_from;
@@ -22,11 +22,12 @@ fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }
 
-/// Returns Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) without the factor h², where Y_j =
-/// h/R(N + j, σ) with the centred ratio R of Γ and ξ = 2σ + 1. Requires ξ > 0 and N ≥
-/// [`asymptotic_start`]. With w = N + j + 1/2, the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
-/// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)). Here p_n(σ) is the Bernoulli polynomial without its term of
-/// degree n − 1.
+/// Returns the sum Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)). Here ξ = 2σ + 1, and Y_j is
+/// 1/R(N + j, σ) with the centred ratio R of Γ. Requires ξ > 0 and N ≥ [`asymptotic_start`].
+///
+/// Let w = N + j + 1/2. Let p_n(σ) be the Bernoulli polynomial of degree n without its term of
+/// degree n − 1. Then the term with index j is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m
+/// 2p_{2m+1}(σ)/(m(2m+1) w^(2m)).
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (*xi - T::one()) * T::half();
     let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().copied()).collect();
@@ -38,9 +39,11 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     *xi * T::half() * tail(n, &(T::from_int(2) * *xi + T::one()), &terms)
 }
 
-/// Returns Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N +
-/// j + 1/2). Requires N ≥ [`asymptotic_start`]. With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) =
-/// h + Σ B₂ₘ/(2m w^(2m)) − ln w, the term is (D + D² − 1/(4w²))/(2w(w² − 1)).
+/// Returns the sum Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)). Here Y_j is
+/// h − ψ(N + j + 1/2) with the digamma function ψ. Requires N ≥ [`asymptotic_start`].
+///
+/// Let w = N + j + 1/2, and let B₂ₘ be the Bernoulli numbers. Let D = h − ψ(w) − 1/(2w) = h + Σ
+/// B₂ₘ/(2m w^(2m)) − ln w. Then the term with index j is (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     let even: Vec<T> = core::iter::once(*h)
         .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / T::from_int(2 * m)))
@@ -108,8 +111,8 @@ fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
     (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }
 
-/// Returns the exponential of a power series Σ cₘ vᵐ without constant term. Its coefficients eₙ
-/// follow from n eₙ = Σ m cₘ eₙ₋ₘ.
+/// Returns the exponential of a power series Σ cₘ vᵐ without constant term. The coefficients eₙ of
+/// the exponential follow from n eₙ = Σ m cₘ eₙ₋ₘ.
 fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     let mut result = vec![T::one()];
     for n in 1..series.len() {

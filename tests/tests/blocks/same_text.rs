@@ -12,8 +12,9 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// Returns the tokens that rustc passes to the macro. They differ from those of a text. In a text,
-/// `**` is a power and `.5` is a number; rustc passes two stars, and a point followed by a number.
+/// Returns the tokens that rustc passes to the macro. The tokens of rustc differ from those of a
+/// text. In a text, `**` is a power and `.5` is a number; rustc passes two stars, and a point
+/// followed by a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
     let split = |(token, range): (Token, Range<usize>)| {

@@ -1,7 +1,7 @@
 //! Tests the accuracy of tangent vectors for long steps, compared with double-double. For ‖εf′‖∞ up
 //! to 1000, the planner refuses forms whose median error exceeds 45 times that of elimination with
-//! pivoting, if the latter is at most 10 u with the unit roundoff u. The test measures this at
-//! other points.
+//! pivoting. If the median error of elimination is below 10 u, with the unit roundoff u, the limit
+//! is 450 u. The test measures the median errors at other points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;

@@ -269,7 +269,7 @@ fn states_far_out_are_right_or_flagged() {
     // of x̃.
     let x = vector![-8.676922526036922e48, -1.5830949700414324e75, 4.794036587204811e-94];
     judge("E3", &E3, x, -2.0859248397665138e93, &mut tally);
-    // The factor 1 − ξ of the largest terms is 0.
+    // The parameter ξ is 1, so the largest terms of E9 vanish: they have the factor 1 − ξ.
     let x = vector![-6096532.558838251, -242655735183791.94, -1.8544218759589321e-93];
     judge("E9", &E9 { xi: 1.0 }, x, 5.392351629290315e92, &mut tally);
     assert_eq!(tally.flagged, 0);

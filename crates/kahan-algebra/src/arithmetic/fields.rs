@@ -104,8 +104,8 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// Uses the range in which generated code, too, multiplies by reciprocals instead of
-            /// dividing.
+            /// Returns whether |ε| lies in a fixed range. In this range, generated code multiplies
+            /// by reciprocals instead of dividing.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

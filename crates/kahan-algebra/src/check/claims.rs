@@ -67,7 +67,7 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // The mistake in this claim is already reported. Claims that use this one are dropped
+            // The mistake in this claim is already reported. Claims that use this claim are dropped
             // without a further report.
             None => compiler.scope.poison(&claim.name.text),
         }

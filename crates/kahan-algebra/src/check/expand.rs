@@ -26,8 +26,8 @@ const MOST_WORK: u64 = 300_000;
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
 /// The most terms of a sum whose order of addition is stored.
 const MOST_IN_ORDER: usize = 64;
-/// The largest degree in the states that a power of a sum may have. It is checked before the power
-/// is expanded.
+/// The largest degree in the states that a power of a sum may have. The degree is checked before
+/// the power is expanded.
 const HIGHEST_DEGREE: u64 = 64;
 
 /// A fraction p/q, together with the numerator as written.

@@ -2,7 +2,7 @@
 //!
 //! Names are checked first, then constants, equations and claims. Each mistake is reported once,
 //! because later stages see a harmless replacement such as a zero right-hand side. A block with a
-//! mistake is [`Broken`]. It has no field, only a [`StandIn`] that declares its type.
+//! mistake is [`Broken`]. A broken block has no field, only a [`StandIn`] that declares its type.
 
 mod claims;
 mod conditions;

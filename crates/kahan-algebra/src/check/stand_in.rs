@@ -54,7 +54,7 @@ impl StandIn {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// Returns a system with these names. Its field is zero, and its claims equal 0.
+    /// Returns a system with these names. The field of the system is zero, and the claims equal 0.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();

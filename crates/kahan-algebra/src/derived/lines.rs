@@ -20,8 +20,8 @@ use super::names::constant_names;
 pub struct EntryPosition {
     /// The index of the array to which the row belongs.
     pub row: usize,
-    /// The column, which is an index among the states of the stencil. These are ordered by site,
-    /// then by array.
+    /// The column, which is an index among the states of the stencil. The states are ordered by
+    /// site, then by array.
     pub column: usize,
 }
 
@@ -35,10 +35,11 @@ pub struct Lines {
     pub symbols: Symbols,
     /// The plan that computes the prepared constants from ε and the parameters of the chain.
     pub constants: Plan,
-    /// The plan of the field and of the entries of A. It has an output for each array, followed by
-    /// an output for each of the [`entries`](Self::entries).
+    /// The plan of the field and of the entries of A. The plan has an output for each array,
+    /// followed by an output for each of the [`entries`](Self::entries).
     pub rows: Plan,
-    /// The plan of the summands of claims. The integrals come first, then the Hamiltonian.
+    /// The plan that computes the summand of each sum in the claims, at one site. The summands of
+    /// the integrals come first, then the summand of the Hamiltonian.
     pub sums: Plan,
     /// The positions of the entries of A that are not identically zero.
     pub entries: Vec<EntryPosition>,

@@ -284,9 +284,9 @@ impl Derived {
         self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
-    /// Returns the plan that maps a tangent vector v to (∂x̃/∂x)·v, given x, v and x̃. It has one
-    /// output for each component. Returns `None` if the reduced map is defined at zeros of det A,
-    /// or if every short form loses digits.
+    /// Returns the plan that maps a tangent vector v to (∂x̃/∂x)·v, given x, v and x̃. The plan has
+    /// one output for each component. Returns `None` if the reduced map is defined at zeros of det
+    /// A, or if every short form loses digits.
     ///
     /// The symbols are those of the [variational](System::variational) field. Its states are x and
     /// v, and the first half of its second states are x̃.

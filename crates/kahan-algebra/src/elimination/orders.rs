@@ -18,8 +18,8 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
         minimum_degree(&neighbours),
     ];
     let [.., of_degree] = &proposals;
-    // The minimum degree order is nearly always cheap. Its price lets expensive orders be rejected
-    // early.
+    // The minimum degree order is nearly always cheap. Knowing the cost of this order, the search
+    // rejects expensive orders early.
     let bound = graph.filled(of_degree, None).map(|filled| filled.price);
     let filled = |order: Vec<usize>| Some((graph.filled(&order, bound)?, order));
     let cheapest = proposals.into_iter().filter_map(filled).min_by_key(|(filled, _)| filled.price);
@@ -33,15 +33,15 @@ fn as_written(count: usize) -> Vec<usize> {
     (0..count).collect()
 }
 
-/// Returns the order 0, n−1, 1, n−2, … of n variables. It turns a cyclic band matrix into an open
-/// one with twice the bandwidth.
+/// Returns the order 0, n−1, 1, n−2, … of n variables. This order turns a cyclic band matrix into
+/// an open band matrix with twice the bandwidth.
 fn from_both_ends(count: usize) -> Vec<usize> {
     (0..count).map(|k| if k % 2 == 0 { k / 2 } else { count - 1 - k / 2 }).collect()
 }
 
-/// Returns the reverse Cuthill–McKee order. It takes the variables in layers around a variable of
-/// low degree (E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A. George,
-/// Stanford report STAN-CS-71-208).
+/// Returns the reverse Cuthill–McKee order. This order takes the variables in layers around a
+/// variable of low degree (E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A.
+/// George, Stanford report STAN-CS-71-208).
 fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let degree = |&place: &usize| neighbours[place].len();
     let mut is_placed = vec![false; neighbours.len()];

@@ -88,7 +88,7 @@ pub enum Role {
 }
 
 impl Family {
-    /// Returns the name of the family's type, or `field` if it has none.
+    /// Returns the name of the family's type, or `field` if the family has no name.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())

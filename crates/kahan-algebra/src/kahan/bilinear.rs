@@ -12,8 +12,8 @@ pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, &field.homogeneous_part(i, 2))).collect()
 }
 
-/// Returns the numerators of Q(x,y) + ½B(x+y) + c over the denominators qᵢ. This is the right-hand
-/// side of Kahan's scheme; the second states are y.
+/// Returns the numerators of Q(x,y) + ½B(x+y) + c over the denominators qᵢ. The returned quotients
+/// are the right-hand side of Kahan's scheme. The states of the second point are y.
 #[must_use]
 pub fn polarization(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, field.components[i].numerator())).collect()

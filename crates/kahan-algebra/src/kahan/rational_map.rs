@@ -90,8 +90,8 @@ impl Reduced {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Returns whether all degrees in the states equal those of `other`. This holds if factors of
-    /// equal degree were divided out of both. If `counts_eps`, ε counts as a state.
+    /// Returns whether all degrees in the states equal those of `other`. The degrees are equal if
+    /// factors of equal degree were divided out of both maps. If `counts_eps`, ε counts as a state.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,

@@ -30,8 +30,8 @@ const FEW: usize = 25;
 const MANY: usize = 100;
 /// The largest permitted ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// The least median error of elimination, in multiples of u, with which a step is compared. Smaller
-/// medians are replaced by this one.
+/// The lower limit of the median error of elimination with which a step is compared, in multiples
+/// of u. If the measured median error is smaller, the limit replaces it.
 const SMALL: f64 = 10.0;
 /// The largest permitted ratio of a step's tail quantile of errors to that of elimination.
 const TAIL_FACTOR: f64 = 60.0;
@@ -135,8 +135,8 @@ impl AccuracyLoss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// Returns the largest size up to which the step is accurate with certainty, or 0 if there is
-    /// none.
+    /// Returns the largest size up to which the step is certainly accurate. Returns 0 if the step
+    /// is accurate at no size with certainty.
     pub(super) fn holds_to(&self) -> u32 {
         let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
         held.last().map_or(0, |(size, _)| *size)

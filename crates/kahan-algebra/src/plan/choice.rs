@@ -30,8 +30,8 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form is used for many orbits in SIMD lanes. It also computes single orbits,
-        // unless another form has a shorter recurrence.
+        // The cheapest form is used for many orbits in SIMD lanes. The cheapest form also computes
+        // single orbits, unless another form has a shorter recurrence.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);

@@ -11,8 +11,8 @@ use super::{Node, Operation, Plan};
 
 const LONGEST: usize = 24;
 
-/// The kind of the outermost operation in a description. It decides how the description can be
-/// combined with others.
+/// The kind of the outermost operation in a description. The kind decides how the description can
+/// be combined with other descriptions.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DescriptionKind {
     Number,
@@ -48,8 +48,8 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     plan.operations.iter().zip(known).map(named).collect()
 }
 
-/// Returns the kind of an operation that has no description. Its name in the code is this kind with
-/// a number.
+/// Returns the kind of an operation that has no description. In the code, the name of the operation
+/// is this kind with a number.
 #[must_use]
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {

@@ -12,7 +12,7 @@ use crate::poly::Variable;
 pub enum Input {
     /// A variable, which is a state, a parameter or ε.
     Variable(Variable),
-    /// The prepared constant with this index. It occurs in the kernel of a
+    /// The prepared constant with this index. Prepared constants occur in the kernel of a
     /// [`StepPlan`](super::StepPlan).
     Prepared(usize),
 }

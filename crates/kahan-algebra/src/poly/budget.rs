@@ -10,7 +10,7 @@ use std::fmt;
 
 use super::Polynomial;
 
-/// The largest total degree within any budget. It ensures that exponents never overflow.
+/// The largest total degree within any budget. This limit ensures that exponents never overflow.
 const MAX_DEGREE: u64 = 1 << 24;
 
 /// A limit on the size and the work of computations with polynomials.

@@ -1,10 +1,10 @@
-//! Computes greatest common divisors of multivariate polynomials over ℚ. They are primitive with
-//! positive leading coefficient.
+//! Computes greatest common divisors of multivariate polynomials over ℚ. The returned divisors are
+//! primitive, with positive leading coefficient.
 //!
 //! Monomials are divided out first. Images modulo a prime then bound the degree of the gcd in each
-//! variable. They prove the common case that the gcd is 1, and remove variables that the gcd does
-//! not contain. The remaining cases take trial division and the subresultant remainder sequence.
-//! All results are exact; the prime affects only the speed.
+//! variable. These bounds prove the common case that the gcd is 1, and remove variables that the
+//! gcd does not contain. The remaining cases take trial division and the subresultant remainder
+//! sequence. All results are exact; the prime affects only the speed.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};

@@ -87,7 +87,8 @@ impl Random for Shake256 {
 }
 
 /// SplitMix64, a small reproducible generator (Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", OOPSLA 2014). It serves samples only; proofs draw from [`Shake256`].
+/// number generators", OOPSLA 2014). The generator serves samples only; proofs draw from
+/// [`Shake256`].
 #[derive(Clone, Debug)]
 pub struct SplitMix64 {
     state: u64,

@@ -77,8 +77,8 @@ fn the_generators_match_their_published_vectors() {
     let mut rng = SplitMix64::new(0);
     assert_eq!([rng.next_u64(), rng.next_u64()], [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4]);
     assert_eq!(SplitMix64::from_bytes(b"a").next_u64(), SplitMix64::new(0xaf63_dc4c_8601_ec8c).next_u64());
-    // The values are from Python's `hashlib.shake_256`. They cover the empty text, padding of one
-    // byte and of a whole block, and digests beyond the first block.
+    // The values are from Python's `hashlib.shake_256`. The cases are the empty text, padding of
+    // one byte and of a whole block, and digests beyond the first block.
     let words = |text: &[u8], from: usize| {
         let mut stream = Shake256::new(text);
         let mut words = std::iter::repeat_with(|| stream.next_u64()).skip(from);

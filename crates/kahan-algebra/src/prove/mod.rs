@@ -81,8 +81,9 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
 /// [`operations`].
 const MOST_OPERATIONS: usize = 1_500_000;
 
-/// Estimates the number of operations at a point for all claims. It counts the plans of claims, the
-/// terms of the field, and eliminations, whose operations modulo a prime are cheap.
+/// Estimates the number of operations at a point for all claims. The estimate counts the plans of
+/// claims, the terms of the field, and eliminations. Operations of eliminations are cheap modulo a
+/// prime.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
     let terms: usize = system.field.numerators().map(Polynomial::len).sum();

@@ -87,7 +87,7 @@ pub(super) fn take_step<A: OverRationals>(
 /// number.
 pub(super) const MOST_DRAWS: usize = 16;
 
-/// The random points under given conditions. They are drawn when needed.
+/// The random points that satisfy given conditions. Points are drawn when needed.
 pub(super) struct Samples<'a> {
     pub(super) conditions: &'a [Condition],
     random: Shake256,

@@ -4,8 +4,8 @@ use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 
 use super::notation::{Notation, Text};
 
-/// The precedence of the outermost operation in an expression. It decides where parentheses are
-/// needed.
+/// The precedence of the outermost operation in an expression. The precedence decides where
+/// parentheses are needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Precedence {
     /// A sum or a negation.
@@ -56,8 +56,8 @@ pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Prec
     }
 }
 
-/// Returns an expression in a notation. It is in parentheses if its precedence is lower than
-/// `level`.
+/// Returns an expression in a notation. The expression is in parentheses if its precedence is lower
+/// than `level`.
 pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Precedence) -> String {
     let (text, own) = written(notation, expr);
     if own >= level { text } else { notation.parenthesized(&text) }

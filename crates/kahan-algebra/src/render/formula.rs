@@ -88,7 +88,8 @@ impl Formulas<'_> {
     /// budget. Each entry takes a greatest common divisor.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
-        /// The most products of terms for an entry. They take some tenths of a second.
+        /// The most products of terms for an entry. Computing these products takes some tenths of a
+        /// second.
         const WORK: u64 = 1 << 20;
 
         let map = &self.map?.reduced;

@@ -200,8 +200,9 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
-/// Returns the error of an object at one point, divided by the error of the text. Returns `None` if
-/// the text itself keeps fewer than three digits.
+/// Returns the error of a planned computation at one point. The error is divided by that of
+/// evaluating the formula as written. Returns `None` if evaluating the written formula keeps fewer
+/// than three digits.
 fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool) -> Option<f64> {
     let runs: Vec<Vec<f64>> = runs.iter().map(|run| errors(run, exact)).collect();
     let sizes: Vec<f64> = exact.iter().map(|(high, _)| high.abs()).collect();
@@ -387,7 +388,8 @@ impl Draw {
     }
 
     /// Draws a field in two or three variables. Each equation has up to three terms of degree at
-    /// most 2. Their coefficients contain differences and divisors of parameters.
+    /// most 2. The coefficients of the terms contain differences of parameters, and divisors that
+    /// contain parameters.
     fn field(&mut self) -> String {
         let states = &["x", "y", "z"][..2 + self.below(2)];
         let mut text = String::new();

@@ -15,7 +15,7 @@ use kahan_draw::document::readable;
 pub(super) struct FigureEntry {
     pub(super) id: &'static str,
     pub(super) title: &'static str,
-    /// One or more drawings. They are side by side if the page is wide enough.
+    /// One or more drawings. The drawings are side by side if the page is wide enough.
     pub(super) drawings: Vec<Markup>,
     /// The system, ε, the initial point and the number of iterates.
     pub(super) data: Markup,

@@ -46,7 +46,7 @@ impl Atlas {
     }
 }
 
-/// The file DIR/index.html while it is made. It appears as a whole or not at all.
+/// The file DIR/index.html while it is made. The file appears as a whole or not at all.
 pub(super) struct Index {
     path: PathBuf,
     since: Instant,

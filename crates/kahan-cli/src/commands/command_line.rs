@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 
 use crate::printing::{Answer, UsageError};
 
-/// A command that asks a question. Its arguments determine the question, and the question
-/// determines them.
+/// A command that asks a question. The arguments of the command determine the question, and the
+/// question determines the arguments.
 pub(crate) trait QuestionCommand: Args + FromArgMatches {
     type Question: PartialEq + Serialize;
 

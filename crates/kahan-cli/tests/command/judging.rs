@@ -28,7 +28,7 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     }
 }
 
-/// The text of E3 is interpreted, with the bits of the compiled E3, so the cells are equal.
+/// The interpreted text of E3 computes the same bits as the compiled E3, so the cells are equal.
 #[test]
 fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     let cells = |arguments: &[&str]| {

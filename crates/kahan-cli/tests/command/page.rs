@@ -163,7 +163,8 @@ fn what_cannot_be_made_is_left_out_and_said() {
     assert_eq!(fs::read_to_string(&there).expect("the page"), before);
 }
 
-/// A pendulum in the notation of a textbook. It has two parameters; one of them has a value.
+/// A pendulum in the notation of a textbook. The pendulum has two parameters; one parameter has a
+/// value.
 const PENDULUM: &str = "x'' = -g*sin(x) - k*x', g = 2";
 
 #[cfg(unix)]

@@ -87,8 +87,8 @@ pub struct Constant {
 }
 
 impl DriftKind {
-    /// Returns whether the map F ↦ F + c or F ↦ c·F has infinite order: c ≠ 0 or c ≠ ±1,
-    /// respectively.
+    /// Returns whether the map from F to its next value has infinite order. The map F ↦ F + c has
+    /// infinite order if c ≠ 0, and the map F ↦ c·F if c ≠ ±1.
     pub(crate) fn has_infinite_order(&self) -> bool {
         let one = RationalFunction::one();
         match self {

@@ -226,7 +226,8 @@ mod tests {
 
     #[test]
     fn every_function_is_carried_as_it_says() {
-        // The matrix has a chain of length 2, the eigenvalue 3, and a rotation.
+        // The matrix has a Jordan block of size 2 with the eigenvalue 2, the simple eigenvalue 3,
+        // and a block that rotates a plane.
         let of = matrix(&[
             &[2, 0, 0, 0, 0],
             &[5, 2, 0, 0, 0],

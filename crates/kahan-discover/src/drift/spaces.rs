@@ -53,8 +53,9 @@ impl Points {
         Some(Points { modulus, values })
     }
 
-    /// Returns a basis of the largest invariant space with the cofactor of these exponents, with
-    /// the image of each element.
+    /// Returns a basis of the largest space of polynomials that the map sends to the same space
+    /// times a cofactor. The cofactor is the product of the factors with these exponents. Each
+    /// element of the basis is paired with its image.
     pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
         let modulus = &self.modulus;
         let rows = self.values.iter().map(|(here, there, factors)| {

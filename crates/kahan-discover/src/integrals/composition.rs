@@ -1,5 +1,5 @@
-//! Finds the integrals that compositions of the map φ preserve. They are tested on the symmetric
-//! product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂.
+//! Finds the integrals that compositions of the map φ preserve. The integrals are tested on the
+//! symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ₁ and γ₂.
 //!
 //! Compositions of higher order have this pattern.
 

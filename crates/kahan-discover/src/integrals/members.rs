@@ -180,7 +180,8 @@ fn special(
         let sum = |(own, other): (&u64, &u64)| modulus.plus(*own, modulus.times(factor, *other));
         left.iter().zip(right).map(sum).collect()
     };
-    // In a random basis of the pencil P + cQ, no special element has c = ∞.
+    // Replace P and Q by a random basis of the pencil P + cQ. Then no special element of the pencil
+    // has c = ∞.
     let pair = [0, 1].map(|_| combined(pair, modulus.sample(random)));
     let degree = monomials.degree() as usize;
     let plane = Plane::random(*modulus, monomials, random);
@@ -282,8 +283,8 @@ impl<'a> Plane<'a> {
 }
 
 /// Returns the polynomial whose roots are the c for which the equations with matrix p + cq have
-/// solutions. Its coefficients are residues, lowest first. Each row of `p` and `q` belongs to one
-/// unknown.
+/// solutions. The coefficients of the polynomial are residues, with the constant term first. Each
+/// row of `p` and `q` belongs to one unknown.
 fn spectrum(modulus: &Modulus, p: &[Vec<u64>], q: &[Vec<u64>], random: &mut SplitMix64) -> Option<Vec<u64>> {
     let columns = p.len();
     let mut determinants = Vec::new();

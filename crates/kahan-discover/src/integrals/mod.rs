@@ -1,7 +1,7 @@
 //! Rational integrals. The search finds them as null vectors of relations ([`search`]), among
 //! coefficients of relations (`relation_coefficients`), and as special elements P + cQ of pencils
-//! (`members`). They are reconstructed over ℚ ([`reconstructed`]), simplified, proved, and tested
-//! for independence (`accepted`).
+//! (`members`). The integrals are reconstructed over ℚ ([`reconstructed`]), simplified, proved, and
+//! tested for independence (`accepted`).
 
 pub(crate) mod accepted;
 pub mod composition;

@@ -1,15 +1,15 @@
 //! Finds the sign changes of states that map orbits to orbits.
 //!
-//! If f(Sx) = ±S f(x) with S = diag(±1), then φ(Sx) = Sφ(x) at ε or −ε, and S maps the closure of
-//! the orbit of x to that of Sx. A coefficient of the reduced relations then changes by the signs
-//! of two monomials: its own and the leading one. So if P/Q equals this coefficient, P and Q can be
-//! restricted to monomials of one sign each.
+//! Let f(Sx) = ±S f(x) with S = diag(±1). Then the map φ satisfies φ(Sx) = Sφ(x) at ε or −ε.
+//! Therefore S maps the closure of the orbit of x to the closure of the orbit of Sx. A coefficient
+//! of the reduced relations then changes by the signs of two monomials: its own and the leading
+//! one. So if P/Q equals this coefficient, P and Q can be restricted to monomials of one sign each.
 
 /// The most generators of sign changes that are returned.
 const MOST: usize = 8;
 
-/// The condition that a term xⱼxₖ, xⱼ or 1 of component i sets on sign changes. It is the sum over
-/// F₂ of the unit vectors of i, j and k, as a bit set.
+/// The condition that a term xⱼxₖ, xⱼ or 1 of component i sets on sign changes. The condition is
+/// stored as a bit set: the sum over F₂ of the unit vectors of i, j and k.
 pub type TermSigns = u64;
 
 /// Returns generators of the sign changes S, each as a bit set of states. `terms` holds all terms

@@ -74,8 +74,8 @@ impl PencilEntry {
 }
 
 impl Pencil {
-    /// Returns the space of the pencil for another map of the family. `None` if the space has
-    /// another form, the map is undefined, or the deadline passes.
+    /// Returns the pencil's space of polynomials at the parameters and ε of `map`. Returns `None`
+    /// if the space has another form there, the map is undefined, or the deadline passes.
     pub fn at(
         &self,
         map: &impl ModularStep,

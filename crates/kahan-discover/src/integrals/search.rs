@@ -38,9 +38,9 @@ impl FormulaLimits {
     pub const SHORT: Self = FormulaLimits { coefficients: 300, terms: 60, orders: 2 };
 }
 
-/// Finds spaces of polynomials that are spanned by relations of orbits and whose quotients are
-/// integrals. Degrees ascend up to `relation_degree`. The search stops at `wanted` independent
-/// integrals.
+/// Finds pencils, which are spaces of polynomials whose quotients are integrals. Each space is
+/// spanned by relations, which are polynomials that vanish on an orbit. The degrees ascend up to
+/// `relation_degree`. The search stops at `wanted` independent integrals.
 pub fn spanned_pencils<M: ModularStep>(
     map: &M,
     relation_degree: u32,

@@ -1,8 +1,8 @@
 //! Restricts orbits to a level set of a known integral.
 //!
-//! Suppose that relations mix several integrals, and that one of them, F = P/Q, is known. Then
-//! starts of orbits are sampled on P − cQ = 0, with c as a further unknown. Relations of these
-//! orbits mix one integral less.
+//! Suppose that relations mix several integrals, and that one integral F = P/Q is known. Then
+//! starts of orbits are sampled on P − cQ = 0, with the value c of F as a further unknown.
+//! Relations of these orbits mix one integral less.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::{Random, SplitMix64};

@@ -26,8 +26,8 @@ pub trait ModularStep {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
     }
 
-    /// Returns the orbit of `length` points that begins with `start`. It is shorter if it ends at a
-    /// pole.
+    /// Returns the orbit of `length` points that begins with `start`. An orbit that ends at a pole
+    /// is shorter.
     fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
         let mut orbit = vec![start];
         while orbit.len() < length {

@@ -106,7 +106,7 @@ impl Modulus {
     /// p < 2⁶², a·2⁶⁴ and eight products together are below 3·2¹²⁶.
     pub(crate) const PRODUCTS: usize = 8;
 
-    /// Starts a sum of products that is not reduced modulo p. Its first term is `a`.
+    /// Starts a sum of products that is not reduced modulo p. The first term of the sum is `a`.
     #[inline]
     pub(crate) fn unreduced(a: u64) -> u128 {
         u128::from(a) << 64

@@ -2,8 +2,8 @@
 
 use crate::modular::modulus::Modulus;
 
-/// The monomials of n variables. They are ordered by degree, then lexicographically with the last
-/// variable lowest.
+/// The monomials of n variables. The monomials are ordered by degree, then lexicographically with
+/// the last variable lowest.
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,

@@ -145,8 +145,8 @@ impl Reconstruction<'_> {
             .collect()
     }
 
-    /// Returns the coefficients of each function, numerator first. They are scaled so that the last
-    /// nonzero coefficient is 1.
+    /// Returns the coefficients of each function, numerator first. The coefficients are scaled so
+    /// that the last nonzero coefficient is 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[MonomialSupport]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);

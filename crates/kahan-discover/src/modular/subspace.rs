@@ -102,7 +102,7 @@ pub(crate) fn scattered<'a>(
     all
 }
 
-/// The variables in formulas of a space of polynomials.
+/// The variables that occur in formulas for a space of polynomials.
 #[derive(Clone, Debug)]
 pub struct Names {
     /// The parameters, ε, and further unknowns on which the space depends.

@@ -18,8 +18,8 @@ pub struct Hilbert {
     pub values: Vec<usize>,
     /// The number of all monomials of degree ≤ 1, ≤ 2, …, which is an upper bound of h.
     pub full: Vec<usize>,
-    /// The codimension of the closure of the orbit, as the observed relations define it. It is the
-    /// number of independent algebraic integrals visible up to this degree.
+    /// The codimension of the closure of the orbit, as the observed relations define it. The
+    /// codimension is the number of independent algebraic integrals visible up to this degree.
     pub integrals: usize,
     /// The least degree of a relation, if one was observed.
     pub relation_degree: Option<u32>,

@@ -56,8 +56,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// Returns the codimension of the orbit's closure as these relations define it. It is computed
-    /// as the rank of the relations' gradients at the start.
+    /// Returns the codimension of the orbit's closure as these relations define it. The codimension
+    /// is computed as the rank of the relations' gradients at the start.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         self.normals(modulus, monomials).len()

@@ -49,7 +49,8 @@ pub struct Bracket {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Brackets {
     pub(crate) proved: Vec<Bracket>,
-    /// The number of proved brackets with polynomial entries. They precede the other brackets.
+    /// The number of proved brackets with polynomial entries. Brackets with polynomial entries
+    /// precede the other brackets.
     pub(crate) polynomial: usize,
     /// The indices of constant tensors K for which (I − ε² f′²)K is proved to be a bracket. Claims
     /// omit long brackets, and brackets that others imply.

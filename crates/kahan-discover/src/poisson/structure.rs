@@ -48,8 +48,9 @@ const FEW_VARIABLES: usize = 10;
 pub(crate) struct ByRules {
     /// Integrals that are accepted before the search for other integrals.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Integrals that the search may replace by others of equal degree with a common denominator.
-    /// They are those by rotation in few variables, and those of linear fields.
+    /// The integrals that the search may replace by integrals of equal degree with a common
+    /// denominator. The list contains integrals by rotation in few variables, and integrals of
+    /// linear fields.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 

@@ -1,5 +1,5 @@
-//! Curves (surfaces in three variables) that a map may send to infinity or contract. They are
-//! factors of the map's denominator and of its Jacobian determinant, in lowest terms.
+//! Curves (surfaces in three variables) that a map may send to infinity or contract. The curves are
+//! factors of the map's denominator and of the map's Jacobian determinant, in lowest terms.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, maximal_minors};
@@ -15,8 +15,8 @@ const MOST_WORK: u64 = 20_000_000;
 pub(crate) struct Curves {
     pub(crate) components: Vec<Polynomial>,
     pub(crate) factors: Vec<Polynomial>,
-    /// Whether the factors of the Jacobian determinant are included. They are not if it is too long
-    /// to expand.
+    /// Whether the factors of the Jacobian determinant are included. The factors are left out if
+    /// the determinant is too long to expand.
     pub(crate) has_jacobian: bool,
 }
 
@@ -52,8 +52,8 @@ pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Po
     Some(components)
 }
 
-/// Returns Dⁿ⁺¹ det ∂x̃/∂x for the map x̃ = N/D. `None` beyond the budget. It is computed as the
-/// determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D.
+/// Returns Dⁿ⁺¹ det ∂x̃/∂x for the map x̃ = N/D. Returns `None` beyond the budget. The result is
+/// computed as the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D.
 pub(crate) fn jacobian(field: &Field, components: &[Polynomial], budget: &mut Budget) -> Option<Polynomial> {
     let row = |component: &Polynomial| {
         let slopes = (0..field.dimension()).map(|i| component.derivative(field.symbols.state(i)));

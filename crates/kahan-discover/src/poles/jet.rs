@@ -16,8 +16,8 @@ use crate::maps::parametric_field::evaluate;
 use crate::modular::matrix::Echelon;
 use crate::modular::modulus::Modulus;
 
-/// Homogeneous polynomials at sampled parameters and ε. They consist of terms c · ∏ Xᵢ^eᵢ with the
-/// exponent of W last.
+/// Homogeneous polynomials at sampled parameters and ε. Each polynomial consists of terms c · ∏
+/// Xᵢ^eᵢ, where the last exponent is that of W.
 pub(crate) struct Homogeneous {
     modulus: Modulus,
     components: Vec<Vec<(u64, Vec<u32>)>>,
@@ -86,8 +86,8 @@ impl Homogeneous {
         Self::of(modulus, components, values, |_| degree)
     }
 
-    /// Makes curves, each of its own degree. The coordinate W follows the curves; its zeros are the
-    /// points at infinity.
+    /// Makes a homogeneous component of each curve, whose degree is that of the curve. Appends the
+    /// coordinate W as a last component; its zeros are the points at infinity.
     pub(crate) fn curves(modulus: Modulus, curves: &[Polynomial], values: &Values<'_>) -> Option<Self> {
         let mut all = Self::of(modulus, curves, values, |curve| values.symbols.degree(curve))?;
         let exponents = (0..=values.symbols.dimension()).map(|i| u32::from(i == values.symbols.dimension()));

@@ -91,9 +91,10 @@ const MOST_SAMPLES: usize = 40;
 /// The share of the time for degrees of iterates.
 const FOR_DEGREES: f64 = 0.4;
 
-/// Follows the curves of a system's map through its poles, for a number of steps. Of the options,
-/// fixed values and the limits on degrees and time apply. `watch` is told of every curve before the
-/// curve is followed. Equal fields and options give equal results, unless time runs out.
+/// Follows curves that a system's map sends to infinity or contracts, for a number of steps. Only
+/// these options have an effect: fixed values, and the limits on degrees and time. `watch` is told
+/// of every curve before the curve is followed. Equal fields and options give equal results, unless
+/// time runs out.
 ///
 /// # Errors
 /// If the field has no invertible map, or if the closed form of the map is beyond the budget of

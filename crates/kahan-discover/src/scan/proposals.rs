@@ -112,7 +112,8 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     format!("{} = {}", text(&left), text(&right))
 }
 
-/// A search for formulas under relations. It proves the formulas as claims about the given field.
+/// A search for formulas under relations. The search proves the formulas as claims about the given
+/// field.
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,

@@ -23,7 +23,8 @@ pub(super) struct Grid {
 
 /// A polynomial that vanishes at special points only.
 pub(super) struct VanishingPolynomial {
-    /// The polynomial. Its variable with index k stands for the scanned parameter k.
+    /// The polynomial. In the polynomial, the variable with index k stands for the scanned
+    /// parameter k.
     pub(super) polynomial: Polynomial,
     /// The special points at which the polynomial vanishes.
     pub(super) points: Vec<usize>,

@@ -1,13 +1,13 @@
-//! Jets of a curve over ℚ(δ): a point is moved by δ off the curve and followed exactly. They are a
-//! reference for the modular computation.
+//! Computes jets of a curve exactly: a point is moved by δ off the curve, and its images are
+//! rational functions of δ. Tests compare the modular computation with these exact jets.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 
-/// Homogeneous coordinates of the moved point. They are polynomials in δ and, to first order, in
-/// the parameters of the curve.
+/// Homogeneous coordinates of the moved point. The coordinates are polynomials in δ and, to first
+/// order, in the parameters of the curve.
 pub(crate) struct ExactGerm {
     map: Vec<Polynomial>,
     degree: u32,

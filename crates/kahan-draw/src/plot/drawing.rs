@@ -134,8 +134,8 @@ impl Format {
         }
     }
 
-    /// Returns the file extension. It is also the name of the crate feature that the format needs;
-    /// SVG needs none.
+    /// Returns the file extension, which is also the name of the crate feature that the format
+    /// needs. SVG needs no feature.
     #[must_use]
     pub fn feature(self) -> &'static str {
         match self {

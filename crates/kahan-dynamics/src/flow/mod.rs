@@ -82,8 +82,9 @@ impl<T: FloatScalar + From<f64> + From<Dd> + Into<Dd>> Flow<T> {
     /// overshoot. If the solution escapes to infinity after `end`, the flow ends earlier. Before
     /// each piece calls `go_on` with the number of pieces so far.
     ///
-    /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. Its
-    /// length is 0.14 (`Dd`: 0.09) of the distance to the nearest singularity in complex time.
+    /// A piece costs about 90 evaluations of the bilinear form in `f64`, and 240 in [`Dd`]. The
+    /// length of a piece is 0.14 (in `Dd` 0.09) of the distance to the nearest singularity in
+    /// complex time.
     ///
     /// # Errors
     /// [`NoFlow`].

@@ -130,8 +130,9 @@ impl<T: SeriesScalar, const N: usize> Series<T, N> {
 /// component may become important.
 ///
 /// A step h = pρ, where p is [`PART_OF_RADIUS`](SeriesScalar::PART_OF_RADIUS), omits about |x_K|h^K
-/// for the last index K. This may be p^K of the component's size. Each term |xₖ|hᵏ is a lower bound
-/// of the size, also if x₀ = 0. Therefore the largest step that any term allows is accepted.
+/// for the last index K. The omitted part may be p^K of the component's size. Each term |xₖ|hᵏ is a
+/// lower bound of the size, also if x₀ = 0. Therefore the largest step that any term allows is
+/// accepted.
 fn radius<T: SeriesScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {

@@ -20,11 +20,12 @@ pub struct PeriodicPoint {
     /// period.
     pub multipliers: Vec<Complex<f64>>,
     /// The dimension of the family of cycles with this period around this cycle; 0 for an isolated
-    /// cycle. It is the dimension of the null space of ∂φᵖ/∂x − 1, where φ is the map and p the
-    /// period.
+    /// cycle. The dimension equals that of the null space of ∂φᵖ/∂x − 1, where φ is the map and p
+    /// the period.
     pub family: usize,
-    /// The scale for comparing lengths: the largest coordinate of the points. If the starting point
-    /// is larger (the cycle may be the origin), about its largest coordinate.
+    /// The scale for comparing lengths. Usually the scale is the largest coordinate of the points.
+    /// If the starting point has a larger coordinate, the scale is about that coordinate, because
+    /// the cycle may be the origin.
     pub(super) size: f64,
     /// For each multiplier, the distance from the unit circle that rounding can explain.
     margins: Vec<f64>,
@@ -302,7 +303,7 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
     libm::hypot(multiplier.re, multiplier.im)
 }
 
-/// Finds a periodic point of a map near `start`. Its smallest period divides `period`.
+/// Finds a periodic point of a map near `start`. The smallest period of the point divides `period`.
 ///
 /// Tolerances are relative to the size of `start` or of the cycle, whichever is larger. If `start`
 /// is 0, the size of the next point of the orbit replaces that of `start`. The result is

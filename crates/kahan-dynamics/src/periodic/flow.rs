@@ -49,7 +49,7 @@ impl FlowCycle {
         }
     }
 
-    /// Returns whether the cycle has this number of steps, and an ε near this one.
+    /// Returns whether the cycle has `steps` steps, and an ε near the given ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
         /// If the relative change of ε is larger, the cycle is another one.
@@ -74,9 +74,9 @@ impl FlowCycle {
     }
 }
 
-/// Returns whether the points go `rounds` times around a closed curve. For this, each point must
-/// lie near the parabola through three points one round later, relative to the largest second
-/// difference.
+/// Returns whether the points go `rounds` times around a closed curve. Each point must lie near the
+/// parabola through three consecutive points that are one round later in the list. The distance
+/// from the parabola is measured relative to the largest second difference.
 pub(super) fn runs(points: &[f64], dimension: usize, rounds: usize) -> bool {
     /// The tolerance, relative to the largest second difference; it leaves room for third
     /// differences.

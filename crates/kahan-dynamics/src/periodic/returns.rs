@@ -7,8 +7,8 @@ pub struct CloseReturn {
     pub at: usize,
     /// The number of steps until the return.
     pub steps: usize,
-    /// The distance of the returning point from the orbit near the earlier point. It is measured
-    /// perpendicular to the orbit, relative to the extent of the orbit.
+    /// The distance of the returning point from the orbit near the earlier point. The distance is
+    /// measured perpendicular to the orbit, relative to the extent of the orbit.
     pub distance: f64,
 }
 

@@ -394,8 +394,8 @@ impl Parametric for Turning {
     }
 }
 
-/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}. They cross the unit circle at
-/// p = 1, 3/4 and 5/4.
+/// A linear map with multipliers p, −(p + 1/4) and (p − 1/4)·e^{±i}. The multipliers cross the unit
+/// circle at p = 1, 3/4 and 5/4.
 struct Several(f64);
 
 impl ByHand for Several {

@@ -23,8 +23,8 @@ const DOUBLE_DOUBLE: f64 = 6.0;
 const DOUBLE_DOUBLE: f64 = 10.0;
 
 impl Scheme {
-    /// Returns the modelled cycles of one step. They are the product of the number of stages, the
-    /// [cycles](StepCost::cycles) of a stage in `f64`, and the cost factors of scalar and
+    /// Returns the modelled cycles of one step. The result is the product of the number of stages,
+    /// the [cycles](StepCost::cycles) of a stage in `f64`, and the cost factors of scalar and
     /// compensation. `stage` is the cost of one step of Kahan's map. Only ratios of results are
     /// meaningful.
     #[must_use]

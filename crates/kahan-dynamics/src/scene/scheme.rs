@@ -67,7 +67,8 @@ impl Precision {
     }
 }
 
-/// A method of stepping that may run at any ε. It is displayed as `f64, order 8, compensated`.
+/// A method of stepping that may run at any ε. The method is displayed as `f64, order 8,
+/// compensated`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scheme {

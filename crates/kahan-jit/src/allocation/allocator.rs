@@ -179,7 +179,8 @@ impl<'a> Allocator<'a> {
         self.finish(&[a, b], |to| MachineInstruction::Binary(operator, to, first, second));
     }
 
-    /// Writes a fused multiply-add. Its `FusedOrder` tells which operand the result overwrites.
+    /// Writes a fused multiply-add. The `FusedOrder` of the instruction tells which operand the
+    /// result overwrites.
     fn fused(&mut self, operator: Fused, operands: [Node; 3]) {
         let operands = operands.map(|operand| operand.0);
         let [mut a, mut b, c] = operands;

@@ -32,7 +32,8 @@ struct Frame {
 }
 
 impl Frame {
-    /// Begins a function over numbers of type `T`. Its stack slots lie above the stack pointer.
+    /// Begins a function over numbers of type `T`. The stack slots of the function lie above the
+    /// stack pointer.
     ///
     /// # Panics
     /// If results become states, and a state that the program reads has no result.

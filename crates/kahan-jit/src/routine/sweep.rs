@@ -68,9 +68,9 @@ impl<T: Float> Sweep<T> {
         frame.assembler.repeat_below(index, length, next_register);
         frame.assembler.count_down(steps, next_step);
         let (bytes, extent) = frame.close();
-        // SAFETY: the code reads and writes the first `states` columns register by register. It
-        // reads one register per constant from the constants' address. Only `Code::sweep` enters
-        // the code, with the register width and with the stride between sets of constants.
+        // SAFETY: the code reads and writes the first `states` columns register by register. The
+        // code reads one register per constant from the constants' address. Only `Code::sweep`
+        // enters the code, with the register width and with the stride between sets of constants.
         Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 

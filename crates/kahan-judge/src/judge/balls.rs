@@ -133,8 +133,8 @@ pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     verdicts.iter().all(Option::is_some).then_some(true)
 }
 
-/// Returns the condition number of the step in (x, ε). It is infinite if no precision determines
-/// it.
+/// Returns the condition number of the step in (x, ε). The number is infinite if no precision
+/// determines it.
 pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     let (at, curvature) = (equation.at(point), equation.curvature(point));
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
@@ -143,8 +143,8 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 /// Expands det A as a polynomial in a random state or in ε. The expansion goes row by row, with a
 /// minor for each set of columns. An entry of A is linear in each variable.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
-    /// The number of bits. It suffices for a root with the precision of the longest scalar, unless
-    /// cancellation is severe.
+    /// The number of bits. The number suffices for a root with the precision of the longest scalar,
+    /// unless cancellation is severe.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;

@@ -69,8 +69,8 @@ pub(crate) struct Verdict {
 
 pub(crate) struct PolePolynomial {
     pub(crate) variable: usize,
-    /// The coefficients from the constant term upwards. They are rounded if they come from
-    /// elimination.
+    /// The coefficients from the constant term upwards. Coefficients that come from elimination are
+    /// rounded.
     pub(crate) coefficients: Vec<Dyadic>,
 }
 

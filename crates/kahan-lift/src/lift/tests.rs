@@ -48,8 +48,8 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
     sum.scale(&RationalFunction::one().checked_div(&divisor).expect("not 0"))
 }
 
-/// Checks the lifted equations under the expressions of the new variables. They must become the
-/// original equations, and the derivatives of the expressions.
+/// Checks the lifted equations under the expressions of the new variables. The lifted equations
+/// must become the original equations, and the derivatives of the expressions.
 fn check_restriction(lift: &Lift, text: &str) {
     for index in 0..lift.variables().len() {
         let expected = match index.checked_sub(lift.states.len()) {

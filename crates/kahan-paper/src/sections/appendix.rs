@@ -1,5 +1,5 @@
-//! Claims of section 7 and of the appendix. They concern the linearisation of dE3, and for dE4 the
-//! curve, the bilinear equations and theta functions.
+//! Claims of section 7 and of the appendix. The claims about dE3 concern its linearisation. The
+//! claims about dE4 concern its curve, bilinear equations and theta functions.
 
 use kahan_algebra::rational::Rational;
 
@@ -22,7 +22,7 @@ L.delta | L is cosh 2 delta | K := 2*tanh(delta)^2; (2 + K)/(2 - K) = cosh(2*del
 linear | (linde3), the linear recurrence | w2 - 2*L*w1 + w0 = 0
 ";
 
-/// The level set of H(ε) and K(ε) in the variables s = x + y, d = x − y and z. It is the
+/// The level set of H(ε) and K(ε) in the variables s = x + y, d = x − y and z. The level set is the
 /// intersection of two quadrics.
 const CURVE: &str = "
 curve.H | first equation of the curve in s and d |

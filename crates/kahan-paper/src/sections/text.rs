@@ -10,8 +10,8 @@
 //!     within q: 1/50, 1/4
 //! ```
 //!
-//! Notes may follow a statement. They give the erratum that the claim corrects or explains, and the
-//! intervals from which numerical tests draw values of names.
+//! Notes may follow a statement. The notes give the erratum that the claim corrects or explains.
+//! Notes also give the intervals from which numerical tests draw values of names.
 
 use kahan_algebra::rational::Rational;
 

@@ -22,8 +22,8 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each.
     /// `observers` makes the observers of the orbit with a given index. The observers see the first
-    /// point of the orbit as step 0. Points and reports have the bits of single orbits that
-    /// [`advance`](Self::advance) makes.
+    /// point of the orbit as step 0. Points and reports equal, bit for bit, those of single orbits
+    /// that [`advance`](Self::advance) makes.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.

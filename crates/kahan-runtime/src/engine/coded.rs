@@ -42,7 +42,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     }
 
     /// Returns the number of distinct stages, if all steps in `all` have the same kind and number
-    /// of stages as this one.
+    /// of stages as this step.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;

@@ -32,7 +32,7 @@ impl Engine {
         self.coefficients.get_or_init(line).as_ref()
     }
 
-    /// Returns whether loops apply. They need a dense field, `f32` or `f64`, and multiply-adds as
+    /// Returns whether loops apply. Loops need a dense field, `f32` or `f64`, and multiply-adds as
     /// in this build.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble

@@ -112,8 +112,8 @@ pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
     lines: Vec<OnceLock<Option<Line>>>,
-    /// A straight-line program for each integral. After a division by zero the integral has no
-    /// value.
+    /// A straight-line program for each integral. After a division by zero the integral is
+    /// undefined.
     single_integrals: OnceLock<Vec<Line>>,
     sensitivities: Mutex<Vec<(Vec<Sensitivity>, Arc<Engine>)>>,
     coefficients: OnceLock<Option<Line>>,

@@ -35,7 +35,7 @@ pub struct ProjectiveMap {
 #[derive(Clone, Debug)]
 enum Formula {
     /// The reduced map, whose numerators are N₁ … N_n and whose denominator D has a monomial factor
-    /// m. Its plan computes the forms N₁ … N_n and D/m, then the denominator D of the inverse map.
+    /// m. The plan computes the forms N₁ … N_n and D/m, then the denominator D of the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
     /// The plan of the n×n entries of A and the n entries of b, which are homogeneous of degree
     /// one.

@@ -117,8 +117,8 @@ impl HeightsOrbit {
         self.map.coordinates(&self.point)
     }
 
-    /// Returns the current point as integers (X₁, …, X_n, W) without a common factor. They stand
-    /// for xᵢ = σXᵢ/W, where σ is [`ProjectiveMap::unit`].
+    /// Returns the current point as integers (X₁, …, X_n, W) without a common factor. The integers
+    /// stand for xᵢ = σXᵢ/W, where σ is [`ProjectiveMap::unit`].
     #[must_use]
     pub fn projective_point(&self) -> &[IBig] {
         &self.point
@@ -167,7 +167,7 @@ impl HeightsOrbit {
         }
     }
 
-    /// Estimates how much longer the next step takes than the last one, as the squared growth
+    /// Estimates the ratio of the next step's time to the last step's time, as the squared growth
     /// factor of digits.
     pub(super) fn slowdown(&self) -> f64 {
         self.bits.growth().powi(2)

@@ -1,9 +1,9 @@
 //! A run-time system as a map over any scalar, with the traits that generated code implements.
 //!
-//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of generated
-//! code. Code that is generic over maps (orbits, compositions, the step with an error bound) thus
-//! accepts fields from the command line. Interpretation is several times slower than generated
-//! code.
+//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) which computes the same
+//! bits as generated code. Code that is generic over maps (orbits, compositions, the step with an
+//! error bound) thus accepts fields from the command line. Interpretation is several times slower
+//! than generated code.
 
 mod dimension;
 mod map;

@@ -19,7 +19,7 @@ const ROOM: usize = 128;
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// The number of results. They occupy the first registers, which no other value uses.
+    /// The number of results. The results occupy the first registers, which no other value uses.
     results: usize,
     registers: usize,
     /// The number of arrays; the field `parameters` is the number of parameters of a site.

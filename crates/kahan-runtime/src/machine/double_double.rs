@@ -2,9 +2,9 @@
 //! has the operations of [`Dd`](kahan_core::Dd) in their order.
 //!
 //! The program does not branch. Some operations are correct only if sizes are moderate, that is far
-//! from overflow and underflow. They check this by adding to a guard, which is 0 while all sizes
-//! are moderate, and NaN after the first exception. The caller checks the guard from time to time;
-//! if it is not 0, the interpreter repeats the steps.
+//! from overflow and underflow. These operations check the sizes by adding to a guard, which is 0
+//! while all sizes are moderate, and NaN after the first exception. The caller checks the guard
+//! from time to time; if it is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;
@@ -68,7 +68,7 @@ fn guard_below(a: Double, exponent: i32) {
     NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
 }
 
-/// Sets the guard to NaN unless 2^−DIVISORS < |a| < 2^DIVISORS; `inverse` is near 1/a.
+/// Sets the guard to NaN unless 2^−DIVISORS < |a| < 2^DIVISORS. The argument `inverse` is near 1/a.
 fn note_moderate(a: Double, inverse: Double) {
     guard_below(a, 1024 - DIVISORS);
     guard_below(inverse, 1024 - DIVISORS);

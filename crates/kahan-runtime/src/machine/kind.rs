@@ -30,8 +30,8 @@ pub(crate) struct TangentKind {
     /// The kind of the step, either of the point or of the variational field.
     pub(crate) kind: StepKind,
     /// Whether `kind` is a step of the variational field. If not, the program of
-    /// [`Object::Tangent`](crate::engine::Object) propagates vectors. Its constants, the parameters
-    /// and ε, follow the constants of the step.
+    /// [`Object::Tangent`](crate::engine::Object) propagates vectors. The constants of that program
+    /// are the parameters and ε; they follow the constants of the step.
     pub(crate) is_variational: bool,
     pub(crate) vectors: usize,
     pub(crate) has_squares: bool,

@@ -88,9 +88,9 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step that eliminates can be compiled. This needs a supported processor,
-    /// one float for each number, multiply-adds as in this build, and at most [`MOST_OPERATIONS`]
-    /// operations.
+    /// Returns whether a step that eliminates can be compiled. Compiling needs a supported
+    /// processor, one float for each number, multiply-adds as in this build, and at most
+    /// [`MOST_OPERATIONS`] operations.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble

@@ -1,9 +1,9 @@
 //! Observation of a group of orbits whose points and tangent vectors advance by machine code.
 //!
-//! In: maps, points, and observers that do not need every point. Out: points and reports, with the
-//! bits of single orbits. The code makes [`PAUSE`] steps in one call; observers that are due then
-//! read their vectors. If an orbit has left the range of floats, the steps of the last call are
-//! repeated one by one for this orbit.
+//! In: maps, points, and observers that do not need every point. Out: points and reports, equal to
+//! those of single orbits bit for bit. The code makes [`PAUSE`] steps in one call; observers that
+//! are due then read their vectors. If an orbit has left the range of floats, the steps of the last
+//! call are repeated one by one for this orbit.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;

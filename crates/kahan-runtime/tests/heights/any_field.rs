@@ -163,8 +163,8 @@ fn bounds_end_an_orbit_and_keep_what_is_known() {
     assert_eq!(within_digits(1).heights.len(), 1);
 }
 
-/// Uses a clock that advances a second at each reading. It is read before and after each step, so
-/// that step n ends at 2n + 1 seconds, and takes one second.
+/// Uses a clock that advances a second at each reading. The clock is read before and after each
+/// step. Step n therefore ends at 2n + 1 seconds, and takes one second.
 #[test]
 fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
     let within = |seconds: f64| {

@@ -1,4 +1,4 @@
-//! Observables of many orbits have the bits of single orbits.
+//! Tests that observables of many orbits equal those of single orbits bit for bit.
 
 use std::ops::ControlFlow;
 

@@ -1,4 +1,4 @@
-//! Systems of the catalog read at run time have the bits of the compiled ones.
+//! Tests that catalog systems that are read at run time compute the same bits as compiled systems.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::prelude::*;

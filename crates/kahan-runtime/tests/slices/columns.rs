@@ -1,4 +1,5 @@
-//! Columns have the bits of ensembles; each trajectory has its own ε and parameters.
+//! Tests that columns compute the same bits as ensembles. Each trajectory has its own ε and
+//! parameters.
 
 use std::ops::ControlFlow;
 

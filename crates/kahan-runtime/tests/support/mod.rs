@@ -18,8 +18,8 @@ pub(crate) fn q(text: &str) -> BigRational {
     Rational::parse(text).expect("a number").to_big()
 }
 
-/// Returns points and values of ε of ordinary size. They are sevenths and elevenths from a fixed
-/// sequence, so that no coordinate is a float with few bits.
+/// Returns points and values of ε of ordinary size. The numbers are sevenths and elevenths from a
+/// fixed sequence, so that no coordinate is a float with few bits.
 pub(crate) fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

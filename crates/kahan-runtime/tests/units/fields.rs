@@ -39,8 +39,8 @@ impl Unit {
 }
 
 impl Case {
-    /// Returns the field. It has the parameter `nu`, and the parameter `q` if the text contains
-    /// `q`.
+    /// Returns the field. The field has the parameter `nu`, and the parameter `q` if the text
+    /// contains `q`.
     pub(crate) fn field(&self) -> Field {
         let timed = |statement: &str| match statement.split_once("dot = ") {
             Some((variable, rate)) => format!("{variable}dot = nu*({rate});"),

@@ -270,7 +270,7 @@ type OrbitContinuation<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows
 
 impl StartedOrbit<'_> {
     /// Passes the rows in `range` to a consumer. Row k is the point after `transient` + k · `every`
-    /// steps. Costs all steps up to the last row, and integrals in rows only.
+    /// steps. All steps up to the last row are computed, but integrals are computed only in rows.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }

@@ -36,8 +36,8 @@ impl Prices {
                 *least = least.min(time);
             }
         }
-        // The compiler vectorises steps in single precision, which can double their time. They are
-        // therefore priced at least like steps in double precision.
+        // The compiler vectorises steps in single precision, which can double their time. Steps in
+        // single precision are therefore priced at least like steps in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {

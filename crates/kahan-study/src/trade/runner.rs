@@ -44,7 +44,7 @@ impl<'a> Runner<'a> {
         Ok(Runner { map, wide, start: start.to_vec(), clock })
     }
 
-    /// Prepares system E6 at a point with coordinates near 1. Its steps are timed in place of
+    /// Prepares system E6 at a point with coordinates near 1. The steps of E6 are timed in place of
     /// interpreted steps.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
         let field = Field::parse("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");

@@ -158,7 +158,8 @@ fn errors(
         let mut values: Vec<f64> = symbols.states.iter().map(|_| width * (2.0 * share() - 1.0)).collect();
         values.extend(symbols.parameters.iter().map(|_| 0.5 + 1.5 * share()));
         values.push(0.0);
-        // If ‖εf′‖∞ were exactly `size`, a field whose f′ has one entry would have a pole.
+        // The random factor keeps ‖εf′‖∞ from being exactly `size`. At ‖εf′‖∞ = 1, a field whose f′
+        // has a single entry may have a pole.
         let eps = f64::from(size) * (0.8 + 0.4 * share()) / linear.norm(&values);
         *values.last_mut()? = eps;
         let Some(exact) = Some(()).filter(|()| eps.is_normal()).and_then(|()| linear.exact(&values)) else {

@@ -45,8 +45,8 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum UnusablePart {
-    /// The file is incomplete, altered, or belongs to a different part. Its shard can write it
-    /// again.
+    /// The file is incomplete, altered, or belongs to a different part. The part's shard can write
+    /// the file again.
     Damaged(String),
     /// The file belongs to another plan, version or floating-point mode.
     Foreign(String),

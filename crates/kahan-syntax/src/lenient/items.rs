@@ -99,8 +99,8 @@ impl Reader<'_> {
         self.is_name(at + 1) && is_word(self.at(at))
     }
 
-    /// Returns whether `done` ends the text here. It must be alone on its line, or be the last word
-    /// of the text.
+    /// Returns whether `done` ends the text here. The word must be alone on its line, or be the
+    /// last word of the text.
     fn is_done(&self, at: usize) -> bool {
         self.at(at) == "done"
             && self.begins_line(at + 1)

@@ -1,4 +1,4 @@
-//! The position of the parser in the list of tokens. It can look ahead.
+//! The position of the parser in the list of tokens. The parser can look ahead from this position.
 
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -160,7 +160,7 @@ impl<'a> Cursor<'a> {
         found
     }
 
-    /// Reads a name. If there is none, reports that `what` was expected.
+    /// Reads a name. If the next token is no name, reports that `what` was expected.
     pub(super) fn expect_name(&mut self, what: &str) -> Parsed<Name> {
         let missing = || self.missing(Kind::Syntax, self.here(), what, "write a name here");
         let name = self.name(0).ok_or_else(missing)?;

@@ -1,4 +1,5 @@
-//! Reads formulas outside blocks. They are expressions with function calls and general exponents.
+//! Reads formulas outside blocks. Formulas are expressions with function calls and general
+//! exponents.
 //!
 //! The input is the tokens of a text that contains only formulas. The output is their syntax, or
 //! the first mistake. The caller evaluates the formulas, and decides which functions exist.

@@ -67,7 +67,8 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     block
 }
 
-/// Reads a block that is to be lifted. Its equations may contain functions and general powers.
+/// Reads a block that is to be lifted. The equations of the block may contain functions and general
+/// powers.
 #[must_use]
 pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
     let (mut cursor, mut block) = begin(tokens, diagnostics);

@@ -85,7 +85,8 @@ lanes_of_avx512!(F64x8(__m512d), quotient divided);
 
 lanes_of_avx512!(F32x16(__m512), quotient divided);
 
-/// Multiply-adds of SSE2 registers. They are fused if the scalar floats of this build are fused.
+/// Multiply-adds of SSE2 registers. The multiply-adds are fused if those of scalar floats are fused
+/// in this build.
 mod of_the_build {
     use core::arch::x86_64::*;
 

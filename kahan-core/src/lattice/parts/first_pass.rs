@@ -49,8 +49,9 @@ impl<
     fn run<L: Lanes<T>>(self) {
         let FirstPass { partition, map, constants, state, groups, scratch, joints } = self.0;
         let (s, level) = (R * B, scratch.level);
-        // The columns of the final system belong to the last rows of the interior, to the right and
-        // the left separator, and to the right-hand side.
+        // The final system has a column for each of the last `LOWER` unknowns of the interior. The
+        // columns of the s unknowns of the right separator follow, then those of the left
+        // separator. The last column is the right-hand side.
         let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
         let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
         let mut joints = joints.chunks_exact_mut(separators::size(s));
@@ -155,8 +156,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     }
 }
 
-/// The final dense system of the first pass, followed by the largest multipliers. Its first columns
-/// are eliminated, and only its first rows may become pivot rows.
+/// The final dense system of the first pass, followed by the largest multipliers. The first columns
+/// of the system are eliminated. Only the first rows of the system may become pivot rows.
 struct SeparatorSystem<'a, T> {
     dense: &'a mut [T],
     first: usize,

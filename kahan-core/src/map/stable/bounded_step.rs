@@ -22,8 +22,9 @@ pub(super) struct BoundedStep<V: Number, const N: usize> {
 }
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
-    /// Computes the step from its increments over numbers of V, with the bits of the fast step.
-    /// Returns `None` if a denominator may be zero, or if an input exceeds the limit for underflow.
+    /// Computes the step from its increments in numbers of type V, with bounds on their errors. The
+    /// computed step equals the fast step bit for bit. Returns `None` if a denominator may be zero,
+    /// or if an input exceeds the limit for underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,

@@ -65,8 +65,8 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
 /// Tries the precision levels of F, a type identical to T. The first level is inlined, and the
 /// other levels are called.
 ///
-/// A called function works in memory. It gets copies of the state and of x̃. Therefore a loop's
-/// state and the x̃ of the first level can stay in registers.
+/// A called function works in memory. The function gets copies of the state and of x̃. Therefore a
+/// loop's state and the x̃ of the first level can stay in registers.
 #[inline(always)]
 fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,

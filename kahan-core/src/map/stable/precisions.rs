@@ -133,8 +133,8 @@ pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
 }
 
 /// Runs precision level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to
-/// `next`. This avoids expanded formulas, whose terms may differ by more digits than the numbers
-/// have.
+/// `next`. The linear system avoids expanded formulas, whose terms may differ by more digits than
+/// the numbers have.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(

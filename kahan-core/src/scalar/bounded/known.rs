@@ -23,8 +23,8 @@ impl<V: Number> Bounded<V> {
 }
 
 impl<G: Magnitude> KnownBounds<G> {
-    /// Returns a lower bound of |v| that allows for rounded sums. It is 0 unless the error is
-    /// small.
+    /// Returns a lower bound of |v| that allows for rounded sums. The bound is 0 unless the error
+    /// is small.
     pub(crate) fn at_least(&self) -> G {
         if G::of(64.0) * self.error <= self.size { G::of(62.0 / 64.0) * self.size } else { G::zero() }
     }

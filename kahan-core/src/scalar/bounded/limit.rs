@@ -22,8 +22,8 @@ impl InputLimit {
         Self(self.0.min(other.0))
     }
 
-    /// Returns the smallest forbidden magnitude. It is 0 if no input is allowed, and infinity if
-    /// all are.
+    /// Returns the smallest forbidden magnitude. The magnitude is 0 if no input is allowed, and
+    /// infinite if all inputs are allowed.
     #[inline(always)]
     pub(crate) fn size(self) -> f64 {
         match self {

@@ -90,9 +90,9 @@ pub(crate) type PackedDouble = UnpackedPair<f64>;
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedSingle = UnpackedPair<f32>;
 
-/// The factor on magnitudes in error bounds. It covers the rounding of magnitudes, and the excess
-/// of (1+u)ᵏ − 1 over k·u for k roundings of unit u. Quotients are multiplied by the slack once
-/// more, because they are made of rounded values.
+/// The factor on magnitudes in error bounds. The factor covers the rounding of magnitudes, and the
+/// excess of (1+u)ᵏ − 1 over k·u for k roundings of unit u. Quotients are multiplied by the slack
+/// once more, because they are made of rounded values.
 pub(crate) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m for the exact value v; the module's head defines γₖ and m.
@@ -210,11 +210,13 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
         self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
-    /// Returns the weight of this reciprocal r̂. The error of a product n̂·r̂, as a multiple of u,
-    /// is at most the weight times the magnitude of n̂. The count of n̂ is `roundings`.
+    /// Returns the weight of this reciprocal r̂, for products with numbers n̂ that have undergone
+    /// `roundings` roundings. The error of a product n̂·r̂ is at most u times the weight times the
+    /// magnitude of n̂.
     ///
-    /// The error is n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r), plus one rounding. The weight exceeds
-    /// |r̂|; therefore a bound made from it overflows if the product does.
+    /// Let n and r be the exact values of n̂ and r̂. The error is (n̂ − n)·r̂ + n·(r̂ − r), plus
+    /// one rounding. The weight exceeds |r̂|. Therefore a bound made from the weight overflows if
+    /// the product overflows.
     #[inline(always)]
     pub(crate) fn weight(&self, roundings: u32) -> V::Magnitude {
         let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma_in_units();
@@ -236,7 +238,7 @@ impl<V: Number, P: BoundedPair<V>> Bounded<V, P> {
 
 /// Returns the underflow of a numerator with this count of roundings, as a magnitude. A
 /// [weight](Bounded::weight) of a reciprocal r̂ is at least SLACK·k·|r̂|, as a multiple of u.
-/// Therefore this magnitude times the weight is at least the allowance times |r̂|.
+/// Therefore the returned magnitude times the weight is at least the allowance times |r̂|.
 #[inline(always)]
 pub(crate) fn underflow<V: Number>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

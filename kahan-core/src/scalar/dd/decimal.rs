@@ -91,7 +91,8 @@ impl Decimal {
             return;
         }
         let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
-        // The last digit is not zero, and therefore a further digit means more than a tie.
+        // The last stored digit is not zero. If any digit follows the first dropped digit, the
+        // dropped part is therefore more than that digit alone. A dropped 5 is then no tie.
         let has_rest = self.length > count + 1 || self.is_cut;
         let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
         self.length = count;

@@ -123,9 +123,9 @@ impl LongNumber {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Returns whether a larger capacity would not help. This is so if all components are known, or
-    /// if a known component is out of range. Each component comes with the information whether it
-    /// is in range.
+    /// Returns whether all components are known, or a known component is out of range. A larger
+    /// capacity would then not help. Each component comes with the information whether it is in
+    /// range.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
@@ -161,8 +161,8 @@ impl LongNumber {
     }
 }
 
-/// Scales a row of a linear system by a power of two. Its largest entry then is near 1, and the
-/// largest entry of a column is a good pivot.
+/// Scales a row of a linear system by a power of two. The largest entry of the row is then near 1,
+/// and the largest entry of a column is a good pivot.
 pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut LongNumber>, right: &mut LongNumber) {
     let mut row: std::vec::Vec<_> = row.collect();
     let largest = row.iter().filter(|entry| entry.0.is_some()).map(|entry| entry.at_most());

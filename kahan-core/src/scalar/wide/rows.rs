@@ -92,8 +92,8 @@ impl<const M: usize> DigitRow<M> {
         &self.digits[self.start..]
     }
 
-    /// Returns an upper bound on all digits except the first `kept`. The bound includes digits cut
-    /// off.
+    /// Returns an upper bound on the total value of all digits after the first `kept`. The bound
+    /// includes the digits that were cut off.
     pub(super) fn without(&self, kept: usize) -> Size {
         self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
     }
@@ -224,8 +224,8 @@ impl<const M: usize> DigitRow<M> {
     }
 
     /// Returns q and r with self = q·divisor + r, for a nonzero divisor. The remainder r is zero,
-    /// or relative to self less than a unit of a number. It is exact; therefore later rounds
-    /// correct earlier estimates.
+    /// or relative to self less than a unit of a number. The remainder is exact. Therefore later
+    /// rounds correct earlier estimates.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {

@@ -38,7 +38,7 @@ fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[
     assert!(error <= *bound, "{parts:?}");
 }
 
-/// Checks sums. Their relative bound always holds, because sums of floats do not underflow.
+/// Checks sums. The relative bound of a sum always holds, because sums of floats do not underflow.
 fn check_sums(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {

@@ -18,7 +18,7 @@ fn one() -> BigInt {
     BigInt::from(1) << BITS
 }
 
-/// Converts a number exactly. Its magnitude must be 0 or at least 2⁻⁵⁹⁰.
+/// Converts a number exactly. The number's magnitude must be 0 or at least 2⁻⁵⁹⁰.
 fn fixed(x: Dd) -> BigInt {
     let part = |x: f64| {
         let (bits, sign) = (x.to_bits(), if x < 0.0 { -1 } else { 1 });

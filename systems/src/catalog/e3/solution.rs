@@ -27,7 +27,7 @@ pub struct Solution<T> {
     pub kappa: T,
     /// The angle θ of the vector (x, y) or of its negative.
     pub theta: T,
-    /// The branch. It is the inner one for |εz| < 1, and the outer one for |εz| > 1.
+    /// The branch of the solution. On the inner branch |εz| < 1, and on the outer branch |εz| > 1.
     pub branch: Branch,
 }
 

@@ -1,5 +1,6 @@
-//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. They map every point
-//! to a quarter of space where the elliptic functions of s = x + y and d = x − y are real.
+//! The symmetries x → −x, y → −y and (x, y, z) → (y, x, −z) of E4 and its map. The symmetries map
+//! every point to a quarter of space where the elliptic functions of s = x + y and d = x − y are
+//! real.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -22,7 +23,8 @@ pub struct Symmetry {
     pub flip_x: bool,
     /// Whether y changes its sign.
     pub flip_y: bool,
-    /// Whether (x, y, z) becomes (y, x, −z) before the signs change. This is needed if x = 0.
+    /// Whether (x, y, z) becomes (y, x, −z) before the signs change. The exchange is needed if x =
+    /// 0.
     pub swap: bool,
 }
 

@@ -28,8 +28,8 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 pub struct Solution<T> {
     /// The parameter ε, which is half the time step.
     pub eps: T,
-    /// The constant δ. A step increases v by 2δ. It has the sign of ε, and |δ| is below the quarter
-    /// period K(k).
+    /// The constant δ. A step increases v by 2δ. The constant δ has the sign of ε, and |δ| is below
+    /// the quarter period K(k).
     pub delta: T,
     /// The constant κ, which is the value of v at n = 0.
     pub kappa: T,

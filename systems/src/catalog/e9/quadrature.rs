@@ -12,9 +12,9 @@ pub fn sphere_radius<T: Real>(point: &SVector<T, 3>) -> T {
     (x.square() + y.square() + z.square()).sqrt()
 }
 
-/// Returns the fixed points of E9 on the sphere of radius r. They are (0, 0, ±r), and for ξ < 0
-/// also the four points (±a√(−ξ), ±a, 0) with a²(1 − ξ) = r². For ξ = 0 every point (0, y, z) is
-/// fixed, but only (0, 0, ±r) are returned.
+/// Returns the fixed points of E9 on the sphere of radius r. The fixed points are (0, 0, ±r), and
+/// for ξ < 0 also the four points (±a√(−ξ), ±a, 0) with a²(1 − ξ) = r². For ξ = 0 every point (0,
+/// y, z) is fixed, but only (0, 0, ±r) are returned.
 pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     let zero = T::zero;
     let mut points = vec![vector![zero(), zero(), *radius], vector![zero(), zero(), -*radius]];

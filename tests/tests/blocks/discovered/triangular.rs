@@ -1,4 +1,5 @@
-//! A field that can be integrated equation by equation. Its integrals are also polynomials in ε.
+//! A field that can be integrated equation by equation. The integrals of the map are also
+//! polynomials in ε.
 
 use kahan_core::prelude::*;
 

@@ -14,8 +14,8 @@ pub(in crate::plan) struct Candidate {
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
     pub(in crate::plan) price: u64,
-    /// The number of operations from a state to the next. It is the cost when many orbits run in
-    /// SIMD lanes.
+    /// The number of operations from a state to the next state. This number is the cost if many
+    /// orbits run in SIMD lanes.
     pub(in crate::plan) operations: usize,
     derived: usize,
 }

@@ -48,8 +48,8 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms that may have a shorter recurrence. They have two divisions, or are divided by
-    /// the time step.
+    /// Returns forms that may have a shorter recurrence. The forms have two divisions, or are
+    /// divided by the time step.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -85,14 +85,14 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether forms may solve A by blocks. They may if the map exceeds the budget, or if there
-/// are more than three variables and the common factor is constant.
+/// Returns whether forms may solve A by blocks. Blocks are allowed if the map exceeds the budget,
+/// or if there are more than three variables and the common factor is constant.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
 
-/// Returns forms that may lose fewer digits in long steps than `best`, cheapest first. They solve
-/// blocks by minors only, and each costs at most 3/2 of `best`.
+/// Returns forms that may lose fewer digits in long steps than `best`, cheapest first. The forms
+/// solve blocks by minors only, and each form costs at most 3/2 of `best`.
 pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
@@ -181,7 +181,7 @@ impl FactoredMap<'_> {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
             // If the determinant D̂ differs from the reduced denominator d by a constant, the
-            // numerators differ too, and d is not remembered.
+            // numerators also differ by this constant, and d is not remembered.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
@@ -220,8 +220,8 @@ impl FactoredMap<'_> {
     }
 
     /// Returns the form with two divisions, if the denominator has [two
-    /// factors](Self::two_factors). Its recurrence contains only one of the factors and is
-    /// therefore shorter.
+    /// factors](Self::two_factors). The recurrence of this form contains only one of the factors,
+    /// and is therefore shorter.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])

@@ -29,7 +29,8 @@ impl Structure {
     }
 
     /// Returns independent states of a block, chosen greedily. No independent state depends on
-    /// itself or on another one. Their rows and columns of A are those of the identity.
+    /// itself or on another one. In A, the rows and columns of independent states are those of the
+    /// identity.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);

@@ -67,8 +67,9 @@ impl StepPlan {
         self.general.as_deref().filter(|_| self.has_inverse_step).unwrap_or(self)
     }
 
-    /// Returns the number of operations from a state to the next. They are those of the kernel, the
-    /// multiplications by reciprocals, and an addition for each component.
+    /// Returns the number of operations from a state to the next state. The number counts the
+    /// operations of the kernel, the multiplications by reciprocals, and an addition for each
+    /// component.
     #[must_use]
     pub fn operations(&self) -> usize {
         let products = self.kernel.reciprocal_of.iter().flatten().count();
@@ -116,10 +117,10 @@ impl StepPlan {
 
     /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// This is so only for three components. They leave one value over when pairs are packed, and
-    /// moving values between registers costs up to an eighth of a step. Two components fill a
-    /// vector. With more than three, the code that keeps values apart would make steps too large to
-    /// be inlined into loops.
+    /// The answer is yes only for three components. Three components leave one value over when
+    /// pairs are packed, and moving values between registers costs up to an eighth of a step. Two
+    /// components fill a vector. With more than three, the code that keeps values apart would make
+    /// steps too large to be inlined into loops.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3

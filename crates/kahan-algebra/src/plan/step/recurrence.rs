@@ -97,8 +97,8 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// The number of time units in a cycle. It is divisible by 1 to 6, so means over up to six steps
-/// are integers.
+/// The number of time units in a cycle. The number is divisible by 1 to 6, so that means over up to
+/// six steps are integers.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

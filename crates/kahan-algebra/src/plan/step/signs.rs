@@ -69,10 +69,10 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. These are
-    /// the initial choice, choices with one constant reversed, separately or in addition, and
-    /// choices that reverse everything on which a negated result depends. Reversing a constant that
-    /// occurs in several sums pays off only if all of them change together.
+    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. The
+    /// starts are the initial choice, choices with one constant reversed, separately or in
+    /// addition, and choices that reverse everything on which a negated result depends. Reversing a
+    /// constant that occurs in several sums pays off only if all of them change together.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.locally_improved(none.clone());

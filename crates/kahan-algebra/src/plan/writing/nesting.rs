@@ -59,7 +59,7 @@ struct Estimate {
     form: SumForm,
 }
 
-/// The chosen form of a polynomial. Its summands are made when needed.
+/// The chosen form of a polynomial. The summands of the form are made when needed.
 #[derive(Debug)]
 enum SumForm {
     Flat,

@@ -23,8 +23,8 @@ const LATE: u32 = 2 * DIVIDE;
 /// The kind of symbol that absorbs powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
-    /// The states absorb powers of ε first. This suits fields whose parameters occur only in some
-    /// terms.
+    /// The states absorb powers of ε first. The choice suits fields whose parameters occur only in
+    /// some terms.
     States,
     /// The parameters absorb powers of ε first. If εa₁ is prepared, x needs no scaling in the term
     /// a₁x.
@@ -35,7 +35,8 @@ pub(in crate::plan) enum ScalingPriority {
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Scaling {
     states: usize,
-    /// The number of unscaled symbols, which are the states, parameters, ε and second states.
+    /// The number of unscaled symbols, which is the index of the first scaled symbol. The unscaled
+    /// symbols are the states, the parameters, ε, and the states of a second point.
     offset: u16,
     epsilon: Variable,
     first: ScalingPriority,
@@ -91,8 +92,8 @@ impl Scaling {
     }
 
     /// Returns the polynomial with ε distributed in each distinct way. If a term has fewer powers
-    /// of ε than states, some states stay unscaled. These are the first ones in the order of
-    /// preference, and each way uses another order.
+    /// of ε than states, some states stay unscaled. The first states in an order of preference stay
+    /// unscaled, and each way uses another order.
     pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];

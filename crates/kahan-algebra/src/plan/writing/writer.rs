@@ -1,6 +1,6 @@
-//! Writes scaled polynomials as operations and reuses existing operations. These are equal
-//! polynomials up to sign, and sums that shorten the polynomial if a multiple of the sum is
-//! subtracted.
+//! Writes scaled polynomials as operations and reuses existing operations. An existing operation is
+//! reused if it computes the polynomial up to sign. An existing sum is also reused if subtracting a
+//! multiple of the sum shortens the polynomial.
 
 mod cheapest;
 mod coefficients;
@@ -46,7 +46,8 @@ pub(in crate::plan) struct Writer {
     steps: Vec<Signed>,
     sums: Vec<usize>,
     put: Vec<(Variable, Node)>,
-    /// The gathered coefficients, which are sums of constants. Each is prepared as one constant.
+    /// The coefficients that are sums of constants. Each sum is computed once, before the steps,
+    /// and then counts as one constant.
     coefficients: Vec<Polynomial>,
     /// The chosen forms for the goals `FormGoal::Early` and `FormGoal::Few`.
     nestings: Rc<[Nesting; 2]>,
@@ -134,7 +135,7 @@ impl Writer {
         self.write(&scaled, goal)
     }
 
-    /// Records that an operation computes this polynomial in unscaled symbols and ε.
+    /// Scales the symbols of a polynomial by ε, and records that `written` computes the polynomial.
     pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
         let scaled = self.scaling.scale_first(polynomial);
         self.remember(&scaled, written);

@@ -50,8 +50,8 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field with values and with integrals. The claimed integrals are used; a field
-    /// without claims has the discovered ones.
+    /// The field whose parameters have values. If the text claims no integral, the field has the
+    /// discovered integrals instead of claimed ones.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
@@ -196,15 +196,15 @@ impl Subject<'_> {
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
     }
 
-    /// Returns the number of steps for a section. It grows with the available time, and falls with
-    /// the number of variables.
+    /// Returns the number of steps for a section. The number grows with the available time, and
+    /// falls with the number of variables.
     fn crossing_steps(&self) -> u64 {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as u64
     }
 
-    /// Returns the number of cells in a row of the chart. It grows with the available time, and
-    /// falls with the number of variables.
+    /// Returns the number of cells in a row of the chart. The number grows with the available time,
+    /// and falls with the number of variables.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize

@@ -200,7 +200,7 @@ fn files_are_read_by_their_shape() {
     let values: Vec<f64> = (0..12).map(f64::from).collect();
     numpy(&file, "(3, 2)", &values[..6]);
     assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[..6]);
-    // If a file has several states, the last one is the start.
+    // If a file has several states, the last state is the start.
     numpy(&file, "(2, 3, 2)", &values);
     assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[6..]);
     for shape in ["(2, 3)", "(6,)", "(1, 6)"] {

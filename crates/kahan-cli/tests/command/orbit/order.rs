@@ -1,5 +1,5 @@
-//! Tests `kahan orbit --order`: the bits of the library's compositions, their integrals, and their
-//! poles.
+//! Tests `kahan orbit --order`: results equal to those of the library's compositions bit for bit,
+//! their integrals, and their poles.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;

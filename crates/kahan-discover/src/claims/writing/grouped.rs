@@ -109,7 +109,8 @@ impl Writer<'_> {
             if let ([], [(Sum::Plain(sum), 1)]) = (product.front.powers(), &product.sums[..])
                 && product.content.abs().is_one()
             {
-                // A group that is a plain sum gets no parentheses. Its text includes the sign.
+                // A group that is a plain sum gets no parentheses. The text of the group includes
+                // the sign.
                 let sum = if product.content.is_negative() { -sum } else { sum.clone() };
                 let own = self.sum(&sum, depth - 1, budget);
                 match own.strip_prefix('-') {

@@ -14,8 +14,8 @@ use crate::maps::modular_step::ModularStep;
 use crate::maps::search_field::SearchField;
 use crate::modular::modulus::Modulus;
 
-/// The least number from which a prime is sought. Modulo p, an orbit has about p/3 steps, and the
-/// proof fails by chance at a rate of about 3/p.
+/// The least number from which a prime is sought. Modulo a prime p, an orbit has about p/3 steps.
+/// The proof fails by chance with a probability of about 3/p.
 const LEAST: u64 = 211;
 /// The number of integers from which the search for a prime may start.
 const SPREAD: u64 = 1000;
@@ -58,9 +58,9 @@ struct Forms {
 }
 
 impl Forms {
-    /// Returns whether the map is stable and has degree 2. For this, the cubic form κ must have
-    /// three linear factors, counted with multiplicity. If the degree is lower, Φ vanishes on the
-    /// line of a linear factor of κ.
+    /// Returns whether the map is stable and has degree 2. The cubic form κ must have three linear
+    /// factors, counted with multiplicity. If the degree is lower, Φ vanishes on the line of a
+    /// linear factor of κ.
     fn is_stable(&self, random: &mut SplitMix64) -> bool {
         let Some(lines) = self.contracted_lines(random) else { return false };
         // A quadratic form with three zeros on a line vanishes on the line, so try three points.

@@ -11,10 +11,10 @@ use kahan_algebra::symbols::Symbols;
 /// Returns the bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper for a
 /// `density` ρ and n − 2 `integrals` I, n ≥ 2. The result has the entries above the diagonal, row
 /// by row; for n = 2 it has the entry 1/ρ. The bracket satisfies Jacobi's identity for any
-/// functions I, which are its Casimir functions. It is invariant under maps that preserve ρ dx and
-/// all I. `None` for a zero density, for dependent integrals, or beyond the budget. The cost is n
-/// greatest common divisors for each gradient, and the minors of n − 2 rows by Laplace expansion,
-/// where zero minors are free.
+/// functions I, which are its Casimir functions. The bracket is invariant under maps that preserve
+/// ρ dx and all I. Returns `None` for a zero density, for dependent integrals, or beyond the
+/// budget. The cost is n greatest common divisors for each gradient, and the minors of n − 2 rows
+/// by Laplace expansion, where zero minors are free.
 pub(super) fn invariant_tensor(
     symbols: &Symbols,
     density: &RationalFunction,

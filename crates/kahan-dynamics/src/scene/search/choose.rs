@@ -34,7 +34,8 @@ pub(in crate::scene) const OF_DOUBLE: [Scheme; 1] = [PLAIN.compensated()];
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) enum Verdict {
-    /// The cheapest accepted setting. Its error includes the uncertainty of the flow.
+    /// The cheapest accepted setting. The error of the setting includes the uncertainty of the
+    /// flow.
     Choice(Setting),
     /// No setting meets the tolerance, or no trial confirms that the flow is accurate.
     None {
@@ -84,7 +85,8 @@ impl<L: Trials> Search<L> {
     }
 
     /// Tries larger and larger numbers of steps at one order, in plain `f64`; if rounding errors
-    /// matter, also in the other schemes. If a setting meets the tolerance, checks the flow.
+    /// matter, also in the other schemes. If a setting meets the tolerance, an independent orbit in
+    /// `Dd` checks the flow.
     fn refine_order(&mut self, composition: Composition, coarsest: u64, others: &[Scheme]) {
         let climb = self.refine_steps(PLAIN.composed(composition), coarsest);
         if climb.has_felt_roundings() && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {

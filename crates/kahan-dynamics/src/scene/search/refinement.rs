@@ -2,7 +2,7 @@
 //!
 //! In: a scheme and its first number of steps. Out: trials, and whether rounding errors matter. The
 //! trials stop if one meets the tolerance or costs more than a known setting, or if the law error ∝
-//! ε^order predicts this. They also stop if two successive trials gain nothing.
+//! ε^order predicts this. The trials also stop if two successive trials gain nothing.
 
 use kahan_core::Composition;
 

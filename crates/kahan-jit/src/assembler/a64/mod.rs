@@ -99,8 +99,8 @@ impl Assembler {
         self.form.width == Width::Scalar
     }
 
-    /// Writes an instruction on three registers. Its encodings are given for scalars and for
-    /// vectors.
+    /// Writes an instruction on three registers. The caller gives the instruction's encodings for
+    /// scalars and for vectors.
     fn three(&mut self, [scalar, packed]: [u32; 2], to: Vector, a: Vector, b: Vector) {
         let word = if self.is_scalar() { scalar } else { packed };
         self.word(word | self.precision() | number(b) << 16 | number(a) << 5 | number(to));

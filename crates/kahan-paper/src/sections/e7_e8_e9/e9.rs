@@ -9,8 +9,8 @@ const INTEGRALS: &str = "H := 1/2*(x^2 + y^2 + z^2); K := y*x^(-xi)";
 
 /// The orbits of E9 on the intersection of a sphere and a cylinder, and the time along them. For u
 /// = x², (du/dt)² is a polynomial in u at these values of ξ. The integral is elementary if the
-/// polynomial is u² times a quadratic one. It is elliptic if the polynomial is cubic with simple
-/// roots.
+/// polynomial is u² times a quadratic one. The integral is elliptic if the polynomial is cubic with
+/// simple roots.
 const QUADRATURE: &str = "
 quadrature.y | y on the orbit; H and K mean K_9 and H_9 | y = K*x^xi
     misprint A8: H := y*x^(-xi); K := 1/2*(x^2 + y^2 + z^2); y = K*x^xi

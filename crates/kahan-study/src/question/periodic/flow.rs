@@ -191,10 +191,13 @@ impl Family {
         begin: f64,
         count: &WorkCount<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The longest orbit; the longest return, if no number of steps is requested; and the
-        /// accepted relative deviation of a return from the requested steps.
+        /// The most points of an orbit in which returns are sought, if the question requests no
+        /// number of steps.
         const MOST_POINTS: usize = 256_000;
+        /// The most steps until a return, if the question requests no number of steps.
         const MOST_STEPS: usize = 20_000;
+        /// The largest accepted deviation of a return's steps from the requested number of steps,
+        /// as a fraction of that number.
         const NEAR: f64 = 0.1;
         /// The number of steps between two checks of the watch.
         const AT_ONCE: u64 = 100_000;

@@ -67,8 +67,8 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// A quotient by the least divisor amplifies the error η by the divisor's bits. If the divisor has
-/// an error, the amplification occurs twice.
+/// Let 2^−k be the least permitted divisor. A division by this divisor multiplies an underflow
+/// error η of the numerator by 2^k. An error of the divisor is multiplied by 2^k twice.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;

@@ -8,7 +8,7 @@ use num_traits::One;
 
 use super::{Dyadic, Random, Wide};
 
-/// Returns a random finite float of any exponent. Its mantissa has few or many bits.
+/// Returns a random finite float of any exponent. The mantissa of the float has few or many bits.
 fn any_f64(random: &mut Random) -> f64 {
     loop {
         let bits = random.bits() & if random.bits() & 1 == 0 { u64::MAX } else { u64::MAX << 50 };

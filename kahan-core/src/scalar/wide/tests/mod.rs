@@ -132,7 +132,8 @@ impl Random {
         limbs
     }
 
-    /// Returns a number of about 1024 bits without gaps. Its leading bit stands for 2^exponent.
+    /// Returns a number of about 1024 bits without gaps. The leading bit of the number stands for
+    /// 2^exponent.
     fn wide(&mut self, exponent: i64) -> Wide {
         Wide::from_limbs(self.bits() & 1 == 1, &self.limbs()).scaled(exponent - 64 * LIMBS as i64 + 1)
     }

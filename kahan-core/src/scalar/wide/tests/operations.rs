@@ -123,7 +123,8 @@ fn short_fractions_are_exact() {
     }
 }
 
-/// If operands lie at the ends of their radii, their result lies within the radius of the result.
+/// The radius of a number bounds its error. If each operand is wrong by its whole radius, the error
+/// of the result is at most the radius of the result.
 #[test]
 fn a_radius_holds_whatever_the_operands_stand_for() {
     let mut random = Random(9);

@@ -74,8 +74,8 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // An odd permutation of rows changes the signs of all determinants. They cancel in the
-            // quotients.
+            // An odd permutation of rows changes the signs of all determinants. The changed signs
+            // cancel in the quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);

@@ -53,7 +53,8 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // Write the first way last. It is often the best, and then need not be written again.
+        // Write the first way last. The first way is often the best, and then need not be written
+        // again.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {

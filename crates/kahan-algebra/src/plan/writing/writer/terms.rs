@@ -1,5 +1,5 @@
-//! Writes terms. The constants of a term are merged with scaled symbols where this costs no
-//! operation.
+//! Writes terms. A constant factor of a term is merged with a scaled symbol, such as εx, if the
+//! merged product needs no further operation.
 
 use kahan_syntax::rational::Rational;
 

@@ -50,8 +50,8 @@ fn the_pairs_of_tables_3_and_4_are_poisson_and_compatible() {
 
 #[test]
 fn the_undivided_tensor_of_table_4_is_compatible_only_where_c_is_constant() {
-    // The bracket Q(ε) of E1 is Poisson, as a multiple of Q(ε)/c in dimension 3. It is incompatible
-    // with P(ε).
+    // The bracket Q(ε) of E1 is Poisson, as a multiple of Q(ε)/c in dimension 3. The bracket Q(ε)
+    // is incompatible with P(ε).
     let system = system(block(TABLES[0]));
     let c = power(system.field.symbols.state(0), 2).recip().expect("x is not zero");
     let undivided: Vec<_> = tensor_of(&system, "Q").iter().map(|entry| entry * &c).collect();

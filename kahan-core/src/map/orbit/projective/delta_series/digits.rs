@@ -20,7 +20,7 @@ const DELTA: i32 = -192;
 /// coordinate with an exponent below the negative threshold counts as 0.
 const INFINITE: i64 = 96;
 
-/// The number of bits to which a limit must be known. No float of this crate has so many bits.
+/// The number of bits to which a limit must be known. Every float of this crate has fewer bits.
 const KNOWN: i64 = 110;
 
 /// Returns the limit of a coordinate as δ → 0. Traces of δ far below the leading digits are
