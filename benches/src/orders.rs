@@ -23,7 +23,7 @@ pub(crate) struct Run {
     pub(crate) go: Box<dyn Fn()>,
 }
 
-/// Returns the runs of both methods for a system. The composition is the second one.
+/// Returns the runs of both methods for a system. The second run is the composition.
 pub(crate) fn runs<M, const N: usize>(map: M, start: [f64; N]) -> [Run; 2]
 where
     M: ExtendScalars<f64, N> + Copy + 'static,

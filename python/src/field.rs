@@ -295,8 +295,8 @@ impl Field {
         Ok((indices, coefficients.iter().map(|one| one.value.to_f64()).collect()))
     }
 
-    /// The variables that arrays have. For a lifted field these are the original ones, and the new
-    /// ones if requested.
+    /// The variables that arrays have. For a lifted field, arrays have the original variables, and
+    /// the new variables if requested.
     #[getter]
     fn variables(&self) -> Vec<&str> {
         self.study.shown().iter().map(String::as_str).collect()

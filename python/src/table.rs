@@ -72,8 +72,8 @@ pub(crate) fn array(py: Python<'_>, kept: StoredColumn) -> PyResult<Bound<'_, Py
     })
 }
 
-/// Converts a number to a Python fraction. An undefined value becomes `None`, and an infinite one a
-/// float.
+/// Converts a number to a Python fraction. An undefined value becomes `None`, and an infinite value
+/// becomes a float.
 fn fraction<'py>(py: Python<'py>, value: &Exact) -> PyResult<Bound<'py, PyAny>> {
     static FRACTION: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     match value {

@@ -17,7 +17,7 @@ pub fn float(value: &Q) -> f64 {
     value.to_f64().expect("a rational has a nearby f64")
 }
 
-/// Returns the distance from a double to the next one away from zero.
+/// Returns the distance from a double to the next double away from zero.
 #[must_use]
 pub fn ulp(value: f64) -> f64 {
     let size = value.abs();

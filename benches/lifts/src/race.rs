@@ -177,7 +177,7 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
 }
 
 /// Returns the least time of a run within each tolerance. Each run has a finer setting than the
-/// previous one.
+/// previous run.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

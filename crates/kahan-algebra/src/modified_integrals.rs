@@ -339,7 +339,8 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes variables whose quotient n depends on a removed variable, until none is left.
+    /// Removes variables whose quotient n depends on a removed variable, until no such variable is
+    /// left.
     fn close(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {

@@ -21,7 +21,7 @@ pub struct Relations {
     budget: Budget,
 }
 
-/// An obstacle to adding a relation to earlier ones.
+/// An obstacle to adding a relation to earlier relations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
     /// The earlier relations already imply this relation.

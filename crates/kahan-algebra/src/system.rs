@@ -28,7 +28,7 @@ pub struct System {
     /// The field with the sums and divisors as written, from which plans are made.
     pub kept: Arc<FieldWithSubexpressions>,
     /// The right-hand sides as written, in order. The list is empty for a system that was derived
-    /// from another one.
+    /// from another system.
     pub written: Arc<[Expr]>,
     /// The claims, in order.
     pub claims: Vec<Claim>,

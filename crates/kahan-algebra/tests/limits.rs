@@ -143,7 +143,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
     assert_eq!(rows, [], "these rows have no test");
 }
 
-/// All expressions of a block share one budget, and long numbers cost more than short ones.
+/// All expressions of a block share one budget, and long numbers cost more than short numbers.
 #[test]
 fn many_large_expansions_are_one_mistake() {
     let only = |text: &str| {

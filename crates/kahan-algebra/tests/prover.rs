@@ -1,4 +1,4 @@
-//! Tests that both provers prove true claims, refute false ones by a counterexample, and agree.
+//! Tests that both provers prove true claims, refute false claims by a counterexample, and agree.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;

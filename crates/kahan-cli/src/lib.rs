@@ -61,7 +61,7 @@ Examples:
 `kahan COMMAND --help` lists options and examples.
 `kahan help COMMAND` explains them.";
 
-/// Runs the command with these arguments; the first one is the name of the program. Prints to
+/// Runs the command with these arguments; the first argument is the name of the program. Prints to
 /// standard output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(status(arguments))

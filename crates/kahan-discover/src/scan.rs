@@ -66,7 +66,7 @@ pub struct Scan {
 }
 
 impl Scan {
-    /// Returns the points at which degrees or ranks differ from the generic ones.
+    /// Returns the points at which degrees or ranks differ from the generic values.
     pub fn special(&self) -> impl Iterator<Item = &GridPoint> {
         self.points.iter().filter(|point| point.sight.as_ref() != Some(&self.generic))
     }

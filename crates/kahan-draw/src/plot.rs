@@ -152,7 +152,7 @@ pub struct Plot {
     pub x: NumberLine,
     /// The vertical axis.
     pub y: NumberLine,
-    /// The series, in drawing order; later series cover earlier ones.
+    /// The series, in drawing order. Later series cover earlier series.
     pub series: Vec<Series>,
     /// A note after the legend; may be empty.
     pub note: String,

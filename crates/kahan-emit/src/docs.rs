@@ -174,7 +174,8 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 }
 
 pub(super) fn integral(claim: &Claim) -> TokenStream {
-    /// The length of the longest formula that is shown here. Longer ones are shown by `integrals`.
+    /// The length of the longest formula that is shown here. The documentation of `integrals` shows
+    /// longer formulas.
     const SHORT: usize = 120;
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Operations keep the order of the plan. A value with a `let`, or a state of a kernel, is moved at
-//! its last use and cloned at earlier ones. Other inputs and constants are borrowed and always
+//! its last use and cloned at earlier uses. Other inputs and constants are borrowed and always
 //! cloned.
 
 use kahan_algebra::derived::ValueNames;

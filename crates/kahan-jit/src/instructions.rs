@@ -7,7 +7,7 @@ use crate::assembler::{Element, OperandForm, Width};
 type Extension = (&'static str, fn() -> bool);
 
 /// An instruction set of a processor. Within one architecture, a later set includes the earlier
-/// ones.
+/// sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
     /// AVX, with sixteen registers that are used with 128 bits.

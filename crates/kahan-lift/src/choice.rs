@@ -79,7 +79,7 @@ pub(crate) fn choose<'a>(
     orbit: Option<&Orbit>,
 ) -> Option<(RatedCandidate<'a>, String)> {
     let mut judged: Vec<RatedCandidate<'_>> = Vec::new();
-    // If there are too many fields, the least preferred ones are dropped.
+    // If there are too many fields, the least preferred fields are dropped.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {

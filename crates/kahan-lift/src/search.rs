@@ -32,7 +32,7 @@ pub(crate) struct Problem {
 
 #[derive(Clone, Debug)]
 pub(crate) struct VariableSets {
-    /// Sets of new variables. The sets of the smallest size found come first, then larger ones.
+    /// Sets of new variables. The sets of the smallest size found come first. Larger sets follow.
     pub sets: Vec<Vec<Laurent>>,
     /// Whether the search excluded all smaller sets in which each missing monomial is a product of
     /// two variables.

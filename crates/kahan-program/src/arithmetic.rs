@@ -41,8 +41,8 @@ pub trait Arithmetic {
     }
     /// Returns whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether a is a better pivot than the other value. Among floats the larger one is
-    /// better; among exact values any nonzero one is.
+    /// Returns whether a is a better pivot than the other value. Among floats the value of larger
+    /// magnitude is better. Among exact values, every nonzero value is better than 0.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }

@@ -59,8 +59,8 @@ where
         needed
     }
 
-    /// Returns whether the program is valid: operations read only earlier ones, calls of
-    /// one-argument functions repeat their operand, and all outputs exist.
+    /// Returns whether the program is valid: operations read only results of earlier operations,
+    /// calls of one-argument functions repeat their operand, and all outputs exist.
     #[must_use]
     pub fn is_well_formed(&self) -> bool {
         let operations: &[Operation<I, C, F>] = &self.operations;

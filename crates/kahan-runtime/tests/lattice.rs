@@ -99,7 +99,8 @@ fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values
     worst
 }
 
-/// Chains of up to about thirty sites are eliminated as a whole, longer ones in segments.
+/// Chains of up to about thirty sites are eliminated as a whole. Longer chains are eliminated in
+/// segments.
 #[test]
 fn chains_have_the_bits_of_the_macro() {
     for sites in [1, 2, 3, 4, 5, 8, 13, 40, 300, 4500] {

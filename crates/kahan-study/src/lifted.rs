@@ -2,7 +2,7 @@
 //!
 //! In: a text with functions, quotients or powers, and the kind of lift. Out: the lift, and the
 //! quadratic system with the formulas that its map preserves. Callers give points in the original
-//! variables; the new variables are functions of the original ones.
+//! variables; the new variables are functions of the original variables.
 
 use std::collections::HashSet;
 use std::sync::OnceLock;
@@ -37,7 +37,7 @@ pub struct Lifting {
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
-    /// Whether answers show the new variables beside the original ones.
+    /// Whether answers show the new variables beside the original variables.
     pub shows_all: bool,
 }
 
@@ -68,8 +68,8 @@ pub(crate) struct Lifted {
     places: Vec<usize>,
     /// The index of each lift parameter among the field's parameters.
     parameters: Vec<Option<usize>>,
-    /// The derivatives of the new variables with respect to the original ones, computed on first
-    /// use.
+    /// The derivatives of the new variables with respect to the original variables, computed on
+    /// first use.
     slopes: OnceLock<Embedding>,
 }
 
@@ -270,14 +270,15 @@ impl Study {
         self.lifted().map(|lifted| &lifted.lift)
     }
 
-    /// Returns the variables of points: for a lifted field, the original ones without `t`.
+    /// Returns the variables of points. For a lifted field, the variables of points are the
+    /// original variables without `t`.
     #[must_use]
     pub fn coordinates(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.original)
     }
 
-    /// Returns the variables that answers show. For a quadratic field these are all variables; for
-    /// a lifted field, the original ones, and on request the new ones.
+    /// Returns the variables that answers show. For a quadratic field, answers show all variables.
+    /// For a lifted field, answers show the original variables, and on request the new variables.
     #[must_use]
     pub fn shown(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.shown)
@@ -470,7 +471,7 @@ pub struct LiftFound {
     /// The text before the lift.
     #[serde(skip)]
     pub written: String,
-    /// The original variables, followed by the new ones.
+    /// The original variables, followed by the new variables.
     pub variables: Vec<String>,
     /// The new variables.
     pub new: Vec<NewFound>,

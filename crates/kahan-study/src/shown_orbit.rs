@@ -238,7 +238,8 @@ impl TrialOrbit {
         TrialOrbit { shown, steps, moves, rate: steepest, error }
     }
 
-    /// Ranks the orbit: best are bounded and moving orbits, then bounded ones, then longer ones.
+    /// Ranks the orbit. Bounded orbits that move rank highest, then other bounded orbits, then
+    /// longer orbits.
     fn rank(&self) -> (bool, bool, u64) {
         (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }

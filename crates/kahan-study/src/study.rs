@@ -238,7 +238,7 @@ impl Study {
         &self.here.given
     }
 
-    /// Returns the study at these parameter values, which replace all earlier ones. Both studies
+    /// Returns the study at these parameter values, which replace all earlier values. Both studies
     /// share the field with its proofs, plans and compiled code. A lift keeps the values that its
     /// `Subject` had.
     ///

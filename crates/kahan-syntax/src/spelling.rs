@@ -32,7 +32,7 @@ pub fn number(name: &str) -> Option<String> {
 ///
 /// The distance counts letters that differ and neighbours that are swapped; case is ignored. The
 /// distance may be 0 for a name of one letter, 1 for two to four letters, and 2 for longer names.
-/// Among equally close names, the first one is returned.
+/// Among equally close names, the first name is returned.
 #[must_use]
 pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {

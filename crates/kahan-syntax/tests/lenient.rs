@@ -395,7 +395,7 @@ const PIECES: &[&str] = &[
     "xy",
 ];
 
-/// Random texts cause no panic. Valid ones can be printed and read again.
+/// Random texts cause no panic. Valid texts can be printed and read again.
 #[test]
 fn hostile_texts_are_read() {
     let mut draws = Draws(1);

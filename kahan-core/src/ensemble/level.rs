@@ -67,11 +67,11 @@ pub enum Reciprocal {
     ///
     /// The estimate is up to a third faster in a step that does little but divide (Lotka–Volterra).
     /// The estimate is no faster if multiplications limit the speed. Sometimes a reciprocal differs
-    /// from the correctly rounded one by one unit in the last place. Over operands of all
-    /// exponents, including subnormal ones, this happens in one case of 900 for `f64` and in one of
-    /// 340 for `f32`. If the reciprocal is infinite (at 0 or by overflow) or the operand is
-    /// infinite, the result is NaN. Poles and overflowing denominators therefore stay visible. A
-    /// division by infinity would silently leave the point unchanged.
+    /// from the correctly rounded reciprocal by one unit in the last place. Over operands of all
+    /// exponents, including subnormal operands, the difference occurs in one case of 900 for `f64`
+    /// and in one of 340 for `f32`. If the reciprocal is infinite (at 0 or by overflow) or the
+    /// operand is infinite, the result is NaN. Poles and overflowing denominators therefore stay
+    /// visible. A division by infinity would silently leave the point unchanged.
     Estimated,
 }
 

@@ -106,7 +106,7 @@ fn multiply<T: Real>([a0, a1, a2]: Jet<T>, [b0, b1, b2]: Jet<T>) -> Jet<T> {
     [a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0]
 }
 
-/// Multiplies two power series. The result has as many terms as the first one.
+/// Multiplies two power series. The result has as many terms as the first series.
 fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
     (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }

@@ -1,5 +1,5 @@
-//! Tests that the solutions of Table 5 and related ones satisfy the differential equations to 40
-//! digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6). The
+//! Tests that the solutions of Table 5 and related solutions satisfy the differential equations to
+//! 40 digits. The derivative is a central difference of order 12 over ±6h with h = 10^(−6). The
 //! truncation error of the difference is about h¹², and its rounding error is 10^(−71).
 
 use kahan_core::num_traits::Zero;

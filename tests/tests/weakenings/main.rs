@@ -49,7 +49,7 @@ fn folder() -> PathBuf {
 }
 
 /// Returns the folder for builds of the copy. Cargo identifies crates by their path in a workspace,
-/// so a shared folder would confuse weakened crates with original ones.
+/// so a shared folder would confuse weakened crates with original crates.
 fn target() -> PathBuf {
     folder().with_file_name("target")
 }

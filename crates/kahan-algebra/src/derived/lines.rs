@@ -50,7 +50,8 @@ pub struct Lines {
 }
 
 impl Family {
-    /// Derives the plans of a site. Deriving costs about as many operations as the equations have.
+    /// Derives the plans of a site. Deriving the plans takes about as many operations as the
+    /// equations contain.
     #[must_use]
     pub fn lines(&self) -> Lines {
         let given = self.line_symbols();

@@ -29,8 +29,7 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Checks a linear integral such as Σ xᵢ. Kahan's map preserves a linear integral if the field
-/// does.
+/// Checks a linear integral such as Σ xᵢ. Kahan's map preserves every linear integral of the field.
 fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic> {
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());

@@ -104,7 +104,8 @@ impl<'a> MiddleSite<'a> {
         SiteRange { first, last }
     }
 
-    /// Returns the first site that occurs in these monomials, or the middle site if none occurs.
+    /// Returns the first site that occurs in these monomials, or the middle site if the monomials
+    /// contain no site.
     pub(super) fn first_site<'b>(&self, monomials: impl Iterator<Item = &'b Monomial>) -> usize {
         let variables = monomials.flat_map(Monomial::powers);
         variables.filter_map(|(variable, _)| self.site_of(*variable)).min().unwrap_or(self.site)

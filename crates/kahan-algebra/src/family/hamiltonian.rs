@@ -245,7 +245,7 @@ impl Equations {
     }
 
     /// Adds an equation, in which an unknown may occur in several terms. Returns `false` if the
-    /// equation contradicts earlier ones.
+    /// equation contradicts earlier equations.
     fn add<'a>(
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,

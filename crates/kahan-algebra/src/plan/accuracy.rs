@@ -170,7 +170,7 @@ impl<'a> Runner<'a> {
 }
 
 /// Returns the ratio of the errors to their limit. The median and the tail each have a ratio; the
-/// larger one counts.
+/// larger ratio counts.
 fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };

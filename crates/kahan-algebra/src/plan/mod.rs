@@ -7,7 +7,7 @@
 //!
 //! # Modules
 //!
-//! Each module uses only earlier ones of the list.
+//! Each module uses only earlier modules of the list.
 //!
 //! 1. `step` separates prepared constants from the kernel, and rewrites the kernel.
 //! 2. `writing` turns a polynomial into operations: it nests sums, distributes ε and reuses values.

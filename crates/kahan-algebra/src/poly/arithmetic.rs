@@ -101,8 +101,8 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     }
 }
 
-/// A sum of many sorted runs. A run is merged with the next one unless it is at least twice as
-/// long. Each term therefore takes part in only logarithmically many merges.
+/// A sum of many sorted runs. A run is merged with the next run unless the first of both is at
+/// least twice as long. Each term therefore takes part in only logarithmically many merges.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }

@@ -41,7 +41,8 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Returns two test points. One has positive numbers, the other negative ones.
+/// Returns two test points. One point has positive numbers, and the other point has negative
+/// numbers.
 fn places(system: &System) -> [Place; 2] {
     [1, -1].map(|sign| {
         let n = system.field.dimension() as i64;

@@ -154,7 +154,7 @@ fn modified<'a>(
     Some(lines)
 }
 
-/// Returns the fixed values as `, when a = 1, eps = 1/2`; empty if none are fixed.
+/// Returns the fixed values as `, when a = 1, eps = 1/2`. The text is empty if no value is fixed.
 fn condition(found: &Discovered) -> String {
     let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
     let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();

@@ -17,7 +17,8 @@ use crate::printing::joined;
 /// The files of an archive by name, without `.npy`.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The indices of the states in a term: none in c, one in B, two in Q.
+/// The indices of the states in a term. A term of c has no index, a term of B has one, and a term
+/// of Q has two.
 type States = [Option<usize>; 2];
 
 /// An array: its shape, and its entries as (row, column, value). A row belongs to a component of

@@ -309,7 +309,7 @@ impl Source {
         Source { system: None, field: Some(text), file: None, block: None, ..self }
     }
 
-    /// Returns the named block; refuses if none was named.
+    /// Returns the named block. Refuses the command if the user named no block.
     pub(crate) fn required_block(&self) -> Result<Block, UsageError> {
         self.block()?.ok_or_else(|| {
             let names = joined(Systems.names().iter().map(|[name, _]| name), ", ");

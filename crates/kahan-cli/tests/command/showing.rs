@@ -48,7 +48,7 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
     };
     let (whole, shown) = golden_and_shown("e3");
     assert_eq!(shown, whole);
-    // The other golden files are the first one with some parts left out.
+    // The other golden files are the first golden file with some parts left out.
     for name in ["parameters", "anonymous"] {
         let (part, shown) = golden_and_shown(name);
         let mut lines = shown.lines();

@@ -34,7 +34,7 @@ pub struct Formula {
     pub text: String,
     /// The claim as read from the text: an integral or a density.
     pub claim: Claim,
-    /// The degree in the states: the larger one of the numerator's and the denominator's degree.
+    /// The degree in the states, which is the larger of the degrees of numerator and denominator.
     pub degree: u32,
     /// The numerator.
     pub numerator: Polynomial,

@@ -39,8 +39,8 @@ pub(crate) fn pfaffian_density(
     claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
-/// Finds the density of least degree. If none is found and det(I − t f′) is even in t, the density
-/// is 1/det A, with A(x,ε) = I − ε f′(x).
+/// Finds the density of least degree. If no density is found and det(I − t f′) is even in t, the
+/// density is 1/det A, with A(x,ε) = I − ε f′(x).
 pub(crate) fn densities(
     searched: &SearchField,
     claims: &Claims<'_>,

@@ -164,9 +164,9 @@ pub(crate) fn most_integrals(drifts: &[Drift], n: usize) -> usize {
     n - usize::from(has_sum) - usize::from(has_multiple)
 }
 
-/// Drops the first invalid drift and all later ones, which may depend on it. A drift is invalid if
-/// it depends on integrals and earlier drifts. It is also invalid if its claim names an integral of
-/// `before` that is not in `integrals`.
+/// Drops the first invalid drift, and all later drifts, because they may depend on the first. A
+/// drift is invalid if it depends on integrals and earlier drifts. It is also invalid if its claim
+/// names an integral of `before` that is not in `integrals`.
 pub(crate) fn independent(
     mut drifts: Vec<Drift>,
     searched: &SearchField,

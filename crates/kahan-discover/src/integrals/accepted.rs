@@ -1,4 +1,4 @@
-//! Simplifies and proves integrals, and accepts the independent ones.
+//! Simplifies and proves integrals, and accepts the independent integrals.
 
 use std::slice::from_ref;
 

@@ -99,7 +99,8 @@ impl<'a, M: ModularStep> Search<'a, M> {
         Echelon::of(self.map.modulus(), self.gradients.clone(), self.map.dimension()).rank()
     }
 
-    /// Accepts a pencil if it has an integral that is independent of the accepted ones.
+    /// Accepts a pencil if the pencil has an integral that is independent of the accepted
+    /// integrals.
     pub(crate) fn offer(&mut self, pencil: Pencil) {
         let before = self.rank();
         let known = self.gradients.len();
@@ -113,8 +114,8 @@ impl<'a, M: ModularStep> Search<'a, M> {
     }
 }
 
-/// Returns gradients, up to factors, of quotients: each element of a space is divided by the first
-/// one.
+/// Divides each element of a space by the first element. Returns the gradients of these quotients,
+/// up to factors.
 #[must_use]
 pub fn quotient_gradients(
     modulus: &Modulus,

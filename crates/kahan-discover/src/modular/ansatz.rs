@@ -18,8 +18,8 @@ pub(crate) struct MonomialSupport {
 }
 
 impl MonomialSupport {
-    /// Returns all monomials whose degrees in each unknown and in total are at most the given ones.
-    /// `None` if there are too many.
+    /// Returns all monomials whose degrees in each unknown and in total are at most the given
+    /// degrees. Returns `None` if there are too many monomials.
     pub(crate) fn within(bounds: &[usize], total: usize) -> Option<Self> {
         let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
         for &bound in bounds {

@@ -165,8 +165,8 @@ fn tensor(
 }
 
 /// Divides the tensor of a bracket by common factors of its numerators that are free of states. The
-/// coefficients become coprime integers, and the first one becomes positive. The result is still a
-/// bracket.
+/// coefficients become coprime integers, and the first coefficient becomes positive. The result is
+/// still a bracket.
 fn coprime(
     symbols: &Symbols,
     tensor: &[RationalFunction],

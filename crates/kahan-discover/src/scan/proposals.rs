@@ -161,7 +161,7 @@ impl<'a> Prover<'a> {
             return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
         }
         // Terms may be missing: a field may contain only even powers of ε, while a relation
-        // contains odd ones.
+        // contains odd powers.
         let is_free = !value.numerator().contains(symbols.epsilon())
             && !value.denominator().contains(symbols.epsilon());
         let system = is_free.then(|| self.system.on(&relations))??;

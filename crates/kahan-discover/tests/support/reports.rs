@@ -17,7 +17,8 @@ pub(crate) fn report(text: &str, options: &Options) -> Report {
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
 }
 
-/// Searches without a limit on degrees if none is given. Checks that each claim is reported once.
+/// Searches without a limit on degrees if the options give no limit. Checks that each claim is
+/// reported once.
 pub(crate) fn searched(text: &str, options: &Options) -> Report {
     let watch = Recording::with_a_clock();
     let report = discover(&system(text), options, &watch).expect("there is a map");

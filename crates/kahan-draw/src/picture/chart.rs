@@ -37,7 +37,7 @@ impl Chart {
     /// Makes the chart of one column of an [`Observe`](kahan_study::Observe) over one or two
     /// ranges. The question's last axis becomes the abscissa. A cell is empty if its orbit leaves
     /// the range of doubles or escapes. For the column `escape`, a cell is empty if its orbit does
-    /// neither. Panics if the question is another one, or if an axis is not a range.
+    /// neither. Panics if the question is of another kind, or if an axis is not a range.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &ColourColumn) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };

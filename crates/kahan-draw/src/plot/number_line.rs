@@ -134,7 +134,7 @@ impl NumberLine {
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
         // The sort is stable. Choices with four to seven ticks come first, coarse before fine, and
-        // steps of 2.5 last. Then come choices with fewer ticks, those with most ticks first.
+        // steps of 2.5 last. Then choices with fewer ticks come, ordered from many ticks to few.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))

@@ -49,8 +49,8 @@ const CURVES: [Colour; 6] = [
 ];
 
 /// The fill and stroke of one kind of element. Elements carry the theme's colours as attributes,
-/// which all programs read. For [`Theme::Viewer`] these are the light colours, and a style sheet
-/// replaces them by the dark ones.
+/// which all programs read. For [`Theme::Viewer`] the attributes are the light colours, and a style
+/// sheet replaces them by the dark colours.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,

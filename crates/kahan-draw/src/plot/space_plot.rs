@@ -1,5 +1,5 @@
 //! Draws orbits in space, in parallel projection. Near points and lines are wider than distant
-//! ones.
+//! points and lines.
 
 use std::cell::Cell;
 

@@ -52,7 +52,7 @@ impl FlowCycle {
     /// Returns whether the cycle has `steps` steps, and an ε near the given ε.
     #[must_use]
     pub fn is_near(&self, steps: usize, eps: f64) -> bool {
-        /// If the relative change of ε is larger, the cycle is another one.
+        /// If the relative change of ε is larger, the cycle counts as another cycle.
         const NEAR: f64 = 0.1;
 
         self.cycle.points.len() == steps && (self.eps / eps - 1.0).abs() < NEAR

@@ -2,7 +2,7 @@
 //!
 //! In: a map with its derivative, and a point near a cycle. Out: the points of the cycle, the
 //! residual, and the multipliers. Newton's method treats all points as unknowns (multiple
-//! shooting), so long cycles of unstable maps are found as well as short ones.
+//! shooting), so long cycles of unstable maps are found as well as short cycles.
 //!
 //! # Example
 //!

@@ -15,8 +15,8 @@ pub struct CloseReturn {
 /// Finds returns of an orbit to earlier points after `least` to `most` steps; the closest and
 /// shortest come first. Coordinates are scaled by their ranges on the orbit.
 ///
-/// After a shorter return, a longer one counts only if it is ten times closer; otherwise two rounds
-/// of a cycle would be reported too.
+/// After a shorter return, a longer return counts only if the point returns ten times closer.
+/// Otherwise two rounds of a cycle would also be reported.
 ///
 /// Cost: up to about 2000 points of the orbit, each compared with `most` successors.
 ///

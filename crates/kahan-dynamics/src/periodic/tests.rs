@@ -370,8 +370,9 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
 
 /// The map (x, y) ↦ (x + p − x², (x/2 − 9/8)·y).
 ///
-/// At the fixed points x² = p, y = 0, the multipliers are 1 − 2x and x/2 − 9/8. The first one
-/// passes through 1 at x = 0, a fold; the second one passes through −1 at x = 1/4.
+/// At the fixed points x² = p, y = 0, the multipliers are 1 − 2x and x/2 − 9/8. The first
+/// multiplier passes through 1 at x = 0, a fold. The second multiplier passes through −1 at x =
+/// 1/4.
 struct Turning(f64);
 
 impl ByHand for Turning {

@@ -1,7 +1,7 @@
 //! Tests whether a univariate polynomial has a root in (0, 1]; double roots count.
 //!
-//! In: coefficients, lowest first, the first one nonzero. Out: yes or no. Floats with an error
-//! bound decide most cases; a Sturm sequence decides the others.
+//! In: coefficients from the constant term upwards; the constant term is nonzero. Out: yes or no.
+//! Floats with an error bound decide most cases; a Sturm sequence decides the others.
 
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;

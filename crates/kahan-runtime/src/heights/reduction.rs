@@ -24,8 +24,9 @@ const MUCH: usize = 8;
 /// Returns gcd(Xᵢ, W) for each i; W must not be 0.
 ///
 /// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
-/// or empty; they predict which gcds are large. Cost: one long gcd if all results are short, and
-/// another one for each long result; `parts` replace the long gcd by several shorter ones.
+/// or empty; they predict which gcds are large. The cost is one long gcd if all results are short,
+/// and a further gcd for each long result. If `parts` are given, several shorter gcds replace the
+/// long gcd.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {

@@ -21,7 +21,7 @@ use crate::engine::determinant;
 use crate::{MachineFloat, MapAt};
 
 /// The relations w = g(x) of a lifted field. The added variables w are functions of the original
-/// ones x.
+/// variables x.
 pub trait Relations: fmt::Debug + Sync {
     /// Returns the number of original variables x, which come first.
     fn originals(&self) -> usize;

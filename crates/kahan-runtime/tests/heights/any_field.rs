@@ -179,7 +179,7 @@ fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
     // If no time is left, no step is made. The first step begins at 2 seconds, without an estimate.
     assert_eq!([0.0, 1.9, 2.0].map(within), [1, 1, 2]);
     // Digits double, so a step is estimated at slightly more than four times the duration of the
-    // previous one. Step n is thus expected to end slightly after 2n + 4 seconds.
+    // previous step. Step n is thus expected to end slightly after 2n + 4 seconds.
     assert_eq!([20.0, 22.0].map(within), [8, 9]);
 }
 

@@ -1,4 +1,4 @@
-//! Fields read over ℚ, and points at which they are compared with compiled ones.
+//! Fields that are read over ℚ, and points at which these fields are compared with compiled fields.
 
 use kahan_core::Scalar;
 use kahan_core::nalgebra::SVector;

@@ -344,7 +344,7 @@ impl Family {
     }
 
     /// Converts the points of a branch to all variables, and replaces the axis values by the exact
-    /// ones.
+    /// values.
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
             self.unfold(&mut point.cycle);

@@ -18,7 +18,7 @@ use super::{minute, seconds_since};
 
 const MOST_POINTS: usize = 1_000_000;
 
-/// A request for grid points at which degrees or ranks differ from the generic ones. The answer
+/// A request for grid points at which degrees or ranks differ from the generic values. The answer
 /// also has relations that such points satisfy.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

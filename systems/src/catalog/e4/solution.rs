@@ -37,7 +37,7 @@ pub struct Solution<T> {
     pub modulus: Modulus<T>,
     /// The symmetry that maps the point of the formula to the point of the orbit.
     pub symmetry: Symmetry,
-    /// The branch. It is the inner one for |εz| < 1, and the outer one for |εz| > 1.
+    /// The branch of the solution. On the inner branch |εz| < 1, and on the outer branch |εz| > 1.
     pub branch: Branch,
     /// The values of sn, cn and dn at δ, computed algebraically.
     advance: Jacobi<T>,

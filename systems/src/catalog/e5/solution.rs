@@ -31,7 +31,7 @@ pub struct Solution<T> {
     /// The sign s = ±1. On the inner branch it is the sign of x. Theorem 3 has s = 1, but (x, y, z)
     /// → (−x, y, −z) is a symmetry.
     pub sign: T,
-    /// The branch. It is the inner one for |εy| < 1, and the outer one for |εy| > 1.
+    /// The branch of the solution. On the inner branch |εy| < 1, and on the outer branch |εy| > 1.
     pub branch: Branch,
 }
 

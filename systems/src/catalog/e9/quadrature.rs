@@ -99,8 +99,8 @@ impl<T: Real> Quadrature<T> {
     /// closed.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Start each half at its own turning point, so that the singularity at the other one is
-        // avoided.
+        // Start each half at its own turning point, which avoids the singularity at the other
+        // turning point.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))

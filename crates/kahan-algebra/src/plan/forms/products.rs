@@ -16,8 +16,8 @@ use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, op
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// Returns a form for each choice of the row that is expanded last. Returns none if there would be
-/// too many operations.
+/// Returns a form for each choice of the row that is expanded last. Returns no form if there would
+/// be too many operations.
 pub(in crate::plan) fn candidates(field: &Field, kept: &FieldWithSubexpressions) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();

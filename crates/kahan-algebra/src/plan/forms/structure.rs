@@ -29,8 +29,8 @@ impl Structure {
     }
 
     /// Returns independent states of a block, chosen greedily. No independent state depends on
-    /// itself or on another one. In A, the rows and columns of independent states are those of the
-    /// identity.
+    /// itself or on another independent state. In A, the rows and columns of independent states are
+    /// those of the identity.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -47,8 +47,8 @@ impl Structure {
 
 /// Returns the strongly connected components of the dependency graph. Each component comes after
 /// those on which it depends, so A is block triangular in this order. `depends[i]` lists the states
-/// in fᵢ. Components that depend on fewer states come first; equal ones are ordered by their first
-/// state.
+/// in fᵢ. Components that depend on fewer states come first. Components that depend on equally many
+/// states are ordered by their first state.
 pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut blocks = components(depends);
     let mut block_of = vec![0; depends.len()];

@@ -111,7 +111,7 @@ impl StepPlan {
                 (None, None) => Operation::Add(state, numerator),
             }));
         }
-        // Merge equal operations and drop unused ones.
+        // Merge equal operations and drop unused operations.
         Plan::together([&Plan { operations, outputs }])
     }
 

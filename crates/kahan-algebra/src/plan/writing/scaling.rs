@@ -2,7 +2,7 @@
 //! (εx)(εx)y.
 //!
 //! If εx is computed first, terms need no multiplication by ε, and ε is the only rounded constant.
-//! A scaled symbol such as εx is a variable that is numbered after all unscaled ones. Forms that
+//! A scaled symbol such as εx is a variable that is numbered after all unscaled symbols. Forms that
 //! are divided by the time step also use the [inverse time step](crate::plan::forms::inverse),
 //! which is the last of these variables.
 

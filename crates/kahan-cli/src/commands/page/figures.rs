@@ -51,7 +51,7 @@ impl AnsweredQuestion {
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
     /// The field whose parameters have values. If the text claims no integral, the field has the
-    /// discovered integrals instead of claimed ones.
+    /// discovered integrals instead of claimed integrals.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,

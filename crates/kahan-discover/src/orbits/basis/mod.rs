@@ -231,10 +231,10 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
     if powers.is_empty() { "1".to_owned() } else { notation.product(&powers) }
 }
 
-/// Chooses bases until the integrals with `gradients` at `place`, together with those of the bases,
-/// are `wanted` independent ones. Short bases are preferred, and bases without a new integral are
-/// skipped. The new gradients are appended. There are fewer integrals if the candidates do not
-/// suffice.
+/// Chooses bases until `wanted` integrals are independent. The integrals with `gradients` at
+/// `place` are counted together with those of the bases. Short bases are preferred, and bases
+/// without a new integral are skipped. The new gradients are appended. There are fewer integrals if
+/// the candidates do not suffice.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
@@ -351,7 +351,7 @@ fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
         return None;
     }
     let exponents: Vec<&[u32]> = support.iter().map(|&index| monomials.exponents(index)).collect();
-    // Skip a relation that is another one multiplied by a state.
+    // Skip a relation that is another relation multiplied by a state.
     let is_multiple = (0..n).any(|state| exponents.iter().all(|own| own[state] > 0));
     (!is_multiple).then(|| Basis {
         monomials: exponents.into_iter().map(<[u32]>::to_vec).collect(),

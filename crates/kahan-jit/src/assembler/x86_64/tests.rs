@@ -377,8 +377,8 @@ fn the_pool_begins_with_a_cache_line() {
     }
 }
 
-/// Offsets take one byte if they fit into it. In EVEX they take four, because EVEX scales short
-/// ones.
+/// Offsets that fit into one byte take one byte. In EVEX offsets take four bytes, because EVEX
+/// scales short offsets.
 #[test]
 fn offsets_are_as_short_as_they_can_be() {
     let length = |offset: i32, register: u8| {

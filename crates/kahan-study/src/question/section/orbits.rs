@@ -196,7 +196,7 @@ impl<'a> Orbits<'a> {
         found
     }
 
-    /// Follows one orbit after another, each from the last point of the previous one.
+    /// Follows one orbit after another. Each orbit starts at the last point of the previous orbit.
     fn carried(&self, rows: &mut dyn Rows, count: &WorkCount<'_>) -> Vec<Crossed> {
         let (mut found, mut last) = (Vec::new(), None::<Vec<f64>>);
         for index in 0..self.cells.count {

@@ -1,4 +1,5 @@
-//! Tests known brackets: those in the paper's tables, of the Euler top, and of E7.
+//! Tests known brackets: the brackets in the paper's tables, and the brackets of the Euler top and
+//! of E7.
 
 use super::*;
 
