@@ -1,5 +1,4 @@
-//! The interface for generated code, which is neither public nor stable and has the macro's
-//! version.
+//! The interface for generated code, which is neither public nor stable and changes with the macro.
 //!
 //! Generated code names items only through this module. Therefore it works in scopes without a
 //! prelude and beside user types called `Option` or `Clone`.
@@ -17,12 +16,12 @@ pub use num_traits::PrimInt;
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-/// Elimination for dense fields that are read at run time, which `kahan-runtime` uses.
+/// Elimination for dense fields, used by `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod dense {
     pub use crate::dense::{Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
-/// SIMD lanes as scalars, with which `kahan-runtime` interprets programs over columns.
+/// SIMD lanes as scalars, used by `kahan-runtime`.
 #[cfg(feature = "std")]
 pub use crate::ensemble::{
     lanes::{InLanes, Lanes, OverLanes},
@@ -30,11 +29,11 @@ pub use crate::ensemble::{
 };
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
-/// Elimination for fields without closed forms, which `kahan-runtime` uses.
+/// Elimination for fields without closed forms, used by `kahan-runtime`.
 pub use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 #[cfg(feature = "std")]
 pub use crate::supernodes::{PanelWorkspace, Supernodes};
-/// The solver of chains that are read at run time, which `kahan-runtime` uses.
+/// The solver of chains, used by `kahan-runtime`.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::lattice::{Gathered, SiteLine, StencilMenu};
@@ -56,7 +55,6 @@ use core::cmp::Ordering;
 
 use crate::scalar::Dual;
 
-/// Returns the integer `n` as a scalar.
 #[inline(always)]
 pub fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))
@@ -68,8 +66,8 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Stores a result. Unless the scalar is a float, this is a call. Compilers examine every pair of
-/// adjacent stores, and thousands of stores would take minutes.
+/// Stores a result. Scalars other than floats use a call, because thousands of inlined stores would
+/// take minutes to compile.
 #[inline(always)]
 pub fn put<T: Scalar>(place: &mut T, result: T) {
     #[inline(never)]
@@ -79,8 +77,8 @@ pub fn put<T: Scalar>(place: &mut T, result: T) {
     if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
 }
 
-/// Functions that have the names of method arguments. Because they are imported, no constant of the
-/// user captures a pattern.
+/// Functions with the names of method arguments. Generated code imports these names, so that no
+/// constant of the user captures a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}
@@ -95,19 +93,17 @@ pub mod arguments {
     pub fn s() {}
 }
 
-/// Returns whether a step at this ε may use the form that is divided by ε.
+/// Returns whether a step may use the form that divides by ε.
 pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     crate::scalar::tuning::may_divide_by(eps)
 }
 
-/// Returns a matrix made of these rows.
 #[inline]
 pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> {
     SMatrix::from_fn(|i, j| rows[i][j].clone())
 }
 
-/// Returns the derivative ∂x̃/∂x = I + ∂(x̃ − x)/∂x of a step, by forward differentiation with dual
-/// numbers.
+/// Returns the Jacobian ∂x̃/∂x of a step, computed with dual numbers.
 ///
 /// # Panics
 /// If the scalar is exact and `x` is a pole.

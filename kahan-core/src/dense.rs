@@ -1,9 +1,8 @@
-//! Elimination for dense fields, in loops over rows or over the points of an ensemble.
+//! Elimination for dense fields f, in loops over rows or over the points of an ensemble.
 //!
-//! In: coefficients packed in reading order, a state x, ε. Out: A(x,ε)⁻¹f(x) with A(x,ε) = I −
-//! εf′(x). The operations have the order of the field's generated programs and of
-//! [`Couplings`](crate::__private::Couplings), for any number of lanes. If a product is missing in
-//! the field, its coefficient is zero, which changes at most signs of zeros.
+//! [`velocity`] computes A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). The operations have the order of
+//! [`Couplings`](crate::__private::Couplings), for any number of lanes. Products that are missing
+//! in the field have the coefficient 0, which changes at most signs of zeros.
 
 mod points;
 #[cfg(test)]
@@ -68,14 +67,13 @@ pub fn pack<T: InLanes>(variables: usize, field: &[T], packed: &mut Vec<T>) {
     }
 }
 
-/// The memory in which steps compute.
+/// The memory that steps reuse.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     /// The matrix A(x,ε) column by column, followed by f(x).
     columns: Vec<T>,
-    /// The factors with which each row subtracts the pivot rows of the current group.
     factors: Vec<T>,
-    /// The pivots with a factor above the limit, which are checked again.
+    /// The pivots with a large factor, which are checked again at the end.
     suspects: Vec<usize>,
 }
 
@@ -100,7 +98,7 @@ impl<T: InLanes> Workspace<T> {
 }
 
 /// Computes A(x,ε)⁻¹f(x) from [packed](pack) coefficients into the [last](Workspace::last) column.
-/// Returns `false` if a pivot is 0, or too small by the rule of
+/// Returns `false` if a pivot is 0 or too small; see
 /// [`Couplings::factor`](crate::__private::Couplings::factor).
 #[must_use]
 pub fn velocity<T: InLanes>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
@@ -163,8 +161,6 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         self.at(0, j)
     }
 
-    /// Loads the coefficient at `place` for all rows of a register. The register's first row is
-    /// `row`.
     #[inline(always)]
     fn coefficient(packed: &[T], place: usize, row: usize) -> L {
         let place = place * T::ROWS + row % T::ROWS;
@@ -176,7 +172,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// Returns the registers between two aligned offsets. Loops over `step_by` may not be inlined.
+    /// Returns a plain range of registers, because loops over `step_by` may not be inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -213,8 +209,7 @@ impl<T: InLanes, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds products with W variables, beginning with `first`, to f and f′ in the rows of a
-    /// register.
+    /// Adds the products with W variables, from `first` on, to f and f′.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -313,9 +308,8 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
-    /// Replaces pivot k by its reciprocal. Elimination subtracts multiples of row k from the rows
-    /// below row k. Writes the factors of these multiples; the factors of the other rows are 0.
-    /// Returns whether a factor exceeds `most`, or `None` if the pivot is 0.
+    /// Replaces pivot k by its reciprocal, and writes the factors of the rows below. Returns
+    /// whether a factor exceeds `most`, or `None` if the pivot is 0.
     #[inline(always)]
     fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
         let own = &mut columns[self.column(k)..][..self.height];
@@ -351,8 +345,6 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts multiples of one pivot row from the rows up to `end`, in W columns beginning at
-    /// `column`.
     #[inline(always)]
     fn subtract<const W: usize>(
         self,
@@ -373,8 +365,7 @@ impl<T: InLanes, L: Lanes<T>> Loops<T, L, false> {
         }
     }
 
-    /// Subtracts multiples of all `PIVOTS` pivot rows from the rows beginning at `below`, in W
-    /// columns.
+    /// Subtracts multiples of `PIVOTS` pivot rows from all rows from `below` on.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(

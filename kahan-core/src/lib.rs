@@ -1,13 +1,12 @@
-//! Kahan's method for quadratic differential equations: [`kahan!`] turns ẋ = f(x) into its
-//! birational map x ↦ x̃.
+//! Kahan's method for quadratic differential equations: [`kahan!`] turns ẋ = f(x) into a birational
+//! map x ↦ x̃.
 //!
-//! A field f(x) = Q(x) + Bx + c, with Q(x,y) the symmetric bilinear form of Q, has the map (x̃ −
-//! x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c. This equation is linear in x̃, and ε ↦ −ε inverts the map.
+//! A field f(x) = Q(x,x) + Bx + c, with a symmetric bilinear form Q, has the map (x̃ − x)/(2ε) =
+//! Q(x,x̃) + ½B(x + x̃) + c. This equation is linear in x̃. The inverse map has −ε in place of ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! In: code that the macro generates from a block, a point, ε. Out: steps, orbits, ensembles of
-//! trajectories. `kahan-algebra` handles syntax, polynomials and claims at compile time.
-//! `kahan-dynamics` finds periodic points, step sizes for a tolerance, and exact solutions.
+//! `kahan-algebra` handles syntax, polynomials and claims at compile time. `kahan-dynamics` finds
+//! periodic points, step sizes for a tolerance, and exact solutions.
 //!
 //! ```
 //! use kahan_core::prelude::*;
@@ -71,7 +70,8 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
-// The layers from bottom to top. The test in `tests/tests/layers.rs` checks the imports.
+// The modules, from the lowest layer to the highest. The test `tests/tests/layers.rs` checks their
+// imports.
 mod scalar;
 
 mod field;
@@ -95,7 +95,6 @@ pub mod observe;
 #[cfg(feature = "std")]
 mod lattice;
 
-// The entry points for users and for generated code.
 mod macros;
 #[cfg(feature = "serde")]
 mod stored;

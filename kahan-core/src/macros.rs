@@ -1,12 +1,11 @@
 //! The macros of the crate.
 //!
-//! `kahan!` passes `$crate` to the procedural macro; therefore renamed dependencies work. `vector!`
-//! replaces nalgebra's macro, whose expansion would require a dependency on `nalgebra`.
+//! `kahan!` passes `$crate` to the procedural macro, so that renamed dependencies work. The
+//! `vector!` of nalgebra would force users to depend on `nalgebra`.
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
-/// [The language](crate::language) has its own chapter with grammar, limits and examples. This is a
-/// summary.
+/// [The language](crate::language) has its own chapter with grammar, limits and examples.
 ///
 /// A block is an optional header, one equation `NAMEdot = expression;` per state variable, and
 /// claims. Expressions are polynomials of degree at most 2 in the variables, with the usual
@@ -16,8 +15,8 @@
 ///   (`Name<T>` with one public field for each parameter). The struct implements
 ///   [`QuadraticField`](crate::QuadraticField), [`KahanMap`](crate::KahanMap) and
 ///   [`Named`](crate::Named).
-/// - Without a header, the block is an expression of an anonymous type. Its value captures the
-///   parameters from the scope.
+/// - Without a header, the block is an expression whose value has an anonymous type. The expression
+///   captures its parameters from the scope.
 ///
 /// A block that begins with `lift` may contain functions, quotients and arbitrary powers. Write
 /// `lift pub struct Pendulum { g }`, or `lift;` without a header. New variables make the equations

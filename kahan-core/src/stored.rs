@@ -1,14 +1,11 @@
 //! Serialisation of double-doubles and compositions, with the feature `serde`.
-//!
-//! A double-double is stored as its two parts, and a composition as its name. `serde_json` needs
-//! its feature `float_roundtrip` to read back every bit of a float.
 
 use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{Composition, Dd};
 
-/// Writes the two parts \[high, low\], which lose no bits.
+/// Writes the two parts \[high, low\] without loss.
 impl Serialize for Dd {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         (self.high(), self.low()).serialize(serializer)
@@ -23,14 +20,13 @@ impl<'a> Deserialize<'a> for Dd {
     }
 }
 
-/// Writes the [name](Composition::name) of the composition's constant.
 impl Serialize for Composition {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
     }
 }
 
-/// Reads the name of a composition, and refuses names that are not in [`Composition::ALL`].
+/// Reads a name, and refuses names that are not in [`Composition::ALL`].
 impl<'a> Deserialize<'a> for Composition {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         struct Name;

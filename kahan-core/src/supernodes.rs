@@ -1,9 +1,9 @@
-//! Sparse LU elimination over floats by panels (supernodes). A panel holds consecutive rows with
-//! equal columns to the right of the diagonal. These rows are reduced together in SIMD lanes.
+//! Sparse LU elimination over floats by panels (supernodes): consecutive rows with equal columns to
+//! the right of the panel. SIMD lanes reduce these rows together.
 //!
-//! In: the tables of [`Couplings`], and the entries of A(x,ε). Out: the LU factors in place. The
-//! order of operations, and therefore the bits, are those of [`Couplings::factor`]. On supernodes
-//! see J. W. H. Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252.
+//! The order of operations, and therefore the bits, are those of [`Couplings::factor`]. On
+//! supernodes see J. W. H. Liu, E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993)
+//! 242–252.
 
 #[cfg(test)]
 mod tests;
@@ -15,13 +15,13 @@ use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The maximum number of rows in a panel. A panel of this size fits a fast cache.
+/// The maximum number of rows in a panel, so that a panel fits a fast cache.
 const MOST_ROWS: usize = 32;
 /// The number of rows that are reduced together.
 const ROWS: usize = 4;
 /// The maximum number of pivot rows that are subtracted from rows at once.
 const PIVOTS: usize = 16;
-/// The maximum number of pivots of a panel that reduce rows one at a time, along a list of columns.
+/// The maximum number of pivots in a panel that may reduce rows one pivot at a time.
 const FEWEST: usize = 4;
 /// The minimum number of columns for which loops over lanes pay.
 const SHORTEST: u32 = 4;
@@ -33,15 +33,13 @@ pub struct Supernodes {
     reductions: Vec<PanelReduction>,
     tasks: Vec<RowReduction>,
     runs: Vec<ColumnRun>,
-    /// For each entry of A, the index of its column among the columns of the entry's panel.
+    /// For each entry of A, the index of the entry's column within the panel.
     columns: Vec<u32>,
-    /// Lists of panel columns, with one column for each entry of a pivot row.
     lists: Vec<u32>,
 }
 
-/// Consecutive rows. To the right of the diagonal, each row has entries in the column of the next
-/// row, and in all columns of the next row. The panel's columns are the union of the columns of its
-/// rows.
+/// Consecutive rows with equal columns to the right of the last row. The panel's columns are the
+/// union of the columns of these rows.
 #[derive(Clone, Debug)]
 struct Panel {
     rows: Range<usize>,
@@ -54,12 +52,12 @@ struct Panel {
 struct PanelReduction {
     /// The index of the row after the last pivot.
     end: usize,
-    /// The index of the panel column after the column of the last pivot.
+    /// The index of the first panel column after the last pivot.
     behind: usize,
     tasks: Range<usize>,
     runs: Range<usize>,
-    /// The position in `lists` of the columns to the right of the last pivot. The columns of the
-    /// pivots precede it. `Some` if rows are reduced one pivot at a time.
+    /// The position in `lists` of the first column after the last pivot. `Some` if rows are reduced
+    /// one pivot at a time.
     list: Option<usize>,
 }
 
@@ -69,7 +67,6 @@ struct RowReduction {
     /// The indices of the rows within the panel. If `is_alone` is true, only the first counts.
     rows: [u32; ROWS],
     is_alone: bool,
-    /// Whether the row is completely reduced after this reduction.
     is_last: bool,
     first: u32,
     count: u32,
@@ -84,17 +81,16 @@ struct ColumnRun {
     length: u32,
 }
 
-/// The memory in which a factorisation computes.
+/// The memory that factorisations reuse.
 #[derive(Clone, Debug)]
 pub struct PanelWorkspace<T> {
     rows: Vec<T>,
-    /// For each row, the magnitude below which an entry is negligible within the row.
+    /// For each row, the magnitude below which an entry is negligible.
     limits: Vec<T>,
-    /// For each column of A, the magnitude below which an entry is negligible within the column. An
-    /// entry counts as 0 if it is negligible in both its row and its column.
+    /// For each column of A, the magnitude below which an entry is negligible. An entry counts as 0
+    /// if it is negligible in its row and in its column.
     column_limits: Vec<T>,
     factors: Vec<T>,
-    /// For each pivot row, the offset of its entries.
     uppers: Vec<usize>,
 }
 
@@ -133,7 +129,7 @@ impl Supernodes {
     }
 
     /// Appends a panel of these rows. `panel_of` maps each row, up to the last of `rows`, to its
-    /// panel. `places` is scratch memory with one number per row.
+    /// panel. `places` is scratch memory.
     fn push(
         &mut self,
         couplings: &Couplings<'_>,
@@ -228,8 +224,8 @@ impl Supernodes {
         begin..self.tasks.len()
     }
 
-    /// Appends the joint reduction of `ROWS` rows by the pivots before `end`. Pivots that only some
-    /// of the rows need are applied to these rows separately.
+    /// Appends the joint reduction of `ROWS` rows by the pivots before `end`. Some pivots reduce
+    /// only some of these rows; they are applied separately.
     fn push_together(&mut self, rows: [usize; ROWS], firsts: [usize; ROWS], end: usize) {
         let first = firsts.into_iter().fold(0, usize::max).min(end);
         for (r, own) in rows.into_iter().zip(firsts) {
@@ -238,8 +234,6 @@ impl Supernodes {
         self.push_pivots(rows, false, first..end);
     }
 
-    /// Appends the reduction of one row by these pivots. `is_last` marks the last reduction of the
-    /// row.
     fn push_alone(&mut self, r: usize, pivots: Range<usize>, is_last: bool) {
         self.push_pivots([r, 0, 0, 0], true, pivots);
         if is_last {
@@ -264,12 +258,9 @@ impl Supernodes {
     /// Replaces A by its LU factors, as [`Couplings::factor`] does. Returns `false` if a pivot is 0
     /// or too small; the values are then useless.
     ///
-    /// With `flushes`, small entries count as 0. An entry is small if it is below
-    /// [`InLanes::NEGLIGIBLE`] times the largest off-diagonal entry of its row in A, and also of
-    /// its column. Without `flushes`, factors shrink like a power of ε with the distance between
-    /// variables, and finally become subnormal and slow. If a variable gets another unit, its row
-    /// of A is multiplied by a factor and its column divided by it. In `f64`, solutions keep their
-    /// bits if the ratios of units are at least 2¹⁰⁰ times `NEGLIGIBLE`.
+    /// With `flushes`, an entry counts as 0 if it is negligible in its row and in its column of A.
+    /// A negligible entry is below [`InLanes::NEGLIGIBLE`] times the largest off-diagonal entry.
+    /// Without `flushes`, factors of distant variables can become subnormal, which is slow.
     #[must_use]
     pub fn factor<T: InLanes>(
         &self,
@@ -292,8 +283,7 @@ impl Couplings<'_> {
         &self.columns[self.rows[row].right()]
     }
 
-    /// Returns whether the next row has the columns that this row has to the right of the diagonal,
-    /// except the first of these.
+    /// Returns whether the next row can join the panel of this row.
     fn is_continued(&self, row: usize) -> bool {
         match self.columns_right(row).split_first() {
             Some((&next, others)) => next as usize == row + 1 && self.columns_right(row + 1) == others,
@@ -331,7 +321,7 @@ impl<T: InLanes> OverLanes<T> for Work<'_, T> {
     }
 }
 
-/// Returns the magnitude that is negligible beside the largest entry, or 0 if the magnitude is not
+/// Returns the limit of magnitudes that are negligible beside `largest`, or 0 if this limit is not
 /// finite.
 #[inline(always)]
 fn negligible<T: InLanes>(largest: T) -> T {
@@ -341,8 +331,8 @@ fn negligible<T: InLanes>(largest: T) -> T {
 
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: InLanes> Work<'_, T> {
-    /// Computes the factors of a panel. For each number of rows, each function is called at one
-    /// place, because its body is inlined there. Returns `false` if a pivot is 0 or too small.
+    /// Computes the factors of a panel. Returns `false` if a pivot is 0 or too small. Each function
+    /// is called at one place only, because its body is inlined there.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;
@@ -435,8 +425,7 @@ impl<T: InLanes> Work<'_, T> {
         self.workspace.limits[r] = negligible(largest);
     }
 
-    /// Returns `entry`, or 0 if it is negligible. The entry is in row r of the panel and in this
-    /// column of A.
+    /// Returns `entry`, or 0 if it is negligible in row r of the panel and in its column of A.
     #[inline(always)]
     fn flushed(&self, entry: T, r: usize, column: usize) -> T {
         let PanelWorkspace { limits, column_limits, .. } = &*self.workspace;
@@ -445,8 +434,7 @@ impl<T: InLanes> Work<'_, T> {
         if is_negligible { T::zero() } else { entry }
     }
 
-    /// Copies row r of the panel back, with its reciprocal pivot. Returns `false` if the pivot is
-    /// 0.
+    /// Copies row r of the panel back, with a reciprocal pivot. Returns `false` if the pivot is 0.
     #[inline(always)]
     fn has_scattered(&mut self, panel: &Panel, r: usize) -> bool {
         let own = &self.workspace.rows[r * panel.width..][..panel.width];
@@ -492,7 +480,7 @@ impl<T: InLanes> Work<'_, T> {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
-        // The panel columns to the right of these pivots. All these pivot rows have entries there.
+        // The rows of these pivots have entries in the columns of all later pivots.
         let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
@@ -517,8 +505,7 @@ impl<T: InLanes> Work<'_, T> {
     }
 
     /// Returns the factor of a row for a pivot, and reduces the row's columns before `end`. Returns
-    /// `None` if the pivot is too small. `place` is the index of the row's entry in the pivot's
-    /// column.
+    /// `None` if the pivot is too small.
     #[inline(always)]
     fn factor(&mut self, row: usize, place: usize, pivot: usize, end: usize) -> Option<T> {
         let [diagonal, behind] = self.pivot(pivot);
@@ -540,7 +527,6 @@ impl<T: InLanes> Work<'_, T> {
         Some(factor)
     }
 
-    /// Subtracts multiples of `count` pivot rows from R rows, whose first numbers are at `places`.
     #[inline(always)]
     fn subtract<L: Lanes<T>, const R: usize>(&mut self, places: [usize; R], count: usize, run: &ColumnRun) {
         let (mut before, mut column) = (run.before as usize, run.column as usize);

@@ -1,9 +1,7 @@
 //! Methods that a system lacks, with diagnostics that say which declaration is missing.
 //!
-//! A block without an integral, without a density, or with integer parameters gets these methods
-//! instead. The bounds of these methods are never satisfied, and therefore every call is a compile
-//! error. The methods take `&mut self`, because rustc tries `&self` methods first. Therefore
-//! handwritten integrals take precedence, and so do maps whose scalar is not yet inferred.
+//! The bounds of these methods are never satisfied, and therefore every call is a compile error.
+//! The methods take `&mut self`, because rustc prefers existing methods that take `&self`.
 
 use core::iter::Empty;
 
@@ -11,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// A type without an implementation of the traits below, so that their diagnostics appear.
+/// A type that implements none of the traits below.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 

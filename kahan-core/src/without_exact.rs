@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 /// A placeholder for big rationals, which need the feature `exact`.
 pub type BigRational = Unavailable<FeatureExact>;
 
-/// A number type that this build does not provide; F is the missing feature.
+/// A number type that needs the missing feature F.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unavailable<F>(PhantomData<F>);
 
@@ -22,8 +22,7 @@ trait IsEnabled {}
 
 #[expect(private_bounds, reason = "no feature that is off can be enabled by a type")]
 impl<F> Unavailable<F> {
-    /// Stands for the rational number numer/denom. A call does not compile without the feature
-    /// `exact`.
+    /// Fails to compile without the feature `exact`.
     pub fn new(_numer: i128, _denom: i128) -> Self
     where
         F: IsEnabled,
@@ -31,7 +30,7 @@ impl<F> Unavailable<F> {
         Self(PhantomData)
     }
 
-    /// Stands for an integer as a rational. A call does not compile without the feature `exact`.
+    /// Fails to compile without the feature `exact`.
     pub fn from_integer(_integer: i128) -> Self
     where
         F: IsEnabled,
@@ -39,7 +38,7 @@ impl<F> Unavailable<F> {
         Self(PhantomData)
     }
 
-    /// Stands for a float as a rational. A call does not compile without the feature `exact`.
+    /// Fails to compile without the feature `exact`.
     pub fn from_float(_float: f64) -> Option<Self>
     where
         F: IsEnabled,

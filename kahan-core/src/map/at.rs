@@ -1,7 +1,6 @@
 //! A map prepared at a fixed ε.
 //!
-//! In: a map and ε, given once. Out: steps that take only a state, and neither allocate nor
-//! dispatch.
+//! Steps take only a state, and neither allocate nor dispatch.
 
 use core::fmt;
 
@@ -15,9 +14,8 @@ use super::{KahanMap, Orbit, Pivot};
 
 /// The Kahan map M at one fixed ε, half the time step; see [`KahanMap::at`].
 ///
-/// Everything that depends only on ε and the parameters is computed once. The step still divides by
-/// functions of the state, and therefore shows poles. The type can be named, for example in a
-/// field:
+/// Everything that depends only on ε and the parameters is computed once. The type can be named,
+/// for example in a field:
 ///
 /// ```
 /// use kahan_core::KahanAt;
@@ -71,14 +69,12 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the prepared step. Callers use it to complete steps themselves, in lanes or
-    /// compensated.
+    /// Returns the prepared step, for callers that add the increment to the state themselves.
     pub fn prepared(&self) -> &M::Prepared {
         &self.prepared
     }
 
-    /// Returns x̃, the state after one step. The result equals that of [`KahanMap::step`] bit for
-    /// bit.
+    /// Returns x̃, the state after one step, with the bits of [`KahanMap::step`].
     ///
     /// # Panics
     /// If the scalar is exact and `x` is a pole.
@@ -90,8 +86,7 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
         }
     }
 
-    /// Returns the next state x̃ with an error bound, or the reason for failure; see
-    /// [`KahanMap::try_step`].
+    /// Returns x̃ with an error bound, or the reason for failure; see [`KahanMap::try_step`].
     ///
     /// # Errors
     /// Returns the errors of [`KahanMap::try_step`].

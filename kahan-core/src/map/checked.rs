@@ -1,7 +1,7 @@
-//! The checked step: it implements `try_step` for handwritten maps and for exact scalars.
+//! The checked step, which implements `try_step` for handwritten maps and for exact scalars.
 //!
-//! In: a point x, ε, and the fast step. Out: a finite next state x̃ without an error bound, or the
-//! reason for failure. If the fast step overflows, elimination with partial pivoting is tried.
+//! A successful step returns a finite x̃ without an error bound. If the fast step overflows,
+//! elimination with partial pivoting is tried.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -33,9 +33,7 @@ pub(crate) fn checked_step<M: KahanMap<T, N>, T: Pivot, const N: usize>(
 
 /// Returns whether a finite increment may hide an overflow, because 1/∞ = 0.
 ///
-/// If a denominator overflows, the increments of its components are 0; if an inner denominator
-/// overflows, all increments are 0. If a pivot of an elimination overflows, one increment is 0. Any
-/// other overflow leaves ∞ or NaN. If f(x) = 0, increments of 0 are correct.
+/// A hidden overflow makes an increment 0. If f(x) = 0, increments of 0 are correct.
 fn hides_an_overflow<M: KahanMap<T, N>, T: Pivot, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,
@@ -54,8 +52,8 @@ fn advance<T: Scalar, const N: usize>(x: &SVector<T, N>, increment: &SVector<T, 
     SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
 }
 
-/// Returns whether elimination cannot overflow. With partial pivoting, the entries of an N × N
-/// matrix grow at most by the factor 2ᴺ⁻¹.
+/// Returns whether elimination cannot overflow. Partial pivoting enlarges the entries of an N × N
+/// matrix at most by the factor 2ᴺ⁻¹.
 fn can_eliminate<T: Pivot, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     matrix.iter().all(|entry| {
         let grown = (1..N).fold(entry.clone(), |size, _| size.clone() + size);

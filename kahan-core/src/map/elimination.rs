@@ -1,8 +1,7 @@
 //! The step by elimination, for maps without a closed form.
 //!
-//! In: a map and ε. Out: the increment x̃ − x = 2ε·A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x), by
-//! partial pivoting at every state. Elimination works for every field, but fails where det A(x,ε) =
-//! 0, even if the reduced map is defined there.
+//! The increment is x̃ − x = 2ε·A(x,ε)⁻¹f(x) with A(x,ε) = I − εf′(x). Elimination works for every
+//! field, but fails where det A(x,ε) = 0, even if the reduced map is defined there.
 
 use nalgebra::SVector;
 
@@ -12,7 +11,7 @@ use crate::{KahanMap, PreparedStep, Quotients, Scalar};
 
 /// The prepared step of any map M, which solves a linear system at every state.
 ///
-/// A step costs the evaluation of A(x,ε) and f(x), about N³/3 multiplications and N divisions. With
+/// A step evaluates A(x,ε) and f(x), and takes about N³/3 multiplications and N divisions. With
 /// this type, a handwritten map implements [`KahanMap`] in two lines:
 ///
 /// ```

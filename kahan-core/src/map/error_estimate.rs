@@ -1,7 +1,7 @@
 //! Estimates of the error of steps and orbits against the flow.
 //!
-//! In: points of an orbit. Out: the leading term of the discretisation error. The estimates include
-//! neither rounding errors nor terms of higher order, and need no reference solution.
+//! The estimates are the leading term of the discretisation error, without rounding errors. They
+//! need no reference solution.
 
 use core::array::from_fn;
 
@@ -14,15 +14,14 @@ use super::Compensated;
 use super::tangent::push_forward_to;
 
 impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
-    /// Estimates the local error by its leading term. With h = 2ε, the local error is x̃ − (flow
-    /// from x for the time h), which equals
+    /// Estimates the local error by its leading term. The local error is x̃ minus the flow from x
+    /// for the time h = 2ε:
     ///
     ///   h³[f′f′f/12 − f″(f,f)/6] + O(h⁴)
     ///
-    /// In terms of the quadratic form Q of f, f″(f,f) = 2Q(f,f), and the estimate is (2ε³/3)·[f′f′f
-    /// − 4Q(f,f)] at x, without poles. If coefficients depend on ε, 2ε(f at ε − f at 0) is added.
-    /// Subtracting the estimate from x̃ raises the order to 3 but destroys the map's structure. The
-    /// cost is one evaluation of f, f′ and Q, and two products with f′.
+    /// If coefficients of f depend on ε, 2ε(f at ε − f at 0) is added. Subtracting the estimate
+    /// from x̃ raises the order to 3 but destroys the map's structure. The cost is one evaluation
+    /// of f, f′ and f″(f,f), and two products with f′.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -44,7 +43,8 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     }
 }
 
-/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] + 2ε(f at ε − f at 0), with g = εf.
+/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] + 2ε(f at ε − f at 0), with g = εf and the quadratic
+/// part Q of f.
 fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,
@@ -80,7 +80,7 @@ fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
 pub struct Estimated<T, const N: usize> {
     /// The point xₙ of the orbit.
     pub point: SVector<T, N>,
-    /// An estimate of xₙ − (flow from x₀ for the time 2εn), which is 0 at the first point.
+    /// An estimate of xₙ minus the flow from x₀ for the time 2εn.
     pub error: SVector<T, N>,
 }
 
@@ -90,23 +90,21 @@ pub struct Estimated<T, const N: usize> {
 pub struct ErrorEstimates<S: Step, M: ExtendScalars<T, N>, T: Scalar, const N: usize> {
     orbit: Orbit<S>,
     at: KahanAt<M, T, N>,
-    /// The last yielded point with its error estimate, and the local error of a step from this
-    /// point.
+    /// The last yielded point, and the local error of a step from this point.
     last: Option<(Estimated<T, N>, SVector<T, N>)>,
 }
 
 impl<M: ExtendScalars<T, N>, T: Scalar, const N: usize> Orbit<KahanAt<M, T, N>> {
-    /// Adds error estimates, relative to the flow that starts at the next point. There the error is
-    /// 0.
+    /// Adds estimates of the error relative to the flow that starts at the next point.
     ///
     /// With the [local error](KahanAt::local_error) d and the map's Jacobian φ′, the estimates eₙ
     /// satisfy
     ///
     ///   eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁)
     ///
-    /// At a fixed time the error is O(ε²). The estimate deviates from the error by O(ε⁴) while the
-    /// error is small on the scale on which φ′ varies. Rounding errors are not included. Each step
-    /// costs as much as three plain steps.
+    /// At a fixed time the error is O(ε²), and the estimate deviates from the error by O(ε⁴). This
+    /// requires φ′ to be nearly constant over a distance as large as the error. Rounding errors are
+    /// not included. Each step costs as much as three plain steps.
     ///
     /// ```
     /// use kahan_core::prelude::*;

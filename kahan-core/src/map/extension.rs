@@ -27,19 +27,15 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
     type Extended<U: Scalar>: ExtendScalars<U, N>;
 
-    /// Returns the system over the scalar U. Each parameter is converted by `convert`, and the
+    /// Returns the system over the scalar U. The function `convert` converts each parameter, and
     /// exact literals of the system are rounded to U.
     fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
     /// Returns J(x)·v, where J is the map's Jacobian and `y` is the next state x̃. Returns `None`
     /// at a pole of an exact scalar.
     ///
-    /// If det A vanishes only at poles, the macro generates code that solves this system for ṽ =
-    /// J(x)·v:
-    ///
-    ///   A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v
-    ///
-    /// Other maps differentiate their step, and ignore `y`.
+    /// If det A vanishes only at poles, the macro generates code that solves A(x,ε)·(ṽ − v) = 2ε
+    /// f′((x + x̃)/2)·v for ṽ = J(x)·v. Other maps differentiate their step, and ignore `y`.
     #[doc(hidden)]
     #[inline(always)]
     fn carry_tangent(

@@ -1,9 +1,7 @@
 //! Kahan's map of a quadratic field and the objects derived from it.
 //!
-//! In: a state x and ε, half the time step. Out: the next state x̃, the linear system A·x̃ = b,
-//! Jacobians, determinants and orbits. Every step runs through a prepared step, which is generated
-//! code or an elimination. The other methods have defaults for any field; the macro overrides some
-//! defaults.
+//! Every step runs a prepared step, which is generated code or an elimination. All other methods
+//! have defaults for any field, and the macro overrides some of these.
 
 mod at;
 mod checked;
@@ -56,10 +54,10 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// # Poles
 /// The map is the *reduced* rational map, whose numerators and denominators have no common factor.
 /// At a pole of this map, a float result is infinite or NaN, an exact scalar panics,
-/// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. Where det A(x,ε) = 0
-/// but the reduced map is defined, steps and Jacobian are those of the reduced map. Some fields are
-/// too large for reduction at compile time, for example all fields of more than eight variables.
-/// Their maps have a pole wherever det A vanishes.
+/// [`try_step`](Self::try_step) returns an error, and an exact [`Orbit`] ends. The reduced map can
+/// be defined where det A(x,ε) = 0; steps and Jacobian are then defined, too. Some fields are too
+/// large for reduction, for example all fields of more than eight variables. Their maps have a pole
+/// wherever det A vanishes.
 ///
 /// # Range
 /// If a denominator overflows, a float step may be wrong without notice. Only `try_step` detects
@@ -84,14 +82,14 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
-    /// The step at a fixed ε, in which everything that depends only on ε and the parameters is
+    /// The step at a fixed ε. Everything that depends only on ε and the parameters is already
     /// computed.
     ///
-    /// The macro generates this type. A handwritten map can use
-    /// [`Elimination`](crate::Elimination), which suits every field, or its own [`PreparedStep`].
+    /// A handwritten map can use [`Elimination`](crate::Elimination), which suits every field, or
+    /// its own [`PreparedStep`].
     type Prepared: PreparedStep<T, N>;
 
-    /// Prepares the step at ε; an orbit and [`at`](Self::at) call this once.
+    /// Prepares the step at ε.
     ///
     /// # Panics
     /// If the scalar is exact and the field divides by zero at these parameters.
@@ -99,13 +97,13 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// Returns whether coefficients of the field depend on ε. If so, the map must override
     /// [`field_at`](Self::field_at), [`field_jacobian_at`](Self::field_jacobian_at) and
-    /// [`polarized_at`](Self::polarized_at). The defaults of these methods ignore ε.
+    /// [`polarized_at`](Self::polarized_at), whose defaults ignore ε.
     #[inline(always)]
     fn has_coefficients_of_eps(&self) -> bool {
         false
     }
 
-    /// Returns f(x) with the coefficients at ε. The increment of a step is 2ε·A(x,ε)⁻¹f(x).
+    /// Returns f(x) with the coefficients at ε.
     #[inline(always)]
     fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
         let _ = eps;
@@ -147,17 +145,15 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// Returns x̃, the state after one time step 2ε.
     ///
-    /// Fields of ordinary size use the reduced closed form with one or two divisions. While
-    /// ‖εf′(x)‖ is not much above 1, the error of this form away from poles is of the order of the
-    /// rounding unit. For longer steps the error is about that of elimination with pivoting. This
-    /// holds up to ‖εf′(x)‖∞ = 1000, or up to the limit in the documentation of the generated type.
+    /// Fields of ordinary size use the reduced closed form with one or two divisions. Over floats
+    /// this form has no branches and never allocates. While ‖εf′(x)‖ is not much above 1, the error
+    /// away from poles is of the order of the rounding unit. For longer steps the error is about
+    /// that of elimination with pivoting. This holds up to ‖εf′(x)‖∞ = 1000, or up to the limit in
+    /// the documentation of the generated type.
     ///
-    /// Over floats a closed form runs the same operations at every point, without branches or
-    /// allocation. Some fields have a faster form that divides by ε. This form is used for |ε| from
-    /// 2⁻⁶⁴ to 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses
-    /// sparse elimination in an order found at compile time. A pivot may be more than 16 times
-    /// smaller than an entry of its row and an entry of its column. That step then uses partial
-    /// pivoting on the whole matrix.
+    /// Some fields have a faster form that divides by ε. This form is used for |ε| from 2⁻⁶⁴ to
+    /// 2⁶⁴, in `f32` from 2⁻¹⁶ to 2¹⁶. A map that is too large for a closed form uses sparse
+    /// elimination. If a pivot is too small, the step uses partial pivoting on the whole matrix.
     ///
     /// For many steps at a fixed ε use [`at`](Self::at) or [`orbit`](Self::orbit), which prepare
     /// the step once and give equal bits.
@@ -180,15 +176,14 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     /// where `exact` is the step for x, ε and the parameters as given. The rounding unit u is 2⁻⁵³
     /// for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). Every call proves the bound by a
-    /// running error analysis. The analysis runs first in the scalar itself, if necessary in a
-    /// wider scalar, then in floating-point numbers of 17 × 64 bits, which do not overflow. If
-    /// terms differ by a thousand powers of ten, elimination with up to 256 × 64 bits follows. This
-    /// elimination takes milliseconds, allocates, and needs `std`. Ordinary points get the bits of
-    /// [`step`](Self::step) at little more than its cost; `benches/results` has the times. In
-    /// unoptimised builds wide numbers need stack space that grows with the number of variables.
+    /// running error analysis, in the scalar itself or in wider numbers. Ordinary points get the
+    /// bits of [`step`](Self::step) at little more than the cost of a step; `benches/results` has
+    /// the times. Terms that differ by a thousand powers of ten require elimination with up to 256
+    /// × 64 bits. This elimination takes milliseconds, allocates, and needs `std`. In unoptimised
+    /// builds wide numbers need stack space that grows with the number of variables.
     ///
-    /// In more than eight variables `Ok` instead guarantees a small componentwise backward error,
-    /// which every call also proves. With at most k entries in a row of A,
+    /// In more than eight variables every call instead proves a small componentwise backward error.
+    /// With at most k entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///
@@ -241,8 +236,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
     }
 
-    /// Returns D(x,ε) = det A(x,ε). D is 0 at every pole, and at points where the reduction of the
-    /// map removed a pole.
+    /// Returns the determinant D(x,ε) = det A(x,ε), which is 0 at every pole. D is also 0 at points
+    /// where the reduction of the map removed a pole.
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
         determinant(self.matrix(x, eps))
     }
@@ -256,19 +251,19 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     }
 
     /// Returns the numerators N = adj A·b and the denominator D = det A, which are defined
-    /// everywhere and need no division. If D ≠ 0, x̃ = N/D.
+    /// everywhere. If D ≠ 0, x̃ = N/D.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// Returns the reduced numerators and denominator without division. If these differ from
-    /// [`rational_map`](Self::rational_map) only by a constant factor, `rational_map` is returned.
+    /// Returns the reduced numerators and denominator without division, up to a common constant
+    /// factor.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)
     }
 
-    /// Prepares the map at one ε for many steps. The prepared map owns a copy of this map.
+    /// Prepares the map at one ε for many steps.
     #[inline]
     fn at(&self, eps: T) -> KahanAt<Self, T, N> {
         KahanAt::new(self.clone(), eps)

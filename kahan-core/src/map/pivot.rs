@@ -2,19 +2,17 @@
 
 use crate::{Dd, Scalar};
 
-/// A scalar that can be compared by magnitude and tested for finiteness, which
-/// [`try_step`](crate::KahanMap::try_step) requires.
+/// A scalar with comparison by magnitude, which [`try_step`](crate::KahanMap::try_step) requires.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot judge whether a step is finite",
     label = "not a `Pivot`; for a number, write `1.0`, not `1`",
     note = "`step` and `orbit` need `Scalar` only"
 )]
 pub trait Pivot: Scalar {
-    /// Returns whether |self| > |other|. The result is false if either number is NaN.
+    /// Returns whether |self| > |other|, which is false for NaN.
     fn magnitude_exceeds(&self, other: &Self) -> bool;
 
-    /// Returns whether the number is neither NaN nor infinite, which is always true for exact
-    /// scalars.
+    /// Returns whether the number is neither NaN nor infinite.
     fn is_finite_number(&self) -> bool;
 }
 

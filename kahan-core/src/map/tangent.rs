@@ -1,8 +1,6 @@
-//! Derivatives of one or more steps along a direction.
+//! Derivatives of one or more steps along a direction v: J(x)·v with the Jacobian J = ∂x̃/∂x.
 //!
-//! In: maps with their ε, points x and tangent vectors v. Out: J(x)·v with J = ∂x̃/∂x, from a
-//! linear system or from a step over dual numbers. Products are never fused, and therefore all
-//! builds give equal bits.
+//! Products are never fused, and therefore all builds give equal bits.
 
 use core::array::from_fn;
 
@@ -58,7 +56,7 @@ fn step_along<M: ExtendScalars<T, N>, T: Scalar, const N: usize>(
         map.extend_scalars::<DirectionalDual<T>>(|parameter| DirectionalDual::from_value(parameter.clone()));
     let quotients: Quotients<_, N> =
         extended.prepare(&DirectionalDual::from_value(eps.clone())).quotients(&along)?;
-    // The loop updates in place, because over lanes compilers build an array by a call.
+    // Updates in place, because over lanes compilers build an array by a call.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
     }

@@ -1,6 +1,4 @@
 //! Steps on `f32` states that are computed in `f64`, with one rounding at the end.
-//!
-//! In: a map over `f32`, converted exactly, or any step over `f64`. Out: a step over `f32`.
 
 use core::array::from_fn;
 #[cfg(feature = "std")]
@@ -20,11 +18,10 @@ use crate::{Step, Stopped, Workspace};
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
 /// Away from poles x̃ is the `f32` nearest to the exact x̃, except for about one component in 10⁷.
-/// Such a component lies close to the middle between two floats. Near a pole this rate grows with
-/// the condition number of the step. In an orbit each step waits for the conversions, and takes
-/// longer than a step in `f64` (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this
-/// map one trajectory at a time. A compensated orbit rounds the sum of increment and carry once. A
-/// plain orbit rounds each point to `f32`, and its integrals drift as in `f32`.
+/// Near a pole exceptions are more frequent. A step takes longer than a step in `f64`, because it
+/// waits for conversions (see `benches/results`). An [`Ensemble`](crate::Ensemble) runs this map
+/// one trajectory at a time. A plain orbit rounds each point to `f32`, and its integrals drift as
+/// in `f32`.
 ///
 /// ```
 /// use kahan_core::ThroughF64;
@@ -58,10 +55,9 @@ pub struct StepThroughF64<S> {
 
 #[cfg(feature = "std")]
 impl ThroughF64<()> {
-    /// Runs any step over `f64` on `f32` states. The step may be a chain, a map read at run time,
-    /// or a `&dyn Step<Scalar = f64>`. ε and the parameters stay `f64`; [`eps`](Step::eps) returns
-    /// the rounded ε. Each call of [`advance`](Step::advance) or [`part`](Step::part) allocates one
-    /// `f64` state.
+    /// Runs any step over `f64` on `f32` states, for example a chain or a map read at run time. ε
+    /// and the parameters stay `f64`; [`eps`](Step::eps) returns the rounded ε. Each call of
+    /// [`advance`](Step::advance) or [`part`](Step::part) allocates one `f64` state.
     pub fn of_step<S: Step<Scalar = f64>>(step: S) -> StepThroughF64<S> {
         let eps = *step.eps() as f32;
         StepThroughF64 { step, eps }
@@ -130,8 +126,7 @@ impl<P: PreparedStep<f64, N>, const N: usize> PreparedStep<f32, N> for ThroughF6
         Some(rounded(&self.0.increment(&widened(x))?))
     }
 
-    /// Adds the increment at x to x + carry in `f64`, then splits the sum into a point and its
-    /// carry.
+    /// Adds the increment at x to x + carry in `f64`, and splits the sum into a point and a carry.
     #[inline(always)]
     fn next_with_carry(&self, x: &SVector<f32, N>, carry: &SVector<f32, N>) -> Option<[SVector<f32, N>; 2]> {
         let (x, carry) = (widened(x), widened(carry));

@@ -1,10 +1,9 @@
 //! The step with a small backward error, for more than eight variables.
 //!
-//! In: a point x and ε. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in every
-//! row i of the linear system A·x̃ = b, or the reason for failure. The largest number of entries in
-//! a row of A is k, and u is the rounding unit. At most two steps of iterative refinement compute
-//! residuals with error bounds, which prove the result. The residual is b − A·x̃ = 2εf − A·(x̃ −
-//! x), whose terms are small with ε.
+//! In every row i of the linear system A·x̃ = b, the result x̃ satisfies |A·x̃ − b|ᵢ ≤ (k +
+//! 8)·u·(|A|·|x̃| + |b|)ᵢ. A row of A has at most k entries, and u is the rounding unit. Residuals
+//! with error bounds prove the result. A residual b − A·x̃ is computed as 2εf − A·(x̃ − x), whose
+//! terms are small with ε.
 
 use core::array::from_fn;
 
@@ -26,7 +25,7 @@ use super::{CoupledField, CoupledStep, Factors, zeros};
 
 const REFINEMENTS: usize = 2;
 
-/// The residual b − A·x̃ of a solution x̃, with a bound of the solution's backward error.
+/// The residual b − A·x̃ of a solution x̃, with a bound of the backward error.
 struct Residual<T, const N: usize> {
     residual: [T; N],
     /// An upper bound of the backward error, infinite if no bound is known.
@@ -64,8 +63,8 @@ where
         (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
     }
 
-    /// Tries sparse elimination, then partial pivoting. The function `rest` computes residuals; if
-    /// these are too inaccurate, wide numbers compute them.
+    /// Tries sparse elimination, then partial pivoting. The function `rest` computes residuals. If
+    /// these are too inaccurate, wide numbers compute the residuals.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Residual<T, N>) -> Result<SVector<T, N>, SingularStep> {
         let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
         if !given.clone().all(T::is_finite_number) {
@@ -124,7 +123,6 @@ where
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
     }
 
-    /// Computes x̃ by elimination over long numbers of this capacity.
     #[cfg(feature = "std")]
     #[inline(never)]
     fn eliminated(&self, capacity: Capacity) -> Option<[LongNumber; N]> {
@@ -150,7 +148,7 @@ where
     }
 
     /// Writes A(x,ε) with each row divided by its largest entry, and returns the factors of the
-    /// rows. If a row has only one entry, a zero component of x̃ stays 0.
+    /// rows.
     fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
         self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {

@@ -1,8 +1,7 @@
 //! Formulas as tables in postfix notation, evaluated by one loop.
 //!
-//! In: a table of formulas, parameters, a state. Out: the values of the formulas in order. Over
-//! bounded numbers, straight-line code of a large field would take most of a crate's size and run
-//! rarely. The macro orders the operands so that the stack stays short.
+//! A table takes less code than straight-line operations. Large fields use tables over bounded
+//! numbers, which rarely run. The macro orders the operands so that the stack stays short.
 
 use core::array::from_fn;
 

@@ -1,8 +1,7 @@
 //! The step of a field that is too large for a closed form, by sparse elimination.
 //!
-//! In: the entries of f and f′ from the macro, with their positions in the matrix A(x,ε) = I −
-//! εf′(x). Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), Jacobians, and a step with a small backward
-//! error. If a pivot is too small, partial pivoting on the whole matrix replaces sparse
+//! The macro supplies the entries of f and f′, and their positions in the matrix A(x,ε) = I −
+//! εf′(x). If a pivot is too small, partial pivoting on the whole matrix replaces sparse
 //! elimination.
 
 mod backward;
@@ -44,8 +43,8 @@ pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: 
     /// Returns the entries of the derivative f′(x) in the order of `COUPLINGS`.
     fn slopes<T: Scalar>(parameters: &[T; P], x: &[T; N]) -> [T; M];
 
-    /// Returns A(x,ε)⁻¹f(x), or `None` if a pivot is too small. The default evaluates the tables in
-    /// a loop. The macro may generate straight-line code with equal operations.
+    /// Returns A(x,ε)⁻¹f(x), or `None` if a pivot is too small. The macro may override this by
+    /// straight-line code with equal operations.
     fn velocity<T: Scalar>(parameters: &[T; P], x: &[T; N], eps: &T) -> Option<[T; N]> {
         let factors = Factors::<T, S>::of::<N, M>(&Self::COUPLINGS, &Self::slopes(parameters, x), eps)?;
         let mut velocity = Self::field(parameters, x);
@@ -54,7 +53,7 @@ pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: 
     }
 }
 
-/// The LU factors of the matrix A(x,ε), stored in S entries.
+/// The LU factors of A(x,ε).
 struct Factors<T, const S: usize>([T; S]);
 
 impl<T: Scalar, const S: usize> Factors<T, S> {
@@ -123,8 +122,7 @@ where
     matrix
 }
 
-/// Returns a zero matrix for callers that fill it in place. A copy with 200 rows would take much of
-/// a thread's stack.
+/// Returns a zero matrix. Callers fill it in place, because a copy would take much of the stack.
 #[inline(never)]
 fn zeros<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
     SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
@@ -160,7 +158,8 @@ impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, con
         Some(velocity.map(|entry| time_step.clone() * entry))
     }
 
-    /// Returns x̃ with a proved backward error. For other scalars the checked step is returned.
+    /// Returns x̃ with a proved backward error for `f32`, `f64` and `Dd`. Other scalars get the
+    /// checked step.
     ///
     /// # Errors
     /// Returns the errors of [`KahanMap::try_step`](crate::KahanMap::try_step).
@@ -186,8 +185,7 @@ impl<K: CoupledField<N, P, M, S>, T: Scalar, const N: usize, const P: usize, con
         Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
     }
 
-    /// Returns the derivative ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) of the next state x̃, with A(x,ε) = I −
-    /// εf′(x).
+    /// Returns the Jacobian ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε), with A(x,ε) = I − εf′(x).
     ///
     /// # Panics
     /// If the scalar is exact and `x` is a pole.

@@ -15,7 +15,7 @@ use super::Orbit;
     note = "prepared maps of `kahan!` do, compositions of them, and maps that are read at run time; chains do not"
 )]
 pub trait Increments: Step {
-    /// A state with its carry: 2N numbers, of which N are a point and N are its rounding error.
+    /// A state with its carry: a point and its rounding error, 2N numbers.
     type Carried: StateVector<Self::Scalar>;
 
     /// Returns the compensated map; see [`Orbit::compensated`](crate::Orbit::compensated).
@@ -48,10 +48,9 @@ pub trait Increments: Step {
 
 /// A map on points with their rounding errors; see [`Orbit::compensated`].
 ///
-/// A state is a point followed by its carry, the rounding error, which is initially zero. Hence a
-/// state has twice the map's dimension. The exact sum point + carry is the position on the orbit.
-/// The carry is at most about an ulp of the point or of the last increment. A [part](Step::part) of
-/// a step changes only the point.
+/// A state is a point followed by its carry, the rounding error. Hence a state has twice the map's
+/// dimension. The carry is initially zero. The exact sum point + carry is the position on the
+/// orbit. A [part](Step::part) of a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -135,20 +134,17 @@ impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Increments for KahanAt<M
 
 impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
     /// Continues this orbit with compensated (Kahan) summation. The rounding error of each addition
-    /// x + (x̃ − x) is added in the next step. Yielded points are rounded to about an ulp.
+    /// x + (x̃ − x) is added in the next step.
     ///
     /// Benefit: a plain step rounds each component to half an ulp. A compensated step only has the
-    /// error of its increment, O(ε)·u with the rounding unit u. Therefore the integrals of the map
-    /// drift less.
+    /// error of its increment. Therefore the integrals of the map drift less.
     ///
-    /// Limits: increments are still rounded. If these errors have a nonzero mean, drift grows
-    /// linearly. The drift is visible beyond about 10⁶ steps in `f32`; in `f64` it is visible if
-    /// powers of ε round badly. In this case [`nearest_short_eps`](crate::nearest_short_eps) helps.
-    /// Linear fields gain little, because their increments are a constant matrix times the state.
-    /// Near poles increments are inaccurate.
+    /// Limits: if the errors of increments have a nonzero mean, drift grows linearly. This drift is
+    /// visible beyond about 10⁶ steps in `f32`. In `f64` it is visible if powers of ε round badly;
+    /// then [`nearest_short_eps`](crate::nearest_short_eps) helps. Linear fields gain little. Near
+    /// poles increments are inaccurate.
     ///
-    /// Cost: seven operations per component, off the critical path. The times are in
-    /// `benches/results`.
+    /// Cost: seven operations per component. The times are in `benches/results`.
     ///
     /// ```
     /// use kahan_core::prelude::*;

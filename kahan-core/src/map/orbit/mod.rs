@@ -1,9 +1,7 @@
-//! Orbits as iterators.
+//! Orbits as iterators over the points x₀, x₁, …, each computed on demand.
 //!
-//! In: a map at its ε, and an initial state. Out: the points x₀, x₁, …, each computed on demand.
-//! Exact points grow, and a point that nobody needs can cost more than all earlier points. At a
-//! pole, an orbit over exact scalars ends and stores the reason. Over floats an orbit continues
-//! with infinities or NaNs.
+//! At a pole, an orbit over exact scalars ends and stores the reason. Over floats an orbit
+//! continues with infinities or NaNs.
 
 mod compensated;
 #[cfg(feature = "std")]
@@ -35,25 +33,23 @@ pub use scaled::Scaled;
 /// | compensated, of higher order | both, in any order | `Compensated<Composed<KahanAt<…>>>` |
 /// | of a chain, of a map read at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<…>` |
 ///
-/// The iterator yields no compensations. [`projective`](Self::projective) continues a plain orbit
-/// through poles. [`nth`](Iterator::nth) is as fast as a handwritten loop over
-/// [`KahanAt::step`](crate::KahanAt::step).
+/// A compensated orbit yields points without their rounding errors.
+/// [`projective`](Self::projective) continues a plain orbit through poles. [`nth`](Iterator::nth)
+/// is as fast as a handwritten loop over [`KahanAt::step`](crate::KahanAt::step).
 ///
 /// [`KahanMap::orbit`]: crate::KahanMap::orbit
 ///
 /// # Forward and back
 /// The map with −ε is the inverse map. Hence n steps forward and n steps back return to x₀; over
 /// exact scalars they return exactly. Over floats each of the 2n steps rounds, and later steps
-/// propagate the errors. With φ the map, the norm ‖∂φ⁻ᵏ(xₖ)‖ tells how much k steps back amplify an
-/// error at xₖ. Let δₖ bound the rounding error of a step to xₖ, which is 16 u ‖xₖ‖ at ordinary
-/// points. This error counts once in each direction. The final distance from x₀ in the maximum norm
-/// is at most
+/// propagate the errors. Let φ be the map, and let δₖ bound the rounding error of a step to xₖ. At
+/// ordinary points δₖ is 16 u ‖xₖ‖ with the rounding unit u. The final distance from x₀ in the
+/// maximum norm is at most
 ///
 ///   δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///
-/// up to terms of order u², where u is the rounding unit. On a periodic or quasi-periodic orbit the
-/// amplification by k steps grows at most in proportion to k, and the distance grows at most like
-/// n². In chaotic regions both grow exponentially.
+/// up to terms of order u². On a periodic or quasi-periodic orbit the distance grows at most like
+/// n², in chaotic regions exponentially.
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<S: Step> {
@@ -76,7 +72,7 @@ impl<S: Step> Orbit<S> {
         Self { map, state: start, begun: false, stopped: None, workspace: Workspace::new() }
     }
 
-    /// Replaces the map and converts the state. An orbit that has begun or ended keeps this status.
+    /// Replaces the map and converts the state.
     #[inline]
     pub(crate) fn with_map<R: Step>(
         self,
@@ -118,7 +114,7 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        // A run of 2⁶⁴ steps never ends, and therefore saturation is harmless.
+        // Saturation is harmless, because a run of 2⁶⁴ steps never ends.
         let steps = (n as u64).saturating_add(self.begun.into());
         self.begun = true;
         if let Err(stopped) = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace) {

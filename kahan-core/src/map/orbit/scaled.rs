@@ -10,8 +10,7 @@ use super::{Compensated, Increments, Orbit};
 /// The orbit of a homogeneous field f in scaled variables; see [`Orbit::scaled`].
 ///
 /// The map of a homogeneous f has the symmetry (x, ε) ↦ (λx, ε/λ). Hence the scaled variable X = εx
-/// is stepped at ε = 1, and x = X/ε is yielded. These steps round neither ε nor its powers, only
-/// the parameters.
+/// is stepped at ε = 1, and x = X/ε is yielded.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Scaled<S: Step> {
@@ -21,12 +20,11 @@ pub struct Scaled<S: Step> {
 
 impl<M: KahanMap<T, N>, T: FloatScalar, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// Continues this orbit in variables scaled by ε. Returns `None` if the field has linear or
-    /// constant terms.
+    /// constant terms, or coefficients that depend on ε.
     ///
-    /// This helps in long runs at an ε whose powers round badly and that no [short
-    /// one](crate::nearest_short_eps) can replace. Unless ε is a power of two, each yielded point
-    /// has two more roundings, in X = εx and x = X/ε, which do not accumulate. The cost is one
-    /// division per component.
+    /// Scaling helps in long runs if powers of ε round badly and no [short
+    /// ε](crate::nearest_short_eps) is possible. Each yielded point has two more roundings, which
+    /// do not accumulate. The cost is one division per component.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -1,8 +1,6 @@
-//! Orbits at given times.
+//! The states of an orbit at given times.
 //!
-//! In: an orbit, and times between its points. Out: the states at these times. The map with a
-//! fraction of ε computes each state from the point before it. Such a state is as close to the flow
-//! as a step.
+//! Between two points, a fraction of a step computes the state.
 
 use core::iter::from_fn;
 
@@ -16,11 +14,10 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     /// Yields the states at these times. Time 0 belongs to the next point, and a step takes the
     /// time 2ε.
     ///
-    /// A state between two points is computed from the earlier point by the map with a fraction of
-    /// ε. The state is not on the orbit, and its distance from the flow is O(ε³), the distance of a
-    /// step. Times should increase, or decrease for negative ε. For an earlier time, the map steps
-    /// back from the last point. Besides the steps of the orbit, each time costs one step and its
-    /// preparation.
+    /// Between two points, the map with a fraction of ε computes the state from the earlier point.
+    /// The state is not on the orbit, and its distance from the flow is O(ε³). Times should
+    /// increase, or decrease for negative ε. For an earlier time, the map steps back from the last
+    /// point. Each time costs one step and its preparation, in addition to the steps of the orbit.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -82,7 +79,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
                 made += 1;
                 return Some((time, x));
             }
-            // If `end` is not after the first point, the first point must still be computed.
+            // An `end` at or before the first point still requires this point.
             if is_at_end || (last == 0 && self.next().is_none()) {
                 return None;
             }

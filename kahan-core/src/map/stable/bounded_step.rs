@@ -11,8 +11,7 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, BoundedPair, InputLimit, Magnitude, Number, underflow};
 use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
-/// A next state with a bound on the error of every component. The bound excludes the last
-/// roundings.
+/// A next state with a bound on the error of every component, without the last roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundedStep<V: Number, const N: usize> {
     pub(super) next: [V; N],
@@ -22,9 +21,9 @@ pub(super) struct BoundedStep<V: Number, const N: usize> {
 }
 
 impl<V: Number, const N: usize> BoundedStep<V, N> {
-    /// Computes the step from its increments in numbers of type V, with bounds on their errors. The
-    /// computed step equals the fast step bit for bit. Returns `None` if a denominator may be zero,
-    /// or if an input exceeds the limit for underflow.
+    /// Computes the step over numbers with error bounds. The values equal the fast step bit for
+    /// bit. Returns `None` if a denominator may be zero, or if an input exceeds the limit for
+    /// underflow.
     #[inline(always)]
     pub(super) fn of<T: Pivot, P: BoundedPair<V>, M: ExtendScalars<T, N>>(
         map: &M,
@@ -40,7 +39,7 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
             Bounded::<V, P>::from_input(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        // Avoids `finish`, because its closure would be too large for compilers to inline.
+        // Avoids `finish`, because compilers would not inline its closure.
         let prepared = map.extend_scalars(given).prepare(&Bounded::<V, P>::from_input(embed(eps)));
         let attempt = Self::by_increments(&state, prepared.quotients(&state)?);
         attempt.largest_input.allows(sum.get()).then_some(attempt)
@@ -61,8 +60,8 @@ impl<V: Number, const N: usize> BoundedStep<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment without a reciprocal counts as a product with 1. The loop avoids `map` and
-        // `chain`, because their closures would be too large for compilers to inline.
+        // An increment without a reciprocal counts as a product with 1. The loop avoids closures,
+        // because compilers would not inline them.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {

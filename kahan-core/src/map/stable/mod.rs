@@ -1,7 +1,7 @@
 //! The stable step, whose error is at most 64 u of the largest component (u is the rounding unit).
 //!
-//! In: a map, a point and ε. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or
-//! the reason for failure. Error bounds are computed at increasing precision levels.
+//! The result is an x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, proved for this call, or the reason for
+//! failure. Error bounds are computed at increasing precision levels.
 //!
 //! # Precision levels
 //! | level | numbers | suffices for |
@@ -12,9 +12,7 @@
 //! | 4 | the numbers of level 3, in the form N/D | increments that cancel against the state |
 //! | 5 | up to 256 × 64 bits, with `std`, by elimination | terms that differ in size too much |
 //!
-//! [`stable_step`] selects the scalar. [`try_precisions`] tries the levels in order
-//! (`precisions.rs`). Each level makes a [`BoundedStep`](bounded_step::BoundedStep), which runs the
-//! prepared step.
+//! [`try_precisions`] tries the levels in order.
 
 mod bounded_step;
 mod precisions;
@@ -38,12 +36,11 @@ pub(crate) use scalars::PromiseScalar;
 #[cfg(feature = "std")]
 pub(crate) use scalars::{LongElimination, eliminated_at_any_capacity};
 
-/// Steps with the error bound that the scalar T permits, which is 64 u for floats of this crate.
-/// Other scalars get a finite result of the fast step or of elimination, without a bound.
+/// Steps with the error bound 64 u over floats of this crate. Other scalars get a finite result
+/// without a bound.
 ///
-/// Floats ignore `prepared`, because its numbers are rounded without a bound. Each precision level
-/// prepares the step over bounded numbers. In a loop compilers move this preparation out of the
-/// loop.
+/// Floats ignore `prepared`, because its numbers are rounded without a bound. In a loop compilers
+/// move the preparation over bounded numbers out of the loop.
 #[inline(always)]
 pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -62,11 +59,10 @@ pub fn stable_step<M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     }
 }
 
-/// Tries the precision levels of F, a type identical to T. The first level is inlined, and the
-/// other levels are called.
+/// Tries the precision levels of F, a type identical to T.
 ///
-/// A called function works in memory. The function gets copies of the state and of x̃. Therefore a
-/// loop's state and the x̃ of the first level can stay in registers.
+/// Only the first level is inlined. The other levels get copies of the state, so that a loop can
+/// keep the state in registers.
 #[inline(always)]
 fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: usize>(
     map: &M,
@@ -78,8 +74,8 @@ fn try_precisions<F: PromiseScalar, M: ExtendScalars<T, N>, T: Pivot, const N: u
     let first = if const { N > F::MOST_VARIABLES } {
         in_next_wider(&map, x, eps)
     } else if divides_by_eps::<F>() && !may_divide_by(&Bounded::<F>::from_input(*eps)) {
-        // The limits are those of bounded numbers, which are narrower than the limits of floats. If
-        // both limits were tested, compilers would keep the code of both forms in every step.
+        // Bounded numbers have narrower limits than floats. If both limits were tested, compilers
+        // would keep the code of both forms in every step.
         in_general_form(&map, vector(from_fn(|i| x[i])), *eps)
     } else {
         in_own_precision(&map, x, eps)

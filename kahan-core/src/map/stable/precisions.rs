@@ -27,8 +27,8 @@ use super::scalars::PromiseScalar;
 /// difference between ‖x̃‖∞ and ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The number of operations up to which values and magnitudes are computed separately. Short steps
-/// leave execution units idle, and packing would delay the values.
+/// The number of operations up to which values and magnitudes are computed separately. In short
+/// steps packing would delay the values.
 const SHORT: u32 = 36;
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -50,8 +50,7 @@ pub(super) fn in_own_precision<M: ExtendScalars<T, N>, T: PromiseScalar, const N
     }
 }
 
-/// Runs precision level 1 in the general form, for an ε by which the step must not be divided. In
-/// separate code the number of roundings is known at compile time.
+/// Runs precision level 1 in the general form, for an ε by which the step must not be divided.
 #[cold]
 #[inline(never)]
 pub(super) fn in_general_form<M: ExtendScalars<T, N>, T: PromiseScalar, const N: usize>(
@@ -133,8 +132,7 @@ pub(super) fn in_wide<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
 }
 
 /// Runs precision level 5: solves A(x,ε)·(x̃ − x) = 2ε·f(x) over long numbers and writes x̃ to
-/// `next`. The linear system avoids expanded formulas, whose terms may differ by more digits than
-/// the numbers have.
+/// `next`. The terms of expanded formulas may differ by more digits than the numbers have.
 #[cfg(feature = "std")]
 #[inline(never)]
 fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
@@ -192,8 +190,8 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// The inputs of the precision levels 3 and 4. The two functions are not inlined, and therefore the
-/// stack is freed between their calls.
+/// The inputs of the precision levels 3 and 4. Both methods are not inlined, so that each frees its
+/// stack.
 struct WideInputs<M, const N: usize> {
     map: M,
     state: SVector<Bounded<Wide>, N>,

@@ -1,5 +1,4 @@
-//! The scalars with a stable step, their conversions, and for each a wider scalar for precision
-//! level 2.
+//! The scalars with a stable step, and for each a wider scalar for precision level 2.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -11,10 +10,9 @@ use crate::scalar::{Capacity, LongNumber};
 use crate::{Dd, Pivot};
 
 pub(crate) trait PromiseScalar: Number + Pivot {
-    /// A value with its magnitude, in one register if possible.
     type Packed: BoundedPair<Self>;
 
-    /// The scalar of precision level 2. The widest scalar names itself.
+    /// The scalar of precision level 2, or `Self` for the widest scalar.
     type Wider: PromiseScalar;
     const IS_WIDEST: bool;
 
@@ -106,8 +104,7 @@ impl PromiseScalar for Dd {
 #[cfg(feature = "std")]
 pub(crate) struct LongElimination<T> {
     next: Vec<T>,
-    /// Whether each component has an error of at most 8 rounding units, which implies the
-    /// guaranteed bound.
+    /// Whether each component has an error of at most 8 rounding units.
     is_promised: bool,
     /// Whether a larger capacity of the long numbers would give no more information.
     is_settled: bool,

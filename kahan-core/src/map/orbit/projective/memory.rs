@@ -1,8 +1,7 @@
 //! Tests whether an ordinary step preserves enough digits. Otherwise an orbit follows lines.
 //!
-//! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. If A(x,ε) is nearly singular, x̃ is large or
-//! inaccurate. If A(x̃,−ε) is nearly singular, the step merges points whose differences are lost in
-//! the digits of x̃.
+//! A step has the derivative A(x,ε)⁻¹A(x̃,−ε). If A(x,ε) is nearly singular, x̃ is large or
+//! inaccurate. If A(x̃,−ε) is nearly singular, the step merges points beyond the digits of x̃.
 
 use nalgebra::SMatrix;
 
@@ -18,15 +17,14 @@ fn slope<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>, i: usize, j: usiz
 }
 
 /// Returns whether the absolute values in every row of εf′ sum to at most ½. If so, I − εf′ and I +
-/// εf′ are far from singular. With small ε this is the common case.
+/// εf′ are far from singular.
 #[inline(always)]
 pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
 }
 
-/// Returns whether A = I − εf′ is far from singular. Every pivot must be at least `LEAST_PIVOT`
-/// times (1 + Σ|εf′ᵢⱼ|). The sum runs over the pivot's column for all pivots, or over the pivot's
-/// row for all pivots.
+/// Returns whether A = I − εf′ is far from singular. Every pivot is compared with the absolute
+/// values of εf′ in its column, or in its row.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     if has_small_slopes(matrix) {
         return true;

@@ -1,9 +1,8 @@
 //! Orbits that continue through poles, in projective space.
 //!
-//! In: an orbit. Out: its points, including points at infinity and points after poles. While
-//! ordinary steps preserve enough digits ([`memory`]), the orbit takes these. Otherwise it follows
-//! lines ([`passage`]) over numbers that depend on a small δ ([`delta_series`]), until points that
-//! the pole merged are separate again.
+//! The orbit takes ordinary steps while these preserve enough digits ([`memory`]). Otherwise the
+//! orbit follows lines ([`passage`]) over numbers that depend on a small δ ([`delta_series`]),
+//! until points that the pole merged are separate again.
 
 mod delta_series;
 mod memory;
@@ -28,8 +27,8 @@ pub use through::ThroughPoles;
 /// The number of steps after which merged points are assumed to stay merged.
 const MOST_STEPS: usize = 12;
 
-/// The maximum number of variables for which the orbit follows lines, because their matrices lie on
-/// the stack.
+/// The maximum number of variables for which the orbit follows lines, because matrices lie on the
+/// stack.
 const MOST_VARIABLES: usize = 32;
 
 /// The orbit of a Kahan map, continued through poles; see [`Orbit::projective`].
@@ -64,27 +63,20 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> OrbitPosition<M, T
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T, N>> {
     /// Continues this orbit through its poles, as points of projective space.
     ///
-    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, for the map φ and any direction v. This
-    /// limit is the value of the n-th iterate as a rational map of projective space. A map may
-    /// contract a curve or surface to one point, finite or infinite, and separate the merged points
-    /// some steps later; `kahan poles` finds such curves. Until the separation, the orbit follows
-    /// lines through the point before the contraction. If twelve steps separate no points, the
+    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, for the map φ and any direction v. A
+    /// map may contract a curve or surface to one point, and separate the merged points some steps
+    /// later; `kahan poles` finds such curves. Until the separation, the orbit follows
     /// orbit continues from the merged point.
     ///
-    /// Exact orbits are exact, because lines are series in δ. Over floats, points have the bits of
-    /// [`KahanMap::orbit`](crate::KahanMap::orbit) while A(x,ε) and A(x̃,−ε) are far from singular.
-    /// This means that no pivot is below 1/1024 of its row or column, as far as the digits of x̃
-    /// show. Other points are computed in numbers of 17 × 64 bits and rounded once each. This
-    /// continues until the way back to the point before the pole amplifies rounding by at most ten
-    /// bits. Hence a passage through a pole loses at most ten bits. From a float near a pole but
-    /// not at it, the next point is large but finite, unless it exceeds the range of the scalar. In
-    /// more than 32 variables the orbit takes only ordinary steps.
+    /// Exact orbits are exact. Over floats, points away from poles have the bits of
+    /// [`KahanMap::orbit`](crate::KahanMap::orbit), and a passage through a pole loses at most ten
+    /// bits. From a float near a pole but not at it, the next point is large but finite, unless it
+    /// exceeds the range of the scalar. In more than 32 variables the orbit takes only ordinary
+    /// steps.
     ///
-    /// Over floats a point costs a step and the matrix A. If |εf′| is not small, it costs two
-    /// matrices and their eliminations instead of one matrix. Over exact scalars a point costs a
-    /// step and a determinant. A step near a pole allocates. Over floats such a step is several
-    /// orders of magnitude slower; over exact scalars it costs several exact steps per term of the
-    /// series.
+    /// Over floats a point costs a step and the matrix A. If |εf′| is not small, a second matrix
+    /// and two eliminations are added. Over exact scalars a point costs a step and a determinant. A
+    /// step near a pole allocates; over floats it is several orders of magnitude slower.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -110,8 +102,8 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
 }
 
 impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N> {
-    /// Returns the reason why the orbit has ended. The state may not be finite, limits along two
-    /// lines may differ (a point of indeterminacy), or no limit may be recognisable.
+    /// Returns the reason why the orbit has ended. Either the state is not finite, limits along two
+    /// lines differ (a point of indeterminacy), or no limit is recognisable.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }
@@ -187,7 +179,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Projective<M, T, N
         point
     }
 
-    /// Ends the passage, drops its lines, and returns the next point from the last point alone.
+    /// Ends the passage, and returns the next point from the last point alone.
     fn leave_passage(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
         match passage.into_last_point().and_then(ProjectivePoint::affine) {
             Some(x) => self.after(x),
@@ -201,8 +193,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Iterator for Proje
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        // Updates the state in place, because a moved state would lengthen the critical path of the
-        // orbit.
+        // Updates the state in place, because a moved state would slow down the orbit.
         if let OrbitPosition::Point { x, is_flat } = &mut self.at
             && let Some(next) = self.prepared.next(x)
             && T::retains_digits(&self.map, x, &next, &self.eps, is_flat)

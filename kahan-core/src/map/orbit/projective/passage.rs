@@ -1,9 +1,8 @@
 //! The passage through a pole: steps advance lines that pass through the point before the pole.
 //!
-//! The two points x + δv of two directions v are advanced by solving A(x,ε)·x̃ = b(x,ε) over
-//! numbers that depend on δ. If both points have one limit as δ → 0, this limit is the next point
-//! of the orbit. The product of the steps' derivatives shows when merged points are separate again.
-//! Then the passage ends.
+//! A line consists of the points x + δv for one direction v. Each step solves A(x,ε)·x̃ = b(x,ε)
+//! over numbers that depend on δ. If both lines have one limit as δ → 0, this limit is the next
+//! point of the orbit. The passage ends after merged points are separate again.
 
 use std::vec::Vec;
 
@@ -29,8 +28,7 @@ fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
 #[derive(Clone)]
 struct ProjectiveLine<S, const N: usize> {
     point: SVector<S, N>,
-    /// The derivative of the first point by the current point, `None` if it was not computed or is
-    /// unknown.
+    /// The derivative of the first point by the current point, or `None` if this is unknown.
     derivative: Option<SMatrix<S, N, N>>,
 }
 

@@ -1,7 +1,5 @@
 //! Scalars that support orbits through poles.
 //!
-//! In: a step. Out: whether the step preserves enough digits, and the number type for a passage
-//! through a pole.
 
 use core::mem;
 
@@ -18,7 +16,6 @@ use super::memory::{has_small_slopes, is_far_from_singular};
 #[expect(private_bounds, reason = "the numbers of the way through are no scalars that others could give")]
 pub trait ThroughPoles: Pivot + PassageScalar {}
 
-/// A scalar over which orbits can be continued through poles.
 pub(super) trait PassageScalar: Scalar {
     type DeltaSeries: DeltaSeries<Self>;
 
@@ -58,7 +55,7 @@ macro_rules! implement_for_float {
                 eps: &Self,
                 is_flat: &mut bool,
             ) -> bool {
-                // If x cancels against x̃ − x, x̃ has too few digits for a decision.
+                // If x and x̃ − x cancel, x̃ has too few digits for a decision.
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
                 let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
                 let is_finite = next.iter().all(Pivot::is_finite_number);

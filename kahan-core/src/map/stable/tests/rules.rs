@@ -1,5 +1,5 @@
-//! Tests that each rule of the running error bound is nearly sharp. With one rounding or one term
-//! less, or with half of the slack, the rule would fail.
+//! Tests that each rule of the running error bound is nearly sharp. With one rounding less, or with
+//! half of the slack, the rule would fail.
 
 use num_traits::One;
 
@@ -16,7 +16,7 @@ const UP: (i64, i64) = (1, 0);
 const DOWN: (i64, i64) = (-1, 0);
 const EXACTLY: (i64, i64) = (0, 0);
 
-/// Returns (1+u)ᵏ in place of 1, a value that was rounded upwards k times.
+/// Returns the number 1 after k upward roundings, which is (1+u)ᵏ.
 fn rounded_up<const BITS: i32>(k: usize) -> Beside<BITS> {
     let one = Beside::from_input(1.0);
     off_by(UP, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
@@ -34,7 +34,6 @@ fn assert_near<const BITS: i32>(value: &Beside<BITS>, least: f64) {
     assert!(part >= least, "a bound that nothing comes near says little: {part}");
 }
 
-/// The part of a bound that remains if the slack is divided out.
 const ALL: f64 = 1.0 / SLACK - 1e-4;
 
 #[test]
@@ -52,7 +51,6 @@ fn a_sum_rounds_once() {
     for direction in [UP, DOWN] {
         assert_near(&off_by(direction, || one.plus(&two)), ALL);
         assert_near(&off_by(direction, || one.minus(&two.negated())), ALL);
-        // Checks a sum at the end of a multiply-add, whose product is 0.
         let nothing = Beside::from_input(0.0);
         assert_near(&off_by(direction, || nothing.times_plus(&one, &two)), 0.4);
     }
@@ -86,7 +84,6 @@ fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
     with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
 }
 
-/// In both kinds of quotients, operands and magnitudes have the largest possible errors.
 #[test]
 fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
     const MIDDLE: i32 = 13;
@@ -107,7 +104,6 @@ fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
 #[test]
 fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
-        // The numerator is not a whole literal; whole literals follow below.
         let quotient = off_by(UP, || rounded_up::<FINE>(a).over(&rounded_down(b))).expect("a quotient");
         let k = a.max(b) as f64 + 1.0;
         let part = (a + b + 1) as f64 / (2.0 * k);
@@ -120,8 +116,7 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// The divisor's error is nearly 1/64. The computed value v̂ replaces v in the bound m, and is too
-/// small.
+/// The divisor's error is nearly 1/64.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -129,7 +124,7 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
-/// If the error of a divisor may reach 1/64 of the divisor, there is no quotient.
+/// A quotient requires a divisor with a relative error below 1/64.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::from_input(1.0);
@@ -152,7 +147,6 @@ fn a_divisor_that_may_be_zero_has_no_quotient() {
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// In the chain 1/d/d′, the ratio of magnitude to value is kept as a sum.
 #[test]
 fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
     for k in [0, 1, 4] {
@@ -161,8 +155,7 @@ fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
             first.over(&rounded_down(k))?.over(&rounded_down(k))
         });
         let chain = chain.expect("a quotient");
-        // The three divisors have k errors each, and there are three roundings. The bound counts
-        // 4·(k + 3).
+        // The three divisors have k errors each, and three quotients are rounded.
         let part = (3 * k + 3) as f64 / (4 * (k + 3)) as f64;
         assert_near(&chain, part / SLACK.powi(2) - 1e-4);
     }
@@ -182,8 +175,7 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
 
-/// Compares the error of numerator · reciprocal with weight · magnitude. The weight includes the
-/// errors of the numerator, of the reciprocal and of the product.
+/// Compares the error of numerator · reciprocal with weight · magnitude.
 #[test]
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
@@ -198,15 +190,12 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
             assert!(weight >= reciprocal.bounded.value().size());
             let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
-            // The bound counts n + 1 for numerator and product, and 2(d + 1) for a reciprocal with
-            // error d + 1.
             let reached = (n + d + 2) as f64 / (n + 1 + 2 * (d + 1)) as f64;
             assert!(part <= 1.0 && part >= reached / SLACK.powi(2) - 1e-4, "{part} of the bound at {n}, {d}");
         }
     }
 }
 
-/// A product with an exact number has the numerator's roundings and one more rounding.
 #[test]
 fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
@@ -219,8 +208,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     }
 }
 
-/// If a value has a known radius, magnitude and roundings follow from the radius, not from the
-/// terms that cancelled.
+/// A known radius determines magnitude and roundings, even if terms cancelled.
 #[test]
 fn a_known_radius_is_the_error() {
     use crate::scalar::{Size, Wide};

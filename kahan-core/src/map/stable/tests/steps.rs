@@ -1,5 +1,4 @@
-//! Tests whole steps with worst-case rounding: the bounds of attempts, and results of precision
-//! level 1.
+//! Tests whole steps with worst-case rounding.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -160,7 +159,6 @@ fn an_attempt_is_within_what_it_says() {
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
-/// If the reciprocal has few roundings, the numerator's roundings make nearly all of the error.
 #[test]
 fn an_attempt_has_the_roundings_of_its_numerators() {
     let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
@@ -170,8 +168,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::from_input(Worst::of_float(number)));
         by_step(&LongNumber { a }, &from_input(&x), eps).expect("no pole is near")
     });
-    // The second component is larger. The first component starts at 0, and its last roundings are
-    // of its own size.
+    // The first component starts at 0, and its last roundings are relative to its own size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = f64::from(attempt.next[1].size());
     let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());
@@ -204,8 +201,7 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// An input exceeds the limit for underflow. The underflow error η of y² times a exceeds the
-/// allowance.
+/// The underflow error of y² times a exceeds the allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -293,7 +289,6 @@ crate::kahan! {
     fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
 }
 
-/// Steps of many variables succeed at every magnitude, even if doubles overflow.
 #[test]
 fn many_variables_are_promised_at_every_size() {
     let rational = |x: f64| Q::from_float(x).unwrap();

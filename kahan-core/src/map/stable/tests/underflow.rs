@@ -8,7 +8,7 @@ use crate::scalar::bounded::underflow;
 use crate::scalar::bounded::{Number, power_of_two};
 
 const FINE: i32 = 40;
-/// Operations that are exact except for an error of η each, the error of an underflow.
+/// The error η of an underflow, without a relative error.
 const TINY: (i64, i64) = (0, 1);
 
 type Value = Beside<FINE>;
@@ -32,7 +32,6 @@ fn an_operation_that_underflows_is_allowed_for() {
     }
 }
 
-/// Products with a factor that underflowed are as large as the limits on products permit.
 #[test]
 fn products_carry_an_underflow_as_far_as_their_inputs_let_them() {
     for count in 2..8 {
@@ -67,8 +66,8 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// Let 2^−k be the least permitted divisor. A division by this divisor multiplies an underflow
-/// error η of the numerator by 2^k. An error of the divisor is multiplied by 2^k twice.
+/// The least permitted divisor is 2^−k. A division multiplies an underflow error of the numerator
+/// by 2^k, and an error of the divisor by 2^2k.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
@@ -77,11 +76,9 @@ fn quotients_take_the_bits_of_divisors_twice() {
         let first = Value::from_input(0.0).times(&Value::from_input(0.0)).times(x);
         first.over(&divisor(least)).and_then(|v| v.over(&divisor(least))).expect("a quotient")
     };
-    // The numerator counts one input, and the divisors count two.
     let largest = largest_input(formula);
     assert!(largest <= power_of_two((20 - 16) / 2), "{largest}");
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
-    // The error of the quotient v̂ = 1/b̂ with a divisor b̂ in place of b is v̂·(b̂ − b)/b̂.
     let formula = |x: &Value| {
         let divisor = Value::from_input(least).plus(&Value::from_input(0.0));
         Value::from_input(1.0).times(x).over(&divisor).expect("a quotient")
@@ -106,8 +103,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::from_input(largest))));
 }
 
-/// Premises that constants and operations can violate without inputs. Each premise is necessary:
-/// just beyond it, the true error exceeds the bound.
+/// Premises that constants and operations can violate without inputs. Just beyond each premise, the
+/// true error exceeds the bound.
 mod premises {
     use super::super::worst::{Beside, Worst, off_by, with_low_magnitudes};
     use super::TINY;
@@ -158,7 +155,7 @@ mod premises {
 
     #[test]
     fn no_more_operations_underflow_than_the_allowance_is_made_for() {
-        // The number ½ is below 2⁰, and therefore factors ½ add no bits.
+        // Factors ½ are below 2⁰ and add no bits.
         let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
         let product = |count: u32, roundings: u32| {
             (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
@@ -168,7 +165,7 @@ mod premises {
         // A literal that is rounded may underflow as well.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), InputLimit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), InputLimit::NONE);
-        // A sum counts the underflows of the worse term, and one bit for the other term.
+        // A sum counts the underflows of the worse term, and one bit more.
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
         let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
         assert_eq!(sum.largest_input(), InputLimit::below(20 - 5));
@@ -187,7 +184,6 @@ mod premises {
         const COARSE: i32 = 10;
         let one = Beside::<COARSE>::from_input(1.0);
         let rounded = |k: u32| off_by((1, 0), || (0..k).fold(one.clone(), |product, _| product.times(&one)));
-        // 40 times 2⁻¹⁰ is about 1/25.
         with_low_magnitudes(|| {
             let (within, beyond) = (rounded(40), rounded(41));
             assert!(within.part() <= 1.0 && within.bounded.roundings() == 40, "{}", within.part());
@@ -261,14 +257,12 @@ mod premises {
         }
     }
 
-    /// For B bits of products, the allowance is 2¹⁰·2ᴮ·η. The error of one operation is at most η.
+    /// For B bits of products and an error of η per operation, the allowance is 2¹⁰·2ᴮ·η.
     #[test]
     fn allowances_are_those_of_their_formats() {
         fn eta<V: Number>() -> f64 {
             V::RANGE.allowance / (f64::from(MOST_UNDERFLOWS) * power_of_two(V::RANGE.bits_of_products as i32))
         }
-        // A float loses at most half of its least number. The tests of double-doubles check their
-        // η.
         assert_eq!(eta::<f32>(), f64::from(f32::from_bits(1)));
         assert_eq!(eta::<f64>(), f64::from_bits(1));
         assert_eq!(eta::<crate::Dd>(), f64::from_bits(16));
@@ -297,8 +291,7 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= f64::from(reciprocal.bounded.weight(0)) * Worst::<FINE>::UNIT);
 }
 
-/// Takes the reciprocal of 0.25 plus a number that underflowed. The underflow makes most of the
-/// divisor's error.
+/// Most of the divisor's error comes from an underflow.
 #[test]
 fn a_weight_of_a_chain_allows_for_underflow() {
     const FINEST: i32 = 60;

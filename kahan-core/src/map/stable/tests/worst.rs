@@ -1,6 +1,6 @@
 //! A scalar with worst-case rounding. Each operation has an error of one rounding unit u, in a
-//! direction that the test chooses. Optionally it also has an error η, as in underflow. Values are
-//! rationals, and therefore the true error is known.
+//! direction that the test chooses, and optionally an underflow error η. Values are rationals, and
+//! therefore the true error is known.
 
 use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

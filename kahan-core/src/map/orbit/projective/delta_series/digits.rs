@@ -12,19 +12,18 @@ use crate::scalar::{Size, Wide};
 use super::super::point::{ProjectivePoint, first_of_the_largest};
 use super::{DeltaSeries, direction};
 
-/// The exponent of δ relative to the size of the point. Even δ⁴ leaves the digits of a
-/// [`Dd`](crate::Dd) intact.
+/// The exponent of δ relative to the size of the point, far below the digits of a
+/// [`Dd`](crate::Dd).
 const DELTA: i32 = -192;
 
 /// The exponent, relative to the size of the point, above which a coordinate counts as infinite. A
 /// coordinate with an exponent below the negative threshold counts as 0.
 const INFINITE: i64 = 96;
 
-/// The number of bits to which a limit must be known. Every float of this crate has fewer bits.
+/// The number of bits to which a limit must be known, more than any float of this crate has.
 const KNOWN: i64 = 110;
 
-/// Returns the limit of a coordinate as δ → 0. Traces of δ far below the leading digits are
-/// dropped.
+/// Returns the limit of a coordinate as δ → 0, without traces of δ far below the leading digits.
 fn without_delta(entry: Wide, size: Size) -> Wide {
     if entry.size() < size.scaled(-INFINITE) {
         return Wide::zero();
@@ -37,8 +36,7 @@ fn without_delta(entry: Wide, size: Size) -> Wide {
 const LOST: i64 = 10;
 
 impl<T: PromiseScalar> DeltaSeries<T> for Wide {
-    /// The number of attempts. The first attempt, for points near a pole, has δ = 0; the other
-    /// attempts use different directions.
+    /// The first attempt, for points near a pole, has δ = 0; the others use different directions.
     const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {

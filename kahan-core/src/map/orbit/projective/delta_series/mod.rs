@@ -1,8 +1,7 @@
 //! Numbers that depend on a perturbation δ → 0, for orbits through poles.
 //!
-//! In: numbers of a scalar, and the number of the attempt. Out: numbers that depend on δ, and their
-//! limits. Over exact scalars the numbers are Laurent series in δ ([`series`]). Over floats δ is a
-//! number far below the last digits, and numbers have 17 × 64 bits ([`digits`]).
+//! Over exact scalars the numbers are Laurent series in δ ([`series`]). Over floats δ is a number
+//! far below the last digits, and numbers have 17 × 64 bits ([`digits`]).
 
 mod digits;
 #[cfg(feature = "exact")]
@@ -17,7 +16,7 @@ use crate::{Pivot, Scalar};
 
 use super::point::{ProjectivePoint, first_of_the_largest};
 
-/// A number over the scalar T that may depend on δ.
+/// A number over the scalar T that may depend on the perturbation δ.
 pub(super) trait DeltaSeries<T: Scalar>: Scalar {
     /// The number of attempts. Each attempt determines more points than the attempt before.
     const EFFORTS: usize;
@@ -27,7 +26,7 @@ pub(super) trait DeltaSeries<T: Scalar>: Scalar {
     /// Returns δ, which is 0 in an attempt without perturbation.
     fn delta(effort: usize) -> Self;
 
-    /// Returns the magnitude of a point's coordinates, to which δ is relative.
+    /// Returns the magnitude of a point, to which δ is relative.
     fn unit(point: &[T]) -> Self;
 
     /// Returns the limit of a point as δ → 0, relative to `unit`. Returns `None` if the digits of
@@ -38,9 +37,9 @@ pub(super) trait DeltaSeries<T: Scalar>: Scalar {
         effort: usize,
     ) -> Option<ProjectivePoint<T, N>>;
 
-    /// Returns whether the steps map neighbourhoods of the first point one-to-one to neighbourhoods
-    /// of `point`. The matrix `derivative` is that of the first point by `point`. Returns `None` if
-    /// the numbers have too few digits.
+    /// Returns whether the steps are one-to-one near the first point. The matrix `derivative` is
+    /// the derivative of the first point by `point`. Returns `None` if the numbers have too few
+    /// digits.
     fn is_one_to_one<const N: usize>(
         derivative: &SMatrix<Self, N, N>,
         point: &SVector<Self, N>,
