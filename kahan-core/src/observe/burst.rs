@@ -1,7 +1,6 @@
 //! Bursts: the points of a group of trajectories at several consecutive steps.
 //!
-//! A group has as many trajectories as the widest register has lanes. Observers read the points of
-//! a group.
+//! A group has as many trajectories as the widest register has lanes.
 
 use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};
@@ -14,7 +13,7 @@ pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
 /// The points of a group of trajectories, stored as one column for each variable.
 pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
-    /// The type of one trajectory's point.
+    ///  The type of one trajectory's point.
     type Point: AsRef<[T]> + AsMut<[T]>;
 
     /// Returns the point of the trajectory in this lane.
@@ -58,7 +57,7 @@ pub struct SideBySide<'a, T, P> {
 #[derive(Debug)]
 pub struct Burst<'a, P> {
     pub(super) before: u64,
-    /// The last point that observers have already seen, followed by the points of the next steps.
+    /// The last point that observers have already seen, then the points of the next steps.
     pub(super) seen: &'a [P],
     pub(super) level: Level,
 }
@@ -69,8 +68,8 @@ impl<P> Burst<'_, P> {
         (self.before + 1..).zip(&self.seen[1..])
     }
 
-    /// Passes the new points of one trajectory, except the first `done`, to `look` with their step
-    /// numbers.
+    /// Passes the new points of one trajectory to `look`, with their step numbers. The first `done`
+    /// points are skipped.
     #[inline(always)]
     pub fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where

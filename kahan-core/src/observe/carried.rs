@@ -1,7 +1,4 @@
 //! Tangent vectors propagated along an orbit, and the observers that need only these vectors.
-//!
-//! In: the points of the orbit, in order. Out: K tangent vectors at the last point, scaled by
-//! powers of two.
 
 use core::array::from_fn;
 
@@ -22,14 +19,13 @@ pub struct Carried<M: TangentMap, const K: usize> {
     map: M,
     place: M::State,
     vectors: [M::State; K],
-    /// The binary exponent of each vector: tangent vector k is `vectors[k]`·2^`exponents[k]`.
+    /// The binary exponents: tangent vector k is `vectors[k]`·2^`exponents[k]`.
     exponents: [i64; K],
     steps: u64,
 }
 
 impl<M: TangentMap, const K: usize> Carried<M, K> {
-    /// Starts with arbitrary vectors. The directions of the vectors avoid the axes and other
-    /// special directions.
+    /// Starts with arbitrary vectors, which avoid the axes and other special directions.
     pub(super) fn new(map: M) -> Self {
         let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
         Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
@@ -44,8 +40,8 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps = step;
     }
 
-    /// Scales the vectors until their lengths are far from the limits of the floats. Returns their
-    /// squared lengths before scaling.
+    /// Scales the vectors to lengths far from the limits of the floats. Returns their squared
+    /// lengths before scaling.
     #[inline(always)]
     pub(super) fn scale(&mut self) -> [Size; K] {
         from_fn(|k| scale(&mut self.vectors[k], &mut self.exponents[k]))
@@ -55,7 +51,7 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps
     }
 
-    /// Returns the scaled vectors, which differ from the tangent vectors by powers of two.
+    /// Returns the scaled vectors.
     pub(super) fn vectors(&self) -> [&[M::Scalar]; K] {
         self.vectors.each_ref().map(M::State::as_slice)
     }
@@ -65,14 +61,13 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
     }
 }
 
-/// Returns a state of the map's dimension whose entry i is `entry(i)`.
 pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
     let mut vector = M::State::zeros(map.dimension());
     vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, place)| *place = entry(i));
     vector
 }
 
-/// Propagates vectors from `x` to `next`. Pairs of vectors share the work on the points.
+/// Propagates vectors from `x` to `next`, in pairs that share the work on the points.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
@@ -125,8 +120,7 @@ impl<I: Indicator<K>, M: TangentMap, const K: usize> IndicatorObserver<I, M, K> 
 }
 
 impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> IndicatorObserver<I, M, K> {
-    /// Scales the vectors and passes their lengths to the indicator, if the indicator needs this
-    /// step.
+    /// Scales the vectors and passes their lengths to the indicator, if this step needs lengths.
     #[inline(always)]
     fn read_lengths(&mut self, step: u64) {
         if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, M::Scalar, K>() {
@@ -136,11 +130,11 @@ impl<I: Indicator<K>, M: TangentMap<Scalar: FloatScalar>, const K: usize> Indica
     }
 }
 
-/// An observer that may skip points. A loop propagates its tangent vectors to a later point.
+/// An observer that may skip points, because a loop propagates its tangent vectors to a later
+/// point.
 ///
-/// The loop shows every point up to step [`PAUSE`]. Later it shows the steps that are powers of
-/// two. It also shows multiples of [`PAUSE`] at which a vector's squared length is [too large or
-/// too small](super::are_moderate).
+/// The loop shows every point up to step [`PAUSE`], and later the steps that are powers of two. The
+/// loop also shows multiples of [`PAUSE`] at which a vector must be [scaled](super::are_moderate).
 pub trait SparseObserver<T> {
     /// Returns the number of tangent vectors.
     fn vectors(&mut self) -> usize;
@@ -148,8 +142,8 @@ pub trait SparseObserver<T> {
     /// Returns tangent vector k at the latest point.
     fn vector(&mut self, k: usize) -> &[T];
 
-    /// Receives the point of a step and the vectors at this point. Entry i of vector k is `entry(k,
-    /// i)`.
+    /// Receives the point of a step and the vectors at this point. `entry(k, i)` is entry i of
+    /// vector k.
     fn resume(&mut self, step: u64, x: &[T], entry: &dyn Fn(usize, usize) -> T);
 }
 
@@ -189,7 +183,7 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
         self.read_lengths(step);
     }
 
-    /// Propagates all trajectories in lanes if the observers share one map and this map has lanes.
+    /// Propagates all trajectories in lanes if the observers share one map.
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
@@ -215,21 +209,18 @@ impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize>
 
 /// The number of steps between two scalings of vectors, if no step needs the lengths.
 ///
-/// The squared length of a scaled vector lies between 2⁻⁶⁴ and 2⁶⁴. The vector leaves the range of
-/// `f64` within this many steps only if every step changes its length by a factor of 2⁶⁰. Near a
-/// pole only one or two steps do.
+/// Only a growth by 2⁶⁰ in every step could leave the range of `f64` within this many steps.
 pub const PAUSE: u64 = 16;
 
-/// Returns whether vectors are scaled after every step. The answer is yes if the indicator needs
-/// the lengths. The answer is also yes for `f32`, whose range a vector can leave in a single step.
+/// Returns whether vectors are scaled after every step, because the indicator needs lengths or
+/// because a vector can leave the range of `f32` in a single step.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Propagates the vectors of a group in lanes, from the step after `done` on, until a vector must
-/// be scaled. Returns the number of steps. Returns `None` if no steps remain or the maps do not
-/// allow it.
+/// Propagates the vectors of a group in lanes, until a vector must be scaled. Returns the number of
+/// steps, or `None` if no steps remain or the maps have no lanes.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
     group: &mut Observers<'_, IndicatorObserver<I, M, K>>,
@@ -246,7 +237,7 @@ where
     if places.len() < 2 {
         return None;
     }
-    // Unused lanes get vectors that need no scaling, and therefore never stop the other lanes.
+    // Unused lanes get vectors that need no scaling, and therefore never stop other lanes.
     let mut ones = places.first()?.clone();
     ones.as_mut().fill([T::one(); GROUP]);
     let mut vectors: [P; K] = from_fn(|_| ones.clone());
@@ -286,8 +277,7 @@ where
     Some(taken)
 }
 
-/// Returns entry i of vector k. The entries are multiples of 1/64 up to 1, and avoid special
-/// directions.
+/// Returns entry i of vector k, an arbitrary multiple of 1/64 up to 1.
 fn any_direction<T: FloatScalar>(k: usize, i: usize) -> T {
     T::constant(&Constant::ratio(((37 * i + 23 * k * (i + 1) + 11) % 64 + 1) as i64, 64))
 }

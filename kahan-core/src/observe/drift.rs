@@ -6,7 +6,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of integrals, which measures the distances of their values from the initial values.
+/// An observer of integrals, which measures how far their values move from the initial values.
 ///
 /// ```
 /// use kahan_core::observe::Drift;
@@ -28,12 +28,12 @@ pub struct Drift<F, T, const M: usize> {
     integrals: F,
     first: [T; M],
     last: [T; M],
-    /// For each integral I, the largest |I − I(x₀)|. The entry stays NaN after the first NaN.
+    /// For each integral I, the largest |I − I(x₀)|, or NaN after the first NaN.
     max: [f64; M],
 }
 
-/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral I. If I(x₀) = 0, the distance is
-/// absolute.
+/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral I, or the absolute distance if I(x₀) =
+/// 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drifted {

@@ -1,8 +1,7 @@
 //! Observation of every trajectory of an ensemble.
 //!
-//! In: an ensemble, a map, and observers of each trajectory. Out: the reports, in the order of the
-//! points. A group of trajectories alternates between a burst of steps and its observers. Each of
-//! these two loops then keeps its data in the first-level cache.
+//! A group of trajectories alternates between a burst of steps and its observers, so that each loop
+//! keeps its data in the first-level cache.
 
 use core::array::from_fn;
 use core::ops::ControlFlow;
@@ -19,10 +18,9 @@ use super::burst::{BURST, Burst, Grouped};
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Steps as [`advance`](Self::advance) does, and shows each trajectory to its own observers.
     ///
-    /// `observers(i)` creates the observers of trajectory i, which starts with
-    /// [`point`](Self::point) i as step 0. The bits of a report depend neither on i nor on threads.
-    /// With the feature `parallel`, large ensembles run on rayon's current thread pool. Each group
-    /// of 16 trajectories allocates once.
+    /// The function `observers` creates the observers of trajectory i, which starts with
+    /// [`point`](Self::point) i as step 0. Reports depend neither on i nor on threads. With the
+    /// feature `parallel`, large ensembles run on rayon's current thread pool.
     ///
     /// # Panics
     /// If a trajectory meets a pole of an exact scalar. If the number of maps differs from that of
@@ -89,8 +87,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Advances a group of trajectories and shows every step to the observers. After each burst `tell`
-/// gets the number of steps taken, and may stop the run.
+/// Advances a group of trajectories and shows every step to the observers. After each burst, `tell`
+/// gets the number of steps taken and may stop the run.
 pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     points: &mut P,
     observers: &mut [O],
@@ -99,7 +97,7 @@ pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     advance: impl Fn(&mut P),
     mut tell: impl FnMut(u64) -> ControlFlow<()>,
 ) {
-    // The first entry is the point before the burst; the other entries are the points of the burst.
+    // The point before the burst, then the points of the burst.
     let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
     for (lane, observer) in observers.iter_mut().enumerate() {
         observer.observe(0, points.of(lane).as_ref());

@@ -2,7 +2,7 @@
 
 use super::Observer;
 
-/// An observer of the first step at which a condition holds. Later points are not tested.
+/// An observer of the first step at which a condition holds.
 #[derive(Clone, Debug)]
 pub struct Escape<F> {
     condition: F,
@@ -24,7 +24,7 @@ impl<F> Escape<F> {
 }
 
 impl<T, F: Fn(&[T]) -> bool> Observer<T> for Escape<F> {
-    /// The step at which the condition held, 0 for the first point. `None` if it never held.
+    /// The step at which the condition first held, or `None`.
     type Report = Option<u64>;
 
     const MAY_END: bool = false;

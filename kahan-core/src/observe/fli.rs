@@ -6,16 +6,15 @@ use super::TangentMap;
 use super::carried::{Carried, Indicator, IndicatorObserver};
 use super::growth::Size;
 
-/// An observer of the fast Lyapunov indicator. A tangent vector starts with length 1, and the
-/// indicator is the logarithm of its largest length so far.
+/// An observer of the fast Lyapunov indicator, the logarithm of the largest length so far of a
+/// tangent vector with initial length 1.
 ///
 /// Over n steps the indicator grows like log n for regular motion, and like n for chaotic motion.
 /// C. Froeschlé, E. Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41. After a pole the
-/// indicator is NaN. `Fli::new(&map)` takes a [`TangentMap`]. A step costs a tangent vector and its
-/// squared length.
+/// indicator is NaN. `Fli::new(&map)` takes a [`TangentMap`].
 pub type Fli<M> = IndicatorObserver<GreatestLength, M, 1>;
 
-/// The squared length of a vector at the start, and its largest squared length.
+/// The initial and the largest squared length of a tangent vector.
 #[derive(Clone, Debug)]
 pub struct GreatestLength {
     first: Size,

@@ -1,8 +1,7 @@
-//! Lengths and products beyond the range of floats.
+//! Lengths and products beyond the range of floats, as a mantissa and a power of two.
 //!
-//! In: successive factors, or a growing vector. Out: the product or the length as a mantissa and a
-//! power of two, and its logarithm. Scaling by powers of two is exact. Therefore the bits of a
-//! report do not depend on the steps at which a vector is scaled.
+//! Scaling by powers of two is exact. Therefore the bits of a report do not depend on the steps at
+//! which a vector is scaled.
 
 use core::cmp::Ordering;
 use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
@@ -21,8 +20,8 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length of a vector that was scaled by 2^−`exponent`. `squared` is the
-    /// squared length after scaling.
+    /// Returns the squared length of a vector whose squared length after scaling by 2^−`exponent`
+    /// is `squared`.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }
@@ -34,24 +33,22 @@ impl Size {
         Self { mantissa, exponent: 0 }
     }
 
-    /// Multiplies by `factor`. The mantissa is normalised to a magnitude from ½ to 1.
+    /// Multiplies by `factor`, and normalises the mantissa to a magnitude from ½ to 1.
     pub(super) fn multiply(&mut self, factor: Self) {
         let (mantissa, exponent) = libm::frexp(self.mantissa * factor.mantissa);
         *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };
     }
 
-    /// Returns the natural logarithm of the magnitude. The result does not depend on the choice of
-    /// the exponent.
+    /// Returns the natural logarithm of the magnitude.
     pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
-        // Near 1 the exponent becomes 0, which avoids a cancellation of two logarithms.
+        // Near 1 the exponent must be 0, because two logarithms would cancel.
         let (mantissa, exponent) =
             if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
         libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
     }
 }
 
-/// Compares the mantissas if the exponents are equal, otherwise the logarithms of the magnitudes.
 impl PartialOrd for Size {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         if self.exponent == other.exponent {
@@ -62,13 +59,11 @@ impl PartialOrd for Size {
     }
 }
 
-/// The exponent of the scaling factors. A vector is scaled by 2^±`BITS` while its squared length is
-/// outside 2^±(2·`BITS`). One step then stays in the range of `f32`.
+/// The exponent of the scaling factor. One step of a scaled vector stays in the range of `f32`.
 const BITS: i64 = 32;
 
 /// Scales a finite nonzero vector by powers of two until its squared length lies between 2⁻⁶⁴ and
-/// 2⁶⁴. Adds the exponent of the removed factor to `exponent`. Returns the squared length of the
-/// unscaled vector.
+/// 2⁶⁴. Adds the removed exponent to `exponent`. Returns the unscaled squared length.
 #[inline(always)]
 pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
 where
@@ -84,7 +79,7 @@ where
     Size::of_square(squared, *exponent)
 }
 
-/// Returns 2⁶⁴, the largest squared length that needs no scaling. The smallest is its reciprocal.
+/// Returns 2⁶⁴, the largest squared length that needs no scaling.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(super) fn most<T: Scalar>() -> T {
@@ -92,8 +87,7 @@ pub(super) fn most<T: Scalar>() -> T {
     root.clone() * root
 }
 
-/// Returns whether no vector of a group needs scaling. Each squared length must be NaN or lie
-/// between 2⁻⁶⁴ and 2⁶⁴.
+/// Returns whether no vector of a group needs scaling. A squared length that is NaN needs none.
 #[cfg(feature = "std")]
 pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
     let most: f64 = most::<T>().approximate();
@@ -107,8 +101,8 @@ fn is_moderate(squared: f64) -> bool {
     squared > 1.0 / MOST && squared < MOST
 }
 
-/// Returns the scaled vector, the exponent of the removed factor, and the squared length. The
-/// function takes a copy, and therefore the caller's loop keeps the vector in registers.
+/// Returns the scaled vector, the removed exponent, and the squared length. A copy is taken so that
+/// the caller's loop keeps the vector in registers.
 #[cold]
 #[inline(never)]
 fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
@@ -119,7 +113,7 @@ where
     let up = T::constant(&Constant::integer(1 << BITS));
     let down = T::one() / up;
     let mut exponent = 0;
-    // The number of scalings suffices for the whole range of `f64`.
+    // The loop ends, because this many scalings span the range of `f64`.
     for _ in 0..2 * 1100 / BITS {
         let squared = square(vector.as_slice());
         if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {

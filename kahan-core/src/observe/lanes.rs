@@ -1,8 +1,7 @@
 //! Tangent vectors of a group of trajectories, propagated in SIMD lanes.
 //!
-//! In: the points and tangent vectors of the group, as columns. Out: the propagated vectors, and
-//! their squared lengths at every step. Operations have the order of a single trajectory and are
-//! not fused. Therefore the bits are equal on every instruction set.
+//! Operations have the order of a single trajectory and are not fused. Therefore the bits are equal
+//! on every instruction set.
 
 use core::array::from_fn;
 
@@ -17,7 +16,7 @@ use super::growth::most;
 use super::{Grouped, SideBySide};
 
 /// The propagation of vectors by one map along the points. Returns the number of steps taken. If
-/// squared lengths are requested, the propagation stops when one needs scaling.
+/// squared lengths are requested, the propagation stops as soon as a vector needs scaling.
 pub(super) struct ByOneMap<'a, S, T, P, const N: usize> {
     pub(super) map: &'a S,
     pub(super) work: SideBySide<'a, T, P>,

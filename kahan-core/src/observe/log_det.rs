@@ -6,8 +6,6 @@ use super::growth::Size;
 use super::{Observer, TangentMap};
 
 /// An observer of the mean of log |det ∂x̃/∂x| per unit of time, the sum of all Lyapunov exponents.
-///
-/// A step costs a determinant. The end of the run costs one logarithm.
 #[derive(Clone, Debug)]
 pub struct MeanLogDet<M: TangentMap> {
     map: M,

@@ -6,10 +6,9 @@ use super::growth::Size;
 
 /// An observer of the largest Lyapunov exponent, the growth rate of tangent vectors.
 ///
-/// The exact Jacobian propagates a tangent vector in a general direction. After n steps the
-/// vector's length has grown by exp(λ·2εn) times a factor that is bounded or grows slowly; λ is the
-/// exponent. For quasi-periodic motion the factor is linear in n, and the estimate of λ tends to 0
-/// like log(n)/n.
+/// After n steps a tangent vector has grown by exp(λ·2εn), where λ is the exponent, times a factor
+/// that grows slowly or not. For quasi-periodic motion the factor is linear in n, and the estimate
+/// of λ tends to 0 like log(n)/n.
 ///
 /// `Lyapunov::new(&map)` takes a [`TangentMap`]. The tangent vector costs about as much as the
 /// step.
@@ -28,8 +27,8 @@ pub struct Growth {
 pub struct Exponent {
     /// The mean growth rate, NaN without a step.
     pub value: f64,
-    /// An estimate of the error, not a bound. The estimate is the distance of `value` from the mean
-    /// rate up to an earlier step, between an eighth and a quarter of the run. The estimate is NaN
+    /// An estimate of the error, not a bound: the distance of `value` from the mean rate up to an
+    /// earlier step. This step lies between an eighth and a quarter of the run. The estimate is NaN
     /// before step 4.
     pub error: f64,
 }
@@ -73,7 +72,7 @@ impl Doublings {
         self.0 = [before, last, (step, square)];
     }
 
-    /// Returns the exponent from the first and the last squared length. `time` is the time step.
+    /// Returns the exponent from the first and the last squared length, at this time step.
     pub(super) fn exponent(&self, first: Size, last: (u64, Size), time: f64) -> Exponent {
         let rate = |(steps, square): (u64, Size)| 0.5 * (square.ln() - first.ln()) / (steps as f64 * time);
         let value = rate(last);

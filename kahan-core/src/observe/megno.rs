@@ -21,7 +21,7 @@ pub type Megno<M> = IndicatorObserver<MeanGrowth, M, 1>;
 #[derive(Clone, Debug, Default)]
 pub struct MeanGrowth {
     first: f64,
-    /// The sum of log(|vₖ|/|v₀|) over the steps k before the last, for the tangent vectors vₖ.
+    /// The sum of log(|vₖ|/|v₀|) over the tangent vectors vₖ before the last step.
     before: f64,
     last: f64,
     sum: f64,
@@ -39,9 +39,8 @@ pub struct Megnos {
 }
 
 impl MeanGrowth {
-    /// Returns Y(n) by summation by parts. With vectors vₖ scaled to |v₀| = 1,
-    ///
-    /// Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n).
+    /// Returns Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n), for vectors vₖ scaled to |v₀| =
+    /// 1.
     fn value(&self) -> f64 {
         2.0 * (self.last - self.before / self.steps as f64)
     }

@@ -1,7 +1,6 @@
 //! Observers, which answer questions about an orbit while it runs, without storing it.
 //!
-//! In: the points of an orbit, or of every trajectory of an ensemble, in order. Out: one report per
-//! observer. Observers store only what their reports need; no step allocates.
+//! Observers store only what their reports need, and no step allocates.
 //!
 //! ```
 //! use kahan_core::observe::{Drift, Extrema, Lyapunov};
@@ -35,7 +34,7 @@
 //! | the points themselves | [`Visit`] |
 //!
 //! Times are in steps. Exponents are per unit of time, where a step takes Δt = 2ε. Elementary
-//! functions come from the `libm` crate; equal points give equal bits on every machine.
+//! functions come from the `libm` crate, so that equal points give equal bits on every machine.
 //! Observers of derivatives take the prepared map ([`TangentMap`]), by value or reference.
 
 #[cfg(feature = "std")]
@@ -73,10 +72,8 @@ mod zero;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 pub use burst::{Burst, Grouped, Observers, SideBySide};
-/// Observers whose tangent vectors a loop propagates, and the number of steps between two scalings.
 #[doc(hidden)]
 pub use carried::{PAUSE, SparseObserver};
-/// Types with which `kahan-runtime` observes groups of trajectories of maps read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use {
@@ -107,7 +104,7 @@ pub use visit::Visit;
 
 /// An observer of orbits over the scalar `T`.
 ///
-/// The observer gets the variables of a state. If the state is a `Vec`, it gets all numbers.
+/// The observer gets the variables of a state, or all numbers if the state is a `Vec`.
 ///
 /// ```
 /// use kahan_core::observe::Observer;
@@ -155,7 +152,7 @@ pub trait Observer<T> {
     #[doc(hidden)]
     const MAY_END: bool = true;
 
-    /// Processes the point after `step` steps. Steps come in order, beginning with x₀ at step 0.
+    /// Processes the point after `step` steps. Step 0 is x₀, and steps come in order.
     fn observe(&mut self, step: u64, x: &[T]);
 
     /// Returns whether the observer needs no further points. A loop calls this method after each
@@ -171,15 +168,14 @@ pub trait Observer<T> {
     /// Returns the report on the observed points.
     fn report(self) -> Self::Report;
 
-    /// Returns this observer as an observer that may skip points, `None` if it needs every point.
+    /// Returns this observer if it may skip points, and `None` if it needs every point.
     #[doc(hidden)]
     #[inline]
     fn resumed(&mut self) -> Option<&mut dyn SparseObserver<T>> {
         None
     }
 
-    /// Shows some points of a group of trajectories. Each observer gets the points of its own
-    /// trajectory.
+    /// Shows each observer of a group some points of its own trajectory.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     #[inline]
@@ -192,7 +188,6 @@ pub trait Observer<T> {
     }
 }
 
-/// Shows the points of each trajectory of a group to its observer, until that observer is done.
 #[cfg(feature = "std")]
 #[inline]
 fn show_in_turn<T, O, P>(group: &mut Observers<'_, O>, burst: &Burst<'_, P>)

@@ -8,9 +8,9 @@ use super::{Crossing, Direction, Observer, Section};
 impl<S: Step> Orbit<S> {
     /// Shows the next point as step 0, then `steps` further points. Returns the observers' report.
     ///
-    /// The run ends early if the observers are [done](Observer::is_done). It also ends at a pole of
-    /// an exact orbit; [`stopped`](Self::stopped) then returns the pole. The next call starts after
-    /// the last point shown. A copy of the state is allocated only if the state is a `Vec`.
+    /// The run ends early if the observers are [done](Observer::is_done), or at a pole of an exact
+    /// orbit; [`stopped`](Self::stopped) then returns the pole. The next call starts after the last
+    /// point shown.
     ///
     /// ```
     /// use kahan_core::observe::Escape;
@@ -42,7 +42,7 @@ impl<S: Step> Orbit<S> {
 
     #[inline(always)]
     fn show(&mut self, steps: u64, observers: &mut impl Observer<S::Scalar>) {
-        // The compiler can keep a local copy of the state in registers.
+        // A local copy, so that compilers keep the state in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
             if state.step_with(&self.map, &mut self.workspace).is_none() {
@@ -59,8 +59,8 @@ impl<S: Step> Orbit<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
-    /// Returns the first crossing with `level` = 0 within `steps` steps after the next point, as
-    /// [`first_crossing`](super::first_crossing) does. The orbit continues from the crossing.
+    /// Returns the first crossing with `level` = 0 within `steps` steps after the next point; see
+    /// [`first_crossing`](super::first_crossing). The orbit continues from the crossing.
     pub fn first_crossing(
         &mut self,
         steps: u64,

@@ -4,8 +4,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// An observer of the first return to a ball around the initial point, after the orbit has left the
-/// ball.
+/// An observer of the first return to a ball around the initial point.
 ///
 /// With radius 0, the observer finds periods of exact orbits.
 ///
@@ -44,8 +43,8 @@ pub struct Return<T> {
 }
 
 impl<T: Scalar, V: AsMut<[T]>> Period<T, V> {
-    /// Creates an observer of the first return to the ball of this radius around the first point
-    /// x₀. `place` is memory for x₀, an array or vector with one number per variable.
+    /// Creates an observer of the first return to the ball of this radius around the first point.
+    /// `place` is memory for this point, an array or vector with one number per variable.
     pub fn within(radius: T, place: V) -> Self {
         Self { squared: radius.clone() * radius, start: place, was_away: false, back: None }
     }

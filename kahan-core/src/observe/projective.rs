@@ -12,10 +12,9 @@ where
     /// Observes this orbit as [`Orbit::observe`](crate::Orbit::observe) does, but skips points at
     /// infinity.
     ///
-    /// Observers of single points (extrema, drift, escape, residence, return) work on the finite
-    /// points. Sections count a sign change across infinity as a jump. Observers that compare
-    /// consecutive points (rotation, exponents) would treat the points before and after infinity as
-    /// neighbours. For such observers, use an orbit that ends at infinity.
+    /// Sections count a sign change across infinity as a jump. Observers that compare consecutive
+    /// points (rotation, exponents) treat the points before and after infinity as neighbours. For
+    /// such observers, use an orbit that ends at infinity.
     ///
     /// ```
     /// use kahan_core::observe::Extrema;

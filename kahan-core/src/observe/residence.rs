@@ -7,7 +7,7 @@ use crate::Scalar;
 
 use super::Observer;
 
-/// A histogram of an observable: it counts the points in each of equal subintervals of a range.
+/// A histogram of an observable, which counts the points in equal subintervals of a range.
 ///
 /// ```
 /// use kahan_core::observe::Residence;
@@ -49,8 +49,8 @@ where
     F: Fn(&[T]) -> T,
     V: AsMut<[u64]>,
 {
-    /// Counts how often `quantity` lies in each of equal parts of `range`. There is one part per
-    /// entry of `counts`, all of which start at zero.
+    /// Counts the values of `quantity` in equal parts of `range`, one part per entry of `counts`.
+    /// All counts start at zero.
     pub fn of(quantity: F, range: Range<f64>, mut counts: V) -> Self {
         let parts_to_unit = counts.as_mut().len() as f64 / (range.end - range.start);
         let stays = ResidenceCounts { within: counts, outside: 0 };
@@ -71,7 +71,7 @@ where
     #[inline]
     fn observe(&mut self, _step: u64, x: &[T]) {
         let part = ((self.quantity)(x).approximate() - self.start) * self.parts_to_unit;
-        // Without this test, a negative number would be converted to subinterval 0.
+        // Without this test, a negative number would be counted in subinterval 0.
         let count = if part >= 0.0 { self.stays.within.as_mut().get_mut(part as usize) } else { None };
         *count.unwrap_or(&mut self.stays.outside) += 1;
     }

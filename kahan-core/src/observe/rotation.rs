@@ -1,7 +1,4 @@
-//! The rotation number of an orbit.
-//!
-//! In: a projection of the orbit to a plane. Out: a weighted mean of the angles that consecutive
-//! points enclose with the origin. The mean converges fast for quasi-periodic motion.
+//! The rotation number of an orbit that is projected to a plane.
 
 use core::f64::consts::TAU;
 use core::marker::PhantomData;
@@ -12,18 +9,14 @@ use super::{Extremes, Observer};
 
 /// An observer of the rotation number: the revolutions per step of the orbit projected to a plane.
 ///
-/// The angles between consecutive points are averaged. At the fraction t of the run, the weight is
-///
-/// exp(−1/(t(1 − t))).
-///
-/// On a torus with a smooth angle the average converges faster than any power of the number of
-/// steps (S. Das, Y. Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017) 4111). About a hundred
-/// revolutions give all digits of `f64`.
+/// The angles between consecutive points are averaged with the weight exp(−1/(t(1 − t))) at the
+/// fraction t of the run. On a torus with a smooth angle the average converges faster than any
+/// power of the number of steps (S. Das, Y. Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017)
+/// 4111). About a hundred revolutions give all digits of `f64`.
 ///
 /// The projected curve should encircle the origin once. For the frequency of one variable, project
 /// to the variable and its rate of change, and pass their extremes to [`between`](Self::between).
-/// The result is known modulo 1, because angles are known modulo full revolutions. Each angle is
-/// chosen within half a revolution of the first angle.
+/// The result is known modulo 1.
 ///
 /// A step costs an arctangent and at most two exponentials.
 ///
@@ -63,24 +56,22 @@ pub struct Rotation<F, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RotationNumber {
-    /// The number of revolutions per step, modulo 1. A rotation from the first axis to the second
-    /// is positive.
+    /// The number of revolutions per step, modulo 1, positive from the first axis to the second.
     pub value: f64,
-    /// An estimate of the error: the distance of `value` from the mean over the first half of the
-    /// steps.
+    /// An estimate of the error: the distance of `value` from the mean over half of the steps.
     pub error: f64,
 }
 
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
     /// Creates an observer of the rotation around the origin of `plane` over `steps` steps. Later
-    /// points are ignored. In a shorter run the mean converges no faster than an unweighted mean.
+    /// points are ignored. In a shorter run the mean converges slowly.
     pub fn of(steps: u64, plane: F) -> Self {
         let unit = Extremes { least: T::zero() - T::one(), greatest: T::one() };
         Self::between(steps, plane, [unit.clone(), unit])
     }
 
     /// Creates an observer of the rotation around the centre of the extremes, over `steps` steps.
-    /// Both coordinates are divided by half their range; therefore the angle grows evenly.
+    /// Both coordinates are divided by half their range, so that the angle grows evenly.
     pub fn between(steps: u64, plane: F, extremes: [Extremes<T>; 2]) -> Self {
         let ends = extremes.map(|Extremes { least, greatest }| [least.approximate(), greatest.approximate()]);
         Self {
@@ -128,8 +119,7 @@ impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Observer<T> for Rotation<F, T> {
     }
 }
 
-/// Returns the angle in revolutions that equals `turns` modulo 1 and differs from `of` by at most
-/// ½.
+/// Returns the angle that equals `turns` modulo 1 revolution and differs from `of` by at most ½.
 fn within_half_a_turn(turns: f64, of: f64) -> f64 {
     if turns - of > 0.5 {
         turns - 1.0

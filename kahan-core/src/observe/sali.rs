@@ -11,14 +11,14 @@ use super::growth::{Size, square};
 ///
 /// For chaotic motion both vectors align with the direction of fastest growth, and the index falls
 /// exponentially to the rounding level or 0. For regular motion in four or more variables the index
-/// does not fall. In two variables, or if vectors align with the flow, it falls like a power of
-/// time. C. Skokos, J. Phys. A 34 (2001) 10029.
+/// does not fall. In two variables the index falls like a power of time. C. Skokos, J. Phys. A 34
+/// (2001) 10029.
 ///
 /// The report lies between 0 and √2, or is NaN after a pole. `Sali::new(&map)` takes a
-/// [`TangentMap`]. A step costs two tangent vectors, which share the work on the points.
+/// [`TangentMap`]. A step costs two tangent vectors.
 pub type Sali<M> = IndicatorObserver<Alignment, M, 2>;
 
-/// The indicator that [`Sali`] computes. The vectors are read only at the end.
+/// The indicator that [`Sali`] computes at the end of the run.
 #[derive(Clone, Debug)]
 pub struct Alignment;
 
@@ -43,8 +43,7 @@ impl Indicator<2> for Alignment {
             let (v, w) = (v.approximate() / lengths[0], w.approximate() / lengths[1]);
             (sum + (v + w) * (v + w), difference + (v - w) * (v - w))
         });
-        // If `sum` is NaN, the comparison is false and the result is `difference`, which is NaN,
-        // too.
+        // If `sum` is NaN, `difference` is NaN, too, and is the result.
         libm::sqrt(if sum < difference { sum } else { difference })
     }
 }

@@ -1,7 +1,4 @@
 //! Crossings of an orbit with a section.
-//!
-//! In: a function whose zero set is the section, and a map that can step by a fraction of ε. Out:
-//! the crossings, refined on the map's own curve between two points, and the number of jumps.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -18,15 +15,12 @@ use super::zero::{ZeroBracket, is_zero, narrow, small};
 ///
 /// x(θ) = φ_{θε}(xₙ), 0 ≤ θ ≤ 1,
 ///
-/// where φ_ε is the map. This curve is as close to the flow as a step is, O(ε³). To this order the
-/// curve conserves the integrals of the map at ε.
+/// where φ_ε is the map. This curve is as close to the flow as a step is, O(ε³).
 ///
 /// A sign change without a zero is counted as a jump instead. Jumps occur at a pole or
-/// discontinuity of s, or where the curve passes through infinity at a pole of the map. The search
-/// ends at two values of θ that differ by the unit roundoff u. At a crossing |s| is at most u^⅓
-/// times the larger of |s(xₙ)| and |s(xₙ₊₁)|, where u^⅓ is 2⁻¹⁷ in `f64` and 2⁻⁸ in `f32`. Rounding
-/// at a zero leaves about u·|x|/|xₙ₊₁ − xₙ| of this larger value. All tests are independent of the
-/// unit of length.
+/// discontinuity of s, or where the curve passes through infinity at a pole of the map. At a
+/// crossing |s| is at most u^⅓ times the larger of |s(xₙ)| and |s(xₙ₊₁)|, where u^⅓ is 2⁻¹⁷ in
+/// `f64` and 2⁻⁸ in `f32`.
 ///
 /// A step costs an evaluation of s. A crossing costs about fifteen steps, a jump up to about a
 /// hundred.
@@ -56,7 +50,7 @@ pub struct Section<M: Step, F, S> {
     direction: Direction,
     sink: S,
     jumps: u64,
-    /// The latest point. `step` is its step number, and `height` is the value of s at this point.
+    /// The latest point.
     place: M::State,
     step: u64,
     height: f64,
@@ -69,7 +63,7 @@ pub struct Section<M: Step, F, S> {
 pub struct SectionReport<R> {
     /// The report of the [`CrossingReceiver`] that received the crossings.
     pub points: R,
-    /// The number of sign changes in the observed directions that are jumps and not crossings.
+    /// The number of sign changes that are jumps and not crossings.
     pub jumps: u64,
 }
 
@@ -110,7 +104,7 @@ pub struct Crossing<P, T> {
     pub step: u64,
     /// The fraction θ of the step from xₙ, 0 < θ ≤ 1.
     pub part: T,
-    /// The time 2ε(n + θ) since x₀.
+    /// The time 2ε(n + θ) since the initial point.
     pub time: T,
     /// The point φ_{θε}(xₙ), where φ_ε is the map.
     pub point: P,
@@ -134,7 +128,7 @@ pub trait CrossingReceiver<C> {
     fn report(self) -> Self::Report;
 }
 
-/// Calls the closure with every crossing, and reports nothing.
+/// Calls the closure with every crossing.
 impl<C, F: FnMut(C)> CrossingReceiver<C> for F {
     type Report = ();
 
@@ -215,14 +209,14 @@ where
         }
     }
 
-    /// Forgets the latest point. The caller may then skip points at which s is known to keep its
-    /// sign.
+    /// Forgets the latest point. The caller may then skip points, as long as s keeps its sign
+    /// there.
     #[doc(hidden)]
     pub fn restart(&mut self) {
         self.height = f64::NAN;
     }
 
-    /// Returns the crossing between the latest point and x, `None` for a jump. `end` is s(x).
+    /// Returns the crossing between the latest point and x, or `None` for a jump. `end` is s(x).
     #[cold]
     #[inline(never)]
     fn crossing(&mut self, x: &[T], end: T) -> Option<Crossing<PointOf<M>, T>> {
@@ -241,7 +235,7 @@ where
         let places = narrow(ends, |part| level(at(part).as_slice()));
         let size = |place: &ZeroBracket<T>| place.height.approximate().abs();
         let [one, other] = places;
-        // The argument θ = 0 belongs to the previous step.
+        // The fraction 0 belongs to the previous step.
         let is_one = other.part.is_zero() || (!one.part.is_zero() && size(&one) <= size(&other));
         let part = if is_one { one.part } else { other.part };
         let [point, beside] = if is_one { places } else { [other, one] }.map(|place| at(place.part));
@@ -254,8 +248,7 @@ where
 }
 
 /// Returns whether a point of the curve is infinite or near a pole of the curve. Near a pole, some
-/// variable is much larger than at both ends, and far from its value at the adjacent point
-/// `beside`.
+/// variable is much larger than at both ends and at the adjacent point `beside`.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
@@ -281,7 +274,7 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if rises || falls {
-            // If the steps are not consecutive, the points have infinity between them.
+            // Between steps that are not consecutive lies infinity.
             let crossing = if step == self.step + 1 { self.crossing(x, end) } else { None };
             match crossing {
                 Some(crossing) => self.sink.take(crossing),
@@ -289,8 +282,7 @@ where
             }
         }
         (self.step, self.height) = (step, after);
-        // The numbers after the point may be old, because a fraction of a step ignores these
-        // numbers.
+        // Numbers after the variables may be old, because a fraction of a step ignores them.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 
@@ -304,9 +296,8 @@ where
     }
 }
 
-/// Returns the first crossing with `level` = 0 of the orbit from `start`, within `steps` steps.
-/// Returns `None` if there is no crossing. A start on the section and jumps of `level` do not
-/// count.
+/// Returns the first crossing with `level` = 0 of the orbit from `start` within `steps` steps, if
+/// any. A start on the section and jumps of `level` do not count.
 ///
 /// `map` is a prepared map, a chain, a map read at run time, or a reference to one of these. The
 /// states of a `&dyn Step` are `Vec`s. The crossing is refined as in a [`Section`].

@@ -13,12 +13,11 @@ use super::{Exponent, Observer, TangentMap};
 
 /// An observer of the k largest Lyapunov exponents, per unit of time, in descending order.
 ///
-/// The observer propagates tangent vectors v₁, …, vₖ. Every m steps it makes each vector orthogonal
-/// to the vectors before it (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M.
-/// Strelcyn, Meccanica 15 (1980) 9). The growth rate of the orthogonal component of vⱼ tends to the
-/// j-th largest exponent. Short runs may give another order; therefore the report sorts the rates.
-/// With as many vectors as variables, the vectors start along the axes. The exponents then sum to
-/// [`MeanLogDet`](super::MeanLogDet), up to rounding. Vectors are scaled by powers of two only.
+/// Every m steps the observer makes each of k tangent vectors orthogonal to the vectors before it
+/// (QR decomposition; G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980)
+/// 9). The growth rate of the orthogonal component of vector j tends to the j-th largest exponent.
+/// The report sorts the rates, because short runs may give another order. With as many vectors as
+/// variables, the exponents sum to [`MeanLogDet`](super::MeanLogDet), up to rounding.
 ///
 /// A step costs k tangent vectors, and every m-th step about k² inner products.
 #[derive(Clone, Debug)]
@@ -43,8 +42,7 @@ struct GrowingVector<P> {
 }
 
 impl<M: TangentMap> Spectrum<M> {
-    /// Creates an observer of the `k` largest exponents of a prepared map, or of a reference to
-    /// one.
+    /// Creates an observer of the `k` largest exponents of a prepared map.
     ///
     /// Vectors are orthogonalised every `every` steps. Between two orthogonalisations, no vector
     /// may outgrow another by more than the precision of the scalar.
@@ -54,8 +52,8 @@ impl<M: TangentMap> Spectrum<M> {
     pub fn new(map: M, k: usize, every: u64) -> Self {
         let variables = map.dimension();
         assert!(k <= variables && every > 0, "{k} exponents in {variables} variables, every {every} steps");
-        // If there are fewer vectors than variables, vectors must avoid invariant subspaces, which
-        // often are coordinate planes.
+        // If there are fewer vectors than variables, vectors must avoid coordinate planes, which
+        // are often invariant.
         let off_axis = if k < variables { 1 } else { 0 };
         let entry = |j: usize, i: usize| {
             let skew = Constant::ratio(off_axis * ((29 * i + 17 * j + 5) % 32) as i64, 64);
@@ -112,7 +110,6 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
     }
 }
 
-/// Makes each vector orthogonal to the vectors before it (Gram–Schmidt), and records its growth.
 fn make_orthogonal<P, T>(directions: &mut [GrowingVector<P>])
 where
     P: StateVector<T>,

@@ -1,7 +1,4 @@
 //! Maps that propagate tangent vectors, and the map of a point with its tangent vectors.
-//!
-//! In: a map at its ε, a point, and tangent vectors at this point. Out: the vectors at the next
-//! point. The number of variables may be known only at run time.
 
 #[cfg(feature = "std")]
 use std::vec::Vec;
@@ -35,12 +32,11 @@ use super::{Grouped, SideBySide, lanes::ByOneMap};
     note = "observers of derivatives take the map itself, `Lyapunov::new(&map)`, as it is without rounding errors or vectors beside its points; chains carry none"
 )]
 pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
-    /// Replaces the tangent vector `v` at the point `x` by J(x)·v, where J is the derivative of a
-    /// step.
+    /// Replaces the tangent vector `v` at `x` by J(x)·v, where J is the derivative of a step.
     fn push_forward(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// Replaces `v` by J(x)·v as [`push_forward`](Self::push_forward) does. `_next` is the next
-    /// state, which halves the work.
+    /// Replaces `v` by J(x)·v as [`push_forward`](Self::push_forward) does. The known next state
+    /// `_next` halves the work.
     #[inline(always)]
     fn push_forward_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
         self.push_forward(x, v);
@@ -49,12 +45,11 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Returns det J(x), where J is the derivative of a step.
     fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
 
-    /// Propagates the vectors of a group of trajectories along their points, each by its own map.
-    /// If `work` has room for squared lengths, these are written after each step.
+    /// Propagates the vectors of a group of trajectories, each by its own map, and writes squared
+    /// lengths if `work` has room for them.
     ///
     /// Returns the number of steps taken, which is smaller if a vector needs scaling. Returns
-    /// `None` if the maps differ or their steps have no lanes. The bits are those of
-    /// [`push_forward_to`](Self::push_forward_to).
+    /// `None` if the maps differ or their steps have no lanes.
     #[cfg(feature = "std")]
     #[doc(hidden)]
     fn push_forward_group<P: Grouped<Self::Scalar>>(
@@ -96,8 +91,7 @@ impl<M: TangentMap> TangentMap for &M {
     }
 }
 
-// Each map has its own implementation, because one for all `Staged<T, N>` would leave N
-// undetermined.
+// One implementation for all `Staged<T, N>` would leave N undetermined.
 macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map
@@ -166,8 +160,8 @@ fn point<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
 }
 
 /// A map on points with tangent vectors; see [`KahanAt::tangent`].
-/// A state has (1 + k)·n numbers: a point of n numbers, then k vectors. The vectors are neither
-/// scaled nor orthogonalised. A [part](Step::part) of a step changes only the point.
+/// A state is a point of n numbers, followed by k tangent vectors of n numbers. The vectors are
+/// neither scaled nor orthogonalised. A [part](Step::part) of a step changes only the point.
 ///
 /// ```
 /// use kahan_core::prelude::*;

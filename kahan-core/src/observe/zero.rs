@@ -1,8 +1,7 @@
 //! Searches for a sign change of a function, which may be a zero or a jump.
 //!
-//! In: a function on 0 ≤ θ ≤ 1 with opposite signs at the ends. Out: two arguments on both sides of
-//! the sign change, as close as the precision of θ allows. The function may have poles, jumps and
-//! NaNs. The search then ends normally, and [`is_zero`] tells zeros from jumps.
+//! The function may have poles, jumps and NaNs. The search then ends normally, and [`is_zero`]
+//! tells zeros from jumps.
 
 use crate::{Constant, FloatScalar};
 
@@ -12,13 +11,10 @@ pub(super) struct ZeroBracket<T> {
     pub height: T,
 }
 
-/// Returns u^⅓ for the unit roundoff u, which is 2⁻¹⁷ for `f64` and 2⁻⁸ for `f32`. A value beside
-/// the sign change counts as small if it is at most this fraction of the larger end value.
+/// Returns u^⅓ for the unit roundoff u, which is 2⁻¹⁷ for `f64` and 2⁻⁸ for `f32`.
 ///
-/// Adjacent arguments differ by about u. Let a step go from x to x̃. Near a zero, the rounding
-/// errors are about u·|x|/|x̃ − x| of the change from end to end. These errors stay below u^⅓ if
-/// the step moves the point by more than u^⅔ of its size. At a jump or a pole the values remain
-/// large.
+/// Near a zero, values are a smaller fraction of the larger end value, unless a step moves the
+/// point by less than u^⅔ of its size. At a jump or a pole the values remain large.
 pub(super) fn small<T: FloatScalar>() -> f64 {
     libm::exp2(-f64::from(T::SHORT_BITS))
 }
@@ -27,8 +23,7 @@ const fn digits<T: FloatScalar>() -> u32 {
     3 * T::SHORT_BITS
 }
 
-/// Returns whether the values at both arguments are small, relative to the finite values at the
-/// ends.
+/// Returns whether both values are small, relative to the finite values at the ends.
 pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2]) -> bool {
     let sizes = ends.map(|height| height.approximate().abs()).into_iter().filter(|size| size.is_finite());
     let most = small::<T>() * sizes.fold(0.0, f64::max);
@@ -37,10 +32,9 @@ pub(super) fn is_zero<T: FloatScalar>(places: [ZeroBracket<T>; 2], ends: [T; 2])
 
 /// Returns two arguments with the sign change between them, or a zero and an argument beside it.
 ///
-/// The search uses the Illinois method. Each new argument is the zero of a secant. If an end of the
-/// interval is retained, its value is halved in the next secant. Each new argument keeps a least
-/// distance from both ends. After two secants that did not halve the interval, and after a value
-/// beyond both ends, bisection replaces the secant.
+/// The search uses the Illinois method: each new argument is the zero of a secant, and the value at
+/// a retained end is halved in the next secant. Each new argument keeps a least distance from both
+/// ends. If secants do not halve the interval, bisection replaces the secant.
 pub(super) fn narrow<T: FloatScalar>(
     [start, end]: [T; 2],
     mut level: impl FnMut(T) -> T,
@@ -71,8 +65,7 @@ pub(super) fn narrow<T: FloatScalar>(
             at if at > 0.0 && at < 1.0 => secant,
             _ => half,
         };
-        // The function may be undefined at an isolated argument; therefore other arguments are
-        // tried.
+        // The function may be undefined at an isolated argument. Then other arguments are tried.
         let ratios = [ratio, half, half * half, half + half * half];
         let mut places = ratios.into_iter().map(|ratio| {
             let part = last.part + ratio * gap;
