@@ -1,7 +1,5 @@
 //! Applies one function to any map: a mass on a spring by Kahan's method, by order eight, and as a
 //! chain.
-//!
-//! Every map at its ε implements `Step`, including maps and chains that `kahan_runtime` reads.
 
 use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;
@@ -25,7 +23,7 @@ struct Clock {
     hand: SVector<f64, 2>,
 }
 
-/// Returns the time at which the first entry of a state is zero for the first time, for any map.
+/// Returns the first time at which the first entry of a state is zero.
 fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
     first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
 }

@@ -1,7 +1,7 @@
 //! Advances many trajectories at once: 2 500 springs that start close together lose their common
 //! phase.
 //!
-//! Larger oscillations take longer. Therefore the springs lose step, and the mean velocity decays.
+//! Larger oscillations take longer. Therefore the mean velocity decays.
 
 use kahan_core::prelude::*;
 

@@ -1,8 +1,7 @@
 //! Exact orbits over big rationals. The growth of their digits reveals integrals.
 //!
-//! After n steps, the number of digits has grown like n² if integrals confine the orbit to a curve
-//! (E6). Otherwise it doubles with every step (Lotka–Volterra). Steps forward and back are exactly
-//! the identity.
+//! If integrals confine the orbit to a curve (E6), the number of digits grows like the square of
+//! the number of steps. Otherwise each step doubles the digits (Lotka–Volterra).
 
 use kahan_core::prelude::*;
 
@@ -19,8 +18,7 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Returns the number of digits in the denominator of x after each of twelve steps. Also checks the
-/// steps back.
+/// Returns the number of digits in the denominator of x after each step. Also checks steps back.
 fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N]) -> Vec<usize> {
     let start = SVector::from(x.map(|(p, q)| BigRational::new(p.into(), q.into())));
     let eps = BigRational::new(1.into(), 3.into());

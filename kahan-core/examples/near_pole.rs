@@ -1,8 +1,8 @@
 //! Compares the results of `step` and `try_step` near a pole.
 //!
 //! The map of ẋ = x² is x̃ = x/(1 − 2εx). For x = 5 and the float nearest to 0.1 as ε, the
-//! denominator is −2⁻⁵⁴, which `step` rounds to 0. `try_step` bounds its own error and uses more
-//! digits if necessary. Its result is accurate to 64 roundings, or an error with the reason.
+//! denominator is −2⁻⁵⁴, which `step` rounds to 0. The result of `try_step` is accurate to 64
+//! roundings, or an error with the reason.
 
 use kahan_core::prelude::*;
 
@@ -15,7 +15,7 @@ kahan! {
 /// Prints and returns the results of both steps at several ε.
 pub(crate) fn run() -> Vec<(f64, Result<f64, SingularStep>)> {
     let x = vector![5.0];
-    // Three cases lie before the pole, one very near it, one behind it, and the last on the pole.
+    // The cases lie before the pole, very near it, behind it, and on it.
     let cases = [(0.05, x), (0.09, x), (0.099_999_999, x), (0.1, x), (0.12, x), (0.125, vector![4.0])];
     let mut answers = Vec::new();
     for (eps, x) in cases {

@@ -1,6 +1,6 @@
 //! An orbit of a freely rotating rigid body over ten thousand steps, and its integrals.
 //!
-//! Kahan's map of the Euler top has two proved integrals. In floats only rounding changes these.
+//! Kahan's map of the Euler top has two proved integrals, which only rounding changes.
 
 use kahan_core::prelude::*;
 

@@ -12,7 +12,7 @@ use super::systems::{Burst, E6, Turn};
 const EPS: f64 = 0.03;
 const STEPS: u64 = 9;
 
-/// Takes `STEPS` steps of `map`: one by one, all at once, with a used workspace, and through `dyn`.
+/// Takes `STEPS` steps of `map` one by one, all at once, and with a used workspace.
 fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspace) -> Vec<f64> {
     assert_eq!((map.dimension(), *map.eps()), (start.len(), EPS));
     let mut x = start.to_vec();
@@ -22,7 +22,7 @@ fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspa
         one_by_one = Step::next(&map, &one_by_one, workspace).unwrap();
     }
     assert_eq!(x, one_by_one);
-    // Takes a whole step and an empty step as fractions of a step.
+    // A whole step and an empty step, taken as fractions of a step.
     let (mut whole, mut none) = (start.to_vec(), start.to_vec());
     map.part(&EPS, &mut whole, workspace).unwrap();
     assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), workspace));
@@ -41,13 +41,12 @@ fn every_map_has_the_bits_of_its_own_methods() {
     let start = [0.5, 1.0, 0.25];
     let plain = E6.at(EPS);
     let composed = plain.composed(Composition::KAHAN_LI_8);
-    // One workspace serves all maps in turn.
     for _ in 0..2 {
         let expected = plain.orbit(start.into()).nth(STEPS as usize).unwrap();
         assert_eq!(advanced(&plain, &start, &mut workspace), expected.as_slice());
         let expected = composed.orbit(start.into()).nth(STEPS as usize).unwrap();
         assert_eq!(advanced(&composed, &start, &mut workspace), expected.as_slice());
-        // Long chains are stepped in parts. Two of these chains have equal sizes and share memory.
+        // The longer chain is stepped in parts.
         for sites in [3, 700] {
             let growth = |k: usize| vec![1.0 + 0.01 * k as f64; sites];
             chain(&Ring, sites, &mut workspace);
@@ -66,12 +65,12 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     let found = advanced(&at, &start, workspace);
     let own = || {
         let mut x = start.clone();
-        // The chain's own method `advance` is called, although the trait is in scope.
+        // The chain's own method `advance`, although the trait is in scope.
         at.advance(&mut x, STEPS);
         x
     };
     assert_eq!(found, own());
-    // One of the two threads may find that the other uses the chain's memory.
+    // One thread may find that the other uses the chain's memory.
     std::thread::scope(|scope| {
         for run in [scope.spawn(own), scope.spawn(own)] {
             assert_eq!(found, run.join().unwrap());
@@ -79,7 +78,6 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     });
 }
 
-/// A mode is a map. The states of a mode include the numbers that are stored beside the point.
 #[test]
 fn modes_are_maps() {
     let (start, mut workspace) = (vector![0.5, 1.0, 0.25], Workspace::new());
@@ -90,7 +88,6 @@ fn modes_are_maps() {
     Compensated(plain).advance(&mut carried, STEPS, &mut workspace).unwrap();
     assert_eq!(&carried[..3], points[STEPS as usize].as_slice());
     assert!(carried[3..].iter().any(|lacks| *lacks != 0.0));
-    // The states have the map's own type, or that of a map chosen at run time.
     let map = plain.compensated();
     assert_eq!(map.state(start.as_slice()), SMatrix::<f64, 3, 2>::from_columns(&[start, SVector::zeros()]));
     assert_eq!(Orbit::new(map, map.state(start.as_slice())).nth(9).unwrap(), points[9]);
@@ -98,10 +95,10 @@ fn modes_are_maps() {
     let state = chosen.state(start.as_slice());
     assert_eq!(state, [0.5, 1.0, 0.25, 0.0, 0.0, 0.0]);
     assert_eq!(Orbit::new(chosen, state).nth(9).unwrap()[..3], *points[9].as_slice());
-    // With its rounding errors, an orbit continues exactly. Without these, its points change.
+    // An orbit continues exactly only with its rounding errors.
     let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
-    // A fraction of a step is that of the plain map, and starts from the point.
+    // A fraction of a step is that of the plain map.
     let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);
     Compensated(&plain).part(&0.01, &mut part, &mut workspace).unwrap();
     plain.part(&0.01, &mut alone, &mut workspace).unwrap();
@@ -122,7 +119,7 @@ fn modes_are_maps() {
     plain.part(&0.01, &mut alone, &mut workspace).unwrap();
     assert_eq!((&part[..3], &part[3..]), (&alone[..], &beside[3..]));
 
-    // Takes a step over `f64` on `f32` states, at an ε that is exact in both types.
+    // This ε is exact in both types.
     let eps = 1.0 / 32.0;
     let through = ThroughF64::of_step(E6.at(eps));
     let single = start.map(|entry| entry as f32);
@@ -135,8 +132,7 @@ fn modes_are_maps() {
     assert_eq!(x, ThroughF64(E6).step(&single, eps as f32 / 2.0).as_slice());
 }
 
-/// Compares the tangent vectors that a map propagates with an orbit that has vectors beside its
-/// point.
+/// Compares propagated tangent vectors with an orbit that has vectors beside its point.
 fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, start: &[f64]) {
     let carried = Orbit::new(Tangent::new(map, 2), start.to_vec()).nth(STEPS as usize).unwrap();
     let columns = |numbers: &[f64]| SMatrix::<f64, 3, 3>::from_column_slice(numbers);
@@ -150,8 +146,6 @@ fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, st
     assert_eq!(columns(&carried), SMatrix::<f64, 3, 3>::from_columns(&[x, v, w]));
 }
 
-/// Observers read the orbit of a chain, or of a map chosen at run time, as they read that of a
-/// typed map.
 #[test]
 fn every_map_has_orbits() {
     let chain = LatticeMap::at(&Ring, EPS, 5).unwrap();
@@ -174,7 +168,6 @@ fn every_map_has_orbits() {
     let found = orbits.0.first_crossing(500, |x| x[2] - 0.2).unwrap();
     let expected = orbits.1.first_crossing(500, |x| x[2] - 0.2).unwrap();
     assert_eq!((found.time, found.point.as_slice()), (expected.time, expected.point.as_slice()));
-    // A compensated orbit also works. The points and fractions of steps are those of the map.
     let carried = plain.orbit(start.into()).compensated().first_crossing(500, |x| x[2] - 0.2).unwrap();
     assert_eq!(carried.step, expected.step);
     assert!((carried.time - expected.time).abs() < 1e-13);
@@ -208,8 +201,7 @@ fn a_state_of_another_length_panics() {
     let _ = E6.at(EPS).run(&mut [0.5, 1.0], 1);
 }
 
-/// On a circle, a step turns by the angle 2 arctan ε. After a quarter of the circle, x = 0 for the
-/// first time.
+/// A step turns by the angle 2 arctan ε. After a quarter of the circle, x is 0.
 #[test]
 fn a_first_crossing_is_told_of_any_map() {
     let map = Turn.at(EPS);
@@ -230,7 +222,6 @@ fn a_first_crossing_is_told_of_any_map() {
     assert!(first_crossing(any, vec![1.0, 0.0], steps as u64, |x| x[0]).is_none());
 }
 
-/// An observer that is done after this number of points.
 struct Until(u64, Vec<u64>);
 
 impl Observer<f64> for Until {
@@ -277,13 +268,11 @@ fn in_an_ensemble_each_trajectory_is_seen_until_it_is_done() {
             Drift::of(|x: &[f64]| [x[1]]),
         )
     };
-    // The bits equal those of single orbits.
     let mut ensemble = Ensemble::new(starts.clone()).at_level(Level::Baseline).unwrap();
     let reports = ensemble.observe(&map, 40, observers);
     for (index, (start, report)) in starts.iter().zip(reports).enumerate() {
         assert_eq!(report, map.orbit(*start).observe(40, observers(index)));
         assert_eq!(report.0.len(), (2 + 3 * index).min(41));
-        // Trajectories continue after their observers are done.
         assert_eq!(ensemble.point(index).unwrap(), map.orbit(*start).nth(40).unwrap());
     }
 }
@@ -308,10 +297,9 @@ fn escapes_and_crossings_can_end_a_run() {
     assert_eq!(orbit.next(), map.orbit(start).nth(ended.kept[1].step as usize + 2));
 }
 
-/// On a circle the map rotates by 2 arctan ε per step, and a fraction θ of a step by 2 arctan θε.
 #[test]
 fn orbits_are_told_by_time() {
-    // The times are multiples of the time step ¼, and times half-way between these.
+    // The times are multiples of the time step ¼, and times half-way between them.
     let eps = 0.125_f64;
     let start = vector![0.6, 0.8];
     let points: Vec<_> = Turn.orbit(start, eps).take(9).collect();
@@ -325,7 +313,6 @@ fn orbits_are_told_by_time() {
     assert!(orbit.at_times(&[0.25, 0.375]).eq([points[4], half(4)]));
     let back: Vec<_> = Turn.orbit(start, -eps).at_times(&[-0.25, -0.375]).collect();
     assert_eq!(back[1], Turn.step(&Turn.step(&start, -eps), -eps / 2.0));
-    // A negative fraction of a step reaches an earlier time.
     let back: Vec<_> = Turn.orbit(start, eps).at_times(&[0.5, 0.25]).collect();
     assert_eq!(back[1], Turn.step(&points[2], -eps));
 
@@ -341,7 +328,7 @@ fn orbits_are_told_by_time() {
         stages.map(|stage| 2.0 * (stage * part * eps).atan()).sum()
     };
     let angle = 0.6_f64.atan2(0.8) + 7.0 * turn(1.0) + turn(1.9 / (2.0 * eps) - 7.0);
-    // The orbit has about a hundred stages, each of which rounds by one or two units of 2⁻⁵³.
+    // About a hundred stages round by one or two units of 2⁻⁵³.
     assert!((last[0] - angle.sin()).abs() < 2e-14, "{last}");
 
     let mut orbit = Turn.orbit(start, eps);

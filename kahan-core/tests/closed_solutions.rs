@@ -34,9 +34,8 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// The flow is computed in about forty pieces. The error of each piece is less than a rounding unit
-/// u relative to x ≤ 1. The flow finally contracts. Before it contracts, the flow amplifies an
-/// early error by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
+/// The flow has about forty pieces, each with an error below one rounding unit. Later, the flow
+/// amplifies an early error by at most 1/(4x₀) = 2.5.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -44,7 +43,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     for k in 0..=1000 {
         let t = f64::from(k) / 100.0;
         let (narrow, wide) = (f64s.at(t.into())[0], dds.at(t.into())[0]);
-        // The function `exp` and the four operations around it round by 3 u in all.
+        // The function `exp` and four operations round by 3 units.
         let exact = 0.1 / (0.1 + 0.9 * (-t).exp());
         assert!((f64::from(wide) - exact).abs() <= 3.0 * f64::EPSILON, "t = {t}");
         let apart = f64::from((Dd::from(narrow) - wide).abs());
@@ -52,8 +51,7 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     }
 }
 
-/// Both integrals of the top are conserved in `Dd`, up to a hundred errors 2⁻¹⁰⁶ that the flow adds
-/// linearly.
+/// Each piece of the flow has an error of about 2⁻¹⁰⁶.
 #[test]
 fn the_integrals_of_the_top_are_kept_in_double_double() {
     let flow = through::<_, Dd, 3>(&Top, [0.5, 1.0, 0.75], 40.0).expect("it exists");
@@ -96,7 +94,7 @@ kahan! {
     sdot = 100*s*(n - 1);
 }
 
-/// The sum x + y + z is always 1. After an initial layer of about 1e-3, y is about 3.6e-5.
+/// The sum x + y + z is always 1.
 #[test]
 fn a_stiff_beginning_is_seen() {
     let flow = through::<_, Dd, 3>(&Kinetics, [1.0, 0.0, 0.0], 1.0).expect("it exists");
@@ -108,7 +106,7 @@ fn a_stiff_beginning_is_seen() {
     }
 }
 
-/// While s is small, n = 2 - 2e^{-t}. Hence s = s₀ exp(100(t - 2 + 2e^{-t})).
+/// While s is small, n = 2 − 2e^{−t}. Hence s = s₀ exp(100(t − 2 + 2e^{−t})).
 #[test]
 fn a_component_that_is_small_keeps_its_digits() {
     let flow = through::<_, f64, 2>(&Laser, [0.0, 1e-9], 1.5).expect("it exists");
@@ -116,8 +114,7 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // The integral ∫ns dt is subtracted from n. The integral stays below 1e-12 for t < 0.1, and
-        // is negligible later. The exponent multiplies the integral by 100.
+        // The neglected term ∫ns dt stays below 1e-12, and the exponent multiplies it by 100.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

@@ -1,6 +1,6 @@
 //! Runs the example programs, and checks the statements in their module heads.
 
-// The examples' `main` is for cargo. The tests call `run`, which returns the printed numbers.
+// The tests call `run`, which returns the printed numbers. Only cargo calls `main`.
 #![allow(dead_code)]
 
 #[path = "../examples/any_map.rs"]
@@ -20,7 +20,7 @@ mod trade;
 
 #[test]
 fn an_orbit_keeps_its_integrals_to_roundings() {
-    // Each of ten thousand steps changes an integral near 1 by a few roundings.
+    // Each of ten thousand steps rounds an integral near 1 a few times.
     let change = orbit::run();
     assert!(change < 1e-12, "{change:e}");
 }
@@ -28,8 +28,7 @@ fn an_orbit_keeps_its_integrals_to_roundings() {
 #[test]
 fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
     let [confined, free] = exact::run();
-    // From step 6 to step 12, the number of digits grows by the factor 4 (E6) or 2⁶
-    // (Lotka–Volterra).
+    // From step 6 to step 12, the digits grow by the factor 4 (E6) or 2⁶ (Lotka–Volterra).
     let growth = |digits: &[usize]| digits[11] as f64 / digits[5] as f64;
     assert!((3.0..5.0).contains(&growth(&confined)), "{confined:?}");
     assert!((50.0..80.0).contains(&growth(&free)), "{free:?}");
@@ -76,7 +75,7 @@ fn a_smaller_tolerance_is_kept_by_a_higher_order() {
 fn one_function_tells_when_any_map_crosses_zero() {
     let [by_type, plain, of_order_eight, of_chain] = any_map::run();
     let quarter = std::f64::consts::FRAC_PI_2;
-    // A step of order two rotates by 2 arctan ε instead of 2ε. Here ε² is 10⁻⁴ and ε⁸ is 10⁻¹⁶.
+    // A step of order two rotates by 2 arctan ε instead of 2ε, and ε² is 10⁻⁴.
     assert!(by_type == plain && (plain / quarter - 1.0).abs() < 1e-4);
     assert!((of_order_eight / quarter - 1.0).abs() < 1e-13);
     assert!((of_chain - plain).abs() < 1e-13);

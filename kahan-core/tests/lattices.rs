@@ -1,5 +1,4 @@
-//! Compares steps of families with plain blocks and with the defining equation, and tests
-//! integrals.
+//! Compares families with plain blocks and with the defining equation, and tests integrals.
 
 use kahan_core::LatticeError;
 use kahan_core::prelude::*;
@@ -73,7 +72,6 @@ fn a_linear_sum_is_kept() {
         let before = ring.integrals(&start)[0];
         let mut state = start.clone();
         ring.advance(&mut state, 100);
-        // Each step rounds each entry once or twice.
         assert!((ring.integrals(&state)[0] - before).abs() < 1e-13 * before, "{sites}");
         let mut state = start.clone();
         chain.advance(&mut state, 100);
@@ -149,7 +147,7 @@ fn a_divisor_of_zero_is_an_error() {
     assert!(Kdv { h: one }.at(zero, 9).is_ok());
 }
 
-/// The constant 1/h³ exceeds the range of f32, but the step does not.
+/// The constant 1/h³ exceeds the range of `f32`, but the step does not.
 #[test]
 fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     let (h, eps, sites) = (1e-20_f32, 1e-30_f32, 9);
@@ -162,12 +160,12 @@ fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     at.try_step(&mut next).unwrap();
     let exact = Kdv { h: rational(&h) }.at(rational(&eps), sites).unwrap();
     let [before, next] = [before, next].map(|state| state.iter().map(rational).collect::<Vec<_>>());
-    // Each row has five entries, and the rounding unit u is 2⁻²⁴.
+    // Each row has five entries, and the rounding unit is 2⁻²⁴.
     assert!(exact.residual(&before, &next) <= BigRational::new((5 + 8).into(), (1_i64 << 24).into()));
 }
 
-/// At this site f and f′x exceed their sum by 350 powers of ten. Therefore a residual computed from
-/// f and f′x has no known digit. The digits of x̃ are known.
+/// The residual is a difference of terms that are 350 powers of ten larger, and has no known digit.
+/// The digits of x̃ are known.
 #[test]
 fn a_step_whose_digits_are_known_needs_no_residual() {
     kahan! {
@@ -178,8 +176,7 @@ fn a_step_whose_digits_are_known_needs_no_residual() {
     let crowd = Crowd { q: vec![q, 0.25], r: vec![r, 2.0] };
     let mut state = vec![8.803_863_726_421_91e96, 1.0];
     crowd.at(-2.5e-99, 2).expect("a map").try_step(&mut state).expect("a step");
-    // With a = 1/r² and b = q/r², the first site moves to x(1 + εa)/(1 − εa + 2εbx), which is near
-    // a/(2b). The other site hardly moves.
+    // With a = 1/r² and b = q/r², the first site moves nearly to a/(2b).
     assert_eq!(state, [0.5 / q, 1.0]);
 }
 
@@ -187,7 +184,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
 }
 
-/// With half the time step, the error at time 1 is a quarter, up to the next term.
+/// With half the time step, the error at time 1 is a quarter.
 #[test]
 fn chains_are_of_order_two_and_go_back() {
     fn check<M: LatticeMap<f64>>(map: &M, sites: usize, steps: u64) {
@@ -206,7 +203,6 @@ fn chains_are_of_order_two_and_go_back() {
         let mut state = start.clone();
         chain.advance(&mut state, 100);
         (0..100).for_each(|_| chain.step_back(&mut state));
-        // Each of two hundred steps rounds numbers of size one several times.
         assert!(apart(&state, &start) < 200.0 * 64.0 * f64::EPSILON, "{:e}", apart(&state, &start));
     }
     for sites in [7, 300] {
@@ -218,8 +214,8 @@ fn chains_are_of_order_two_and_go_back() {
     }
 }
 
-/// Conserved sums do not drift. The least-squares line through a thousand values rises less than it
-/// would if the rounding errors of all steps had equal signs.
+/// The least-squares line through a thousand values rises less than it would if all rounding errors
+/// had equal signs.
 #[test]
 fn kept_sums_have_no_slope() {
     let (sites, h, rounds) = (300, 0.25, 1000);
@@ -227,7 +223,7 @@ fn kept_sums_have_no_slope() {
     let hump = |x: f64| 1.0 / x.cosh().powi(2);
     let mut state: Vec<f64> =
         (0..sites).map(|i| h * i as f64).map(|x| 2.0 * hump(x - 20.0) + 0.5 * hump(x / 2.0 - 22.0)).collect();
-    // The terms of mass and energy are taken with positive sign.
+    // The terms of mass and energy have positive signs here.
     let slopes = (0..sites).map(|i| ((state[(i + 1) % sites] - state[i]) / h).powi(2) / 2.0);
     let terms =
         [state.iter().sum::<f64>(), slopes.sum::<f64>() + state.iter().map(|u| u.powi(3)).sum::<f64>()];

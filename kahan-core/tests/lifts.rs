@@ -85,7 +85,7 @@ fn first_values_are_those_of_libm() {
     assert_eq!(kepler, vector![3.0, 4.0, 0.5, -0.25, 0.024, 0.032, 1.5625, 0.02, 0.008, -0.2]);
 
     let morse = Morse { depth: 2.0, a: 0.5 }.embed(&vector![1.0, 0.0]);
-    // The exponential is exp(a x). The new variables are powers of it.
+    // The new variables are powers of the exponential exp(a x).
     let exponential = 1.648_721_270_700_128_2_f64;
     assert_eq!(morse, vector![1.0, 0.0, (exponential * exponential).recip(), exponential.recip()]);
 }
@@ -129,7 +129,7 @@ fn orbits_keep_the_energy_to_rounding() {
     assert!(change(&morse, start, 0.05, 20_000, |x| morse.E(x, 0.05)) < 1e-13);
 }
 
-/// If ε is halved, the error is a quarter. The limit cycle is attracting, and errors do not grow.
+/// With half of ε, the error is a quarter. The limit cycle attracts, so that errors do not grow.
 #[test]
 fn the_lift_has_the_solutions_of_the_equations() {
     let neuron = FitzHughNagumo { a: 0.7, b: 0.8, tau: 12.5, current: 0.5 };

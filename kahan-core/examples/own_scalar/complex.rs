@@ -1,6 +1,6 @@
 //! Complex numbers as a scalar, with the operators, 0 and 1, and the conversion of constants.
 //!
-//! A new type is necessary, because Rust forbids implementing a foreign trait for a foreign type.
+//! A new type is necessary, because Rust forbids a foreign trait on a foreign type.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -1,7 +1,7 @@
 //! A user-defined scalar. Over complex numbers, an orbit goes around a pole of its solution.
 //!
 //! The solution x(t) = tan t has a pole at π/2. A half circle in complex time leads from 0 around
-//! the pole to 3, where x is tan 3. The complex type is in `complex.rs`.
+//! the pole to 3.
 
 mod complex;
 
@@ -15,8 +15,7 @@ kahan! {
     xdot = 1 + x^2;
 }
 
-/// Returns the time at a fraction of the path, 3/2 + 3/2 exp(iθ). Along the path θ falls from π to
-/// 0.
+/// Returns the time at a fraction of the path, 3/2 + 3/2 exp(iθ) with θ from π to 0.
 fn time(fraction: f64) -> nalgebra::Complex<f64> {
     let (sine, cosine) = (std::f64::consts::PI * (1.0 - fraction)).sin_cos();
     nalgebra::Complex::new(1.5 + 1.5 * cosine, 1.5 * sine)

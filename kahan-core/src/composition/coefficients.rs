@@ -1,9 +1,8 @@
 //! The coefficients of the compositions, with 40 digits after the point.
 //!
-//! The published coefficients have 20 to 26 digits. Newton's iteration on the order conditions
-//! refined them before they were rounded; where two sets have a free parameter, each step made the
-//! least change. A test checks the order conditions, the sums and the rounding. The last entry of a
-//! set is the middle coefficient, which is 1 minus twice the sum of the other entries.
+//! Newton's iteration on the order conditions refined the published coefficients, which have 20 to
+//! 26 digits. A test checks the order conditions, the sums and the rounding. The last entry of a
+//! set is the middle coefficient.
 
 use crate::Constant;
 

@@ -1,7 +1,6 @@
 //! A composition at fixed ε, and its orbits.
 //!
-//! In: a map at its ε, and a composition. Out: steps that run the stages (Kahan steps) in order.
-//! The distinct stages lie in an array of fixed size, and therefore nothing is allocated.
+//! The stages lie in an array of fixed size, and therefore nothing is allocated.
 
 use core::array::from_fn;
 use core::fmt;
@@ -23,7 +22,7 @@ pub struct Composed<S: Step> {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palindrome<P> {
-    /// The distinct stages in the first `len` entries, followed by copies of the middle stage.
+    /// The distinct stages in the first `len` entries, then copies of the middle stage.
     pub(super) steps: [P; MOST],
     pub(super) len: usize,
 }
@@ -32,8 +31,8 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates the palindrome of 2·`len` − 1 stages. Stage k of the palindrome is `step(k)`, and
-    /// `len` is 1 to 9.
+    /// Creates the palindrome of 2·`len` − 1 stages, where `step(k)` is stage k and `len` is 1 to
+    /// 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -79,8 +78,7 @@ impl<S: Step> Composed<S> {
         Orbit::new(self.clone(), x)
     }
 
-    /// Returns the state after one time step 2ε. The state is infinite or NaN if a stage meets a
-    /// pole.
+    /// Returns the state after one time step 2ε, which is infinite or NaN if a stage meets a pole.
     #[inline]
     pub fn step(&self, x: &S::State) -> S::State {
         let Some(next) = self.next(x, &mut Workspace::new()) else {
@@ -108,7 +106,7 @@ impl<S: Step> Step for Composed<S> {
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
-        // The first stage can step at any ε, and therefore takes the steps of all stages.
+        // The first stage can step at any ε, and therefore takes all steps.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
         gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
@@ -172,10 +170,9 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// Replaces each step of this orbit by a composition, for a higher order. The composition runs
-    /// steps with γ₁ε, …, γₛε, where the γᵢ are its coefficients. Every stage is prepared once. A
-    /// composed step still advances the time by 2ε and yields one point. [`Composition`] lists
-    /// conserved properties and cost.
+    /// Replaces each step of this orbit by a composition, for a higher order. A composed step still
+    /// advances the time by 2ε and yields one point. [`Composition`] lists conserved properties and
+    /// cost.
     ///
     /// ```
     /// use kahan_core::Composition;

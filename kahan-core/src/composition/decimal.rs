@@ -45,7 +45,7 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// Parses a number: an optional sign, digits, a point and 40 digits.
+    /// Parses an optional sign, digits, a point and 40 digits.
     pub(super) const fn read(text: &str) -> Self {
         let text = text.as_bytes();
         let negative = text[0] == b'-';
@@ -80,8 +80,8 @@ impl Decimal {
     }
 }
 
-/// Rounds part/10⁴⁰, a number from 0 to 2, to `bits` bits. Returns the float, the remainder of the
-/// long division, and the value of the float's last bit.
+/// Rounds part/10⁴⁰, a number from 0 to 2, to `bits` bits. Returns the float, the remainder, and
+/// the value of the float's last bit.
 const fn nearest(part: Integer256, bits: u32) -> (f64, Integer256, f64) {
     let (mut rest, mut unit) = (part, 1.0);
     while rest.is_less_than(UNIT) {

@@ -1,7 +1,6 @@
 //! Compositions: steps of higher order made of several Kahan steps.
 //!
-//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. A Kahan step
-//! φ_ε is symmetric: its inverse is φ₋ε. Therefore a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with
+//! The inverse of a Kahan step φ_ε is φ₋ε. Therefore a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with
 //! symmetric γᵢ of sum 1 is symmetric, too, and its order is even. The order is p if the
 //! [`coefficients`] γᵢ satisfy the order conditions up to p.
 
@@ -20,8 +19,6 @@ pub(crate) use stages::Staged;
 /// A symmetric composition of s Kahan steps, with coefficients γ₁, …, γₛ and γᵢ = γₛ₊₁₋ᵢ. A
 /// composed step at ε runs Kahan steps at γ₁ε, …, γₛε in this order.
 ///
-/// The constants below are all available compositions.
-///
 /// # What survives
 /// - **Reversibility**: the inverse of a composition is the composition with −ε.
 /// - **Affine equivariance** and **linear integrals**, as for Kahan's map.
@@ -30,18 +27,17 @@ pub(crate) use stages::Staged;
 ///   Euler top).
 ///
 /// # What does not
-/// - **Integrals and measures that depend on ε**: stage i conserves the integral at γᵢε, but the
-///   composition conserves no integral. In a method of order p, H and K of E2, E4, E5, E6 and the
-///   Euler top oscillate by O(εᵖ) around the flow's integral, without drift.
+/// - **Integrals and measures that depend on ε**: the composition conserves none of these. In a
+///   method of order p, H and K of E2, E4, E5, E6 and the Euler top oscillate by O(εᵖ) around the
+///   flow's integral, without drift.
 /// - **Exactness**: the coefficients are irrational, so a composition exists only over floats.
 /// - **Short binary ε** ([`nearest_short_eps`](crate::nearest_short_eps)): the products γᵢε are
 ///   rounded.
 ///
 /// # Cost
-/// A composed step costs s Kahan steps, of which (s + 1)/2 are distinct and prepared once. The sum
-/// Σ|γᵢ| is the total length of the stages relative to 2ε; a smaller sum means a smaller error.
-/// Some γᵢ are negative. Hence a composition also steps back, and may meet a pole that the plain
-/// step avoids.
+/// A composed step costs s Kahan steps, of which (s + 1)/2 are distinct and prepared once. A
+/// smaller sum Σ|γᵢ| means a smaller error. Some γᵢ are negative. Hence a composition also steps
+/// back, and may meet a pole that the plain step avoids.
 ///
 /// | constant | order | stages | Σ\|γ\| |
 /// |---|---|---|---|
@@ -55,8 +51,7 @@ pub(crate) use stages::Staged;
 pub struct Composition {
     name: &'static str,
     order: u32,
-    /// The coefficients γ₁, …, γ_{(s+1)/2} of s stages. The last of these is the middle
-    /// coefficient.
+    /// The coefficients γ₁, …, γ_{(s+1)/2} of s stages, up to the middle coefficient.
     first_half: &'static [Constant<'static>],
 }
 
@@ -64,27 +59,26 @@ impl Composition {
     /// Kahan's map itself, of order 2 with one stage.
     pub const KAHAN: Self = Self::new("KAHAN", 2, coefficients::KAHAN);
 
-    /// Order 4 with 3 stages, the minimum. The first coefficient is γ₁ = 1/(2 − 2^{1/3}), and Σ|γ|
-    /// = 4.40.
+    /// Order 4 with 3 stages, the minimum: γ₁ = 1/(2 − 2^{1/3}), and Σ|γ| = 4.40.
+    /// [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost.
     ///
-    /// This composition serves as a reference; [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for
-    /// its cost. M. Creutz, A. Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth,
-    /// Physica D 43 (1990) 105; H. Yoshida, Phys. Lett. A 150 (1990) 262.
+    /// M. Creutz, A. Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth, Physica D 43
+    /// (1990) 105; H. Yoshida, Phys. Lett. A 150 (1990) 262.
     pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, coefficients::TRIPLE_JUMP);
 
-    /// Order 4 with 5 stages, recommended at order 4. The coefficients begin with γ₁ = γ₂ = 1/(4 −
-    /// 4^{1/3}), and Σ|γ| = 2.32. M. Suzuki, Phys. Lett. A 146 (1990) 319.
+    /// Order 4 with 5 stages, recommended at order 4: γ₁ = γ₂ = 1/(4 − 4^{1/3}), and Σ|γ| = 2.32.
+    /// M. Suzuki, Phys. Lett. A 146 (1990) 319.
     pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, coefficients::SUZUKI_4);
 
     /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a. W. Kahan, R.-C. Li, Math. Comp. 66
     /// (1997) 1089.
     pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, coefficients::KAHAN_LI_6);
 
-    /// Order 8 with 15 stages, the minimum. The coefficients have Σ|γ| = 6.53.
+    /// Order 8 with 15 stages, the minimum, and Σ|γ| = 6.53. [`KAHAN_LI_8`](Self::KAHAN_LI_8) is
+    /// more accurate for its cost.
     ///
-    /// This composition serves as a reference; [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate
-    /// for its cost. M. Suzuki, K. Umeno, in Computer Simulation Studies in Condensed-Matter
-    /// Physics VI (1993) 74; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
+    /// M. Suzuki, K. Umeno, in Computer Simulation Studies in Condensed-Matter Physics VI (1993)
+    /// 74; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
     pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, coefficients::SUZUKI_UMENO_8);
 
     /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a and recommended at order 8. W. Kahan,
@@ -109,8 +103,7 @@ impl Composition {
     /// The recommended compositions. The other compositions cost more for an equal error.
     pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
 
-    /// Returns the recommended composition of this order from [`BEST`](Self::BEST), if there is
-    /// one.
+    /// Returns the composition of this order in [`BEST`](Self::BEST), if there is one.
     pub fn of_order(order: u32) -> Option<Self> {
         Self::BEST.into_iter().find(|best| best.order == order)
     }
@@ -120,8 +113,7 @@ impl Composition {
         self.name
     }
 
-    /// Returns the order p. A step has an error O(εᵖ⁺¹), and an orbit at a fixed time has an error
-    /// O(εᵖ).
+    /// Returns the order p. A step has an error O(εᵖ⁺¹), and an orbit at a fixed time O(εᵖ).
     pub const fn order(&self) -> u32 {
         self.order
     }
@@ -131,8 +123,7 @@ impl Composition {
         2 * self.first_half.len() - 1
     }
 
-    /// Iterates over the coefficients γ₁, …, γₛ, exact decimals with 40 digits whose sum is exactly
-    /// 1.
+    /// Iterates over the coefficients γ₁, …, γₛ, exact decimals with 40 digits and the exact sum 1.
     pub fn coefficients(
         &self,
     ) -> impl DoubleEndedIterator<Item = &'static Constant<'static>> + ExactSizeIterator {

@@ -1,6 +1,4 @@
 //! The stages of a step, for callers that run the stages in SIMD lanes or with tangent vectors.
-//!
-//! A prepared map is its own single stage. A composition has several stages.
 
 use nalgebra::SVector;
 
@@ -20,8 +18,7 @@ pub(crate) trait Staged<T: Scalar, const N: usize>:
 
     fn in_order<'a, P: 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P>;
 
-    /// Combines the k-th stages of several maps by the function `of`. Returns `None` if the
-    /// compositions differ.
+    /// Combines the k-th stages of several maps, or returns `None` if the compositions differ.
     #[cfg(feature = "std")]
     fn zip_stages<P, const W: usize>(
         each: [&Self; W],

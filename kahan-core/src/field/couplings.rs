@@ -1,8 +1,7 @@
 //! Sparse elimination: tables of the entries of A(x,ε) = I − εf′(x), and loops over these tables.
 //!
-//! In: the entries of A, in the order of the tables. Out: A = L·U in place, and solutions of A·x =
-//! b. Rows are never exchanged; [`factor`](Couplings::factor) reports pivots that are too small for
-//! this.
+//! The tables describe A, and its LU factors in place of A. Rows are never exchanged;
+//! [`factor`](Couplings::factor) reports pivots that are too small.
 
 use core::ops::Range;
 
@@ -10,12 +9,10 @@ use crate::{Constant, Scalar};
 
 /// The ratio above which a pivot is too small. If an entry of the pivot's row and an entry of its
 /// column both exceed the pivot by more than this ratio, the step uses partial pivoting instead.
-///
-/// Otherwise elimination subtracts only products of at most 16 times an entry of the row or column.
 pub const LARGEST_FACTOR: i64 = 16;
 
-/// The entries of A(x,ε), including those that elimination fills in, row by row. Rows and columns
-/// are in elimination order.
+/// The entries of A(x,ε), including those that elimination fills in. Rows and columns are in
+/// elimination order.
 #[derive(Clone, Copy, Debug)]
 pub struct Couplings<'a> {
     /// The variables in the order of elimination.
@@ -24,9 +21,9 @@ pub struct Couplings<'a> {
     pub rows: &'a [CouplingRow],
     /// For each entry, its column.
     pub columns: &'a [u32],
-    /// For each diagonal block, the index of its last row plus 1. Blocks are solved in order.
+    /// For each diagonal block, the index after its last row. Blocks are solved in order.
     pub blocks: &'a [u32],
-    /// For each entry of f′ that is not identically zero, its index among the entries of A.
+    /// For each nonzero entry of f′, its index among the entries of A.
     pub places: &'a [u32],
 }
 
@@ -40,8 +37,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Creates a row. The arguments are the indices of its first entry, of its first entry in its
-    /// own diagonal block, and of its diagonal entry, and the end of its entries.
+    /// Creates a row from the indices of its first entry, of the first entry in its diagonal block,
+    /// of its diagonal entry, and after its last entry.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }
@@ -59,7 +56,7 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// Returns the entries that forward substitution multiplies by unknowns that are already known.
+    /// Returns the entries that forward substitution multiplies by known unknowns.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }
@@ -92,7 +89,7 @@ impl Couplings<'_> {
     }
 
     /// Replaces A by its LU factors. Returns `false` if a pivot is 0. Before each reduction of a
-    /// row, `see` is called with the pivot's row, the factor, and the current values.
+    /// row, `see` is called with the pivot's row, the factor, and the current entries.
     pub fn eliminate<T: Scalar>(
         &self,
         values: &mut [T],
@@ -137,8 +134,7 @@ impl Couplings<'_> {
         self.rows.iter().map(|row| &values[row.diagonal as usize])
     }
 
-    /// Solves A·x = b in place from LU factors, in elimination order. As soon as back substitution
-    /// knows an unknown, it subtracts that unknown's column.
+    /// Solves A·x = b in place from LU factors, in elimination order.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let mut first = 0;
         for end in self.blocks {
@@ -184,8 +180,7 @@ impl Couplings<'_> {
         })
     }
 
-    /// Iterates over the entries of f′ in the order of `places`, and yields the row and the column
-    /// variable of each.
+    /// Iterates over the entries of f′ in the order of `places`, as pairs of a row and a column.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
         let mut row = 0;
         self.places.iter().map(move |&place| {
@@ -196,8 +191,7 @@ impl Couplings<'_> {
         })
     }
 
-    /// Returns the largest number of entries in a row of A, not counting entries filled in by
-    /// elimination.
+    /// Returns the largest number of entries in a row of A before elimination.
     #[must_use]
     pub fn widest_row(&self) -> usize {
         let width = |row: &CouplingRow| {

@@ -1,9 +1,7 @@
 //! Linear algebra on small matrices over any scalar.
 //!
-//! In: matrices whose size is part of the type. Out: solutions, determinants, products with the
-//! adjugate. [`solve`] and [`determinant`] use partial pivoting.
-//! [`determinant_and_adjugate_product`] has no poles, because it only adds and multiplies. Only
-//! operations of the scalar may allocate.
+//! [`solve`] and [`determinant`] use partial pivoting. [`determinant_and_adjugate_product`] only
+//! adds and multiplies, and therefore has no poles. Only operations of the scalar may allocate.
 
 use core::array::from_fn;
 
@@ -20,7 +18,7 @@ pub fn solve<T: Scalar, const N: usize, const M: usize>(
     Some(b)
 }
 
-/// Solves A·X = B in place of B and overwrites A, which avoids copies of large matrices.
+/// Solves A·X = B in place of B, and overwrites A.
 #[inline(always)]
 pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, N>,
@@ -59,7 +57,7 @@ pub fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
 pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries must be zero, because a zero pivot proves nothing if another entry is NaN.
+        // All entries must be zero, because beside a NaN a zero pivot proves nothing.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -86,9 +84,8 @@ pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<
 ///
 ///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
 ///
-/// The second equation follows from the Cayley–Hamilton theorem. For Kahan's matrix A = I − εf′,
-/// the matrix C is εf′ and its terms are small with ε. Therefore computing with C instead of A
-/// avoids cancellation. The cost is O(N⁴) operations.
+/// For Kahan's matrix A = I − εf′, the matrix C is εf′ and small with ε. Therefore the sum has no
+/// cancellation. The cost is O(N⁴) operations.
 pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,
@@ -127,8 +124,7 @@ fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) 
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // With t the Toeplitz column: new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k). Entry k of
-        // an array has index k+1.
+        // With t the Toeplitz column: new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k).
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {
@@ -174,13 +170,12 @@ fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize
     sum
 }
 
-/// Returns the row with the best pivot in column k, among the rows from k on. Of equal pivots, the
-/// first is taken.
+/// Returns the row with the best pivot in column k, the first of equal ones, among the rows from k
+/// on.
 fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
     (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
 }
 
-/// Subtracts factor · row k from row i, in the columns from `from` on.
 fn subtract_row<T: Scalar, const N: usize, const M: usize>(
     a: &mut SMatrix<T, N, M>,
     i: usize,
@@ -205,13 +200,11 @@ pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
 }
 
-/// Returns a vector with these entries.
 #[inline(always)]
 pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))
 }
 
-/// Returns the entries of a vector as an array, for destructuring.
 #[inline(always)]
 pub fn components<T, const N: usize>(vector: &SVector<T, N>) -> &[T; N] {
     let [entries] = &vector.data.0;

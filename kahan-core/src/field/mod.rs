@@ -1,8 +1,6 @@
 //! The vector field f: four functions determine f and all formulas of the method.
 //!
-//! In: a state x. Out: f(x), f′(x), and the two symmetric forms whose values at (x, x) are the
-//! quadratic part of f and f itself. If coefficients of f depend on ε, these functions take them at
-//! ε = 0.
+//! If coefficients of f depend on ε, these functions take the coefficients at ε = 0.
 
 pub(crate) mod couplings;
 pub(crate) mod linear;
@@ -16,8 +14,7 @@ pub use named::{Integrals, Named};
 
 /// A quadratic vector field f(x) = Q(x) + Bx + c on Tᴺ.
 ///
-/// [`kahan!`](crate::kahan!) implements this trait. Handwritten methods must all describe one
-/// field.
+/// [`kahan!`](crate::kahan!) implements this trait.
 pub trait QuadraticField<T: Scalar, const N: usize> {
     /// Returns f(x), the right-hand side of the equation ẋ = f(x).
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N>;

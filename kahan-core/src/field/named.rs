@@ -9,8 +9,7 @@ pub trait Named {
     /// Returns the names of the state variables, in the order of the entries of a state.
     fn variables(&self) -> &'static [&'static str];
 
-    /// Returns the names of the parameters, in the order of their declaration. The default is
-    /// empty.
+    /// Returns the names of the parameters, in the order of their declaration.
     fn parameters(&self) -> &'static [&'static str] {
         &[]
     }

@@ -155,8 +155,7 @@ pub trait Observer<T> {
     /// Processes the point after `step` steps. Step 0 is x₀, and steps come in order.
     fn observe(&mut self, step: u64, x: &[T]);
 
-    /// Returns whether the observer needs no further points. A loop calls this method after each
-    /// point.
+    /// Returns whether the observer needs no further points.
     ///
     /// A finished observer ends the run of an orbit. In an ensemble its trajectory continues
     /// unobserved. Tuples, arrays and vectors finish as soon as one of their members finishes.

@@ -1,8 +1,7 @@
 //! The common interface of all maps at their ε.
 //!
-//! In: a state as a slice. Out: the state after some steps, in place. A function over [`Step`]
-//! accepts compiled maps, maps read at run time, chains and compositions, as a type or as `&dyn
-//! Step`.
+//! A function over [`Step`] accepts compiled maps, maps read at run time, chains and compositions,
+//! as a type or as `&dyn Step`.
 
 #[cfg(feature = "std")]
 use std::any::Any;
@@ -39,11 +38,10 @@ use crate::{Scalar, SingularStep};
 ///
 /// [`state`](Self::state) creates a state from the numbers of a point.
 /// [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing) accept
-/// any map. Chains cannot be composed, and have neither compensation nor tangent vectors.
+/// any map. Chains have no compositions, no compensation and no tangent vectors.
 ///
-/// Results equal those of the map's own methods bit for bit. A state of another length panics. A
-/// chain has its own method `advance`; therefore write `Step::advance(&chain, …)` for the method of
-/// this trait.
+/// Results equal those of the map's own methods bit for bit. A state of another length panics. For
+/// a chain write `Step::advance(&chain, …)`, because a chain has its own method `advance`.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -80,7 +78,7 @@ pub trait Step {
     /// The type of the numbers in a state.
     type Scalar: Scalar;
 
-    /// The type of states. States are arrays if the number of variables is known at compile time.
+    /// The type of states, an array if the number of variables is known at compile time.
     type State: StateVector<Self::Scalar>
     where
         Self: Sized;
@@ -93,7 +91,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps.
     ///
-    /// Each call creates a workspace. [`advance`](Self::advance) can reuse a workspace.
+    /// Each call creates a workspace, which [`advance`](Self::advance) can reuse.
     ///
     /// # Errors
     /// # Panics
@@ -104,7 +102,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after one step at another ε.
     ///
-    /// Each call creates a workspace. [`part`](Self::part) can reuse a workspace.
+    /// Each call creates a workspace, which [`part`](Self::part) can reuse.
     ///
     /// # Errors
     /// # Panics
@@ -115,8 +113,7 @@ pub trait Step {
 
     /// Replaces `x` by the state after `steps` steps, using `workspace` as scratch memory.
     ///
-    /// Steps do not allocate. A call may allocate once, for a chain or for a wrapped map on
-    /// vectors.
+    /// A call allocates at most once, a step never.
     ///
     /// # Errors
     /// Returns [`Stopped`] at a pole of an exact scalar, and leaves the pole in `x`. Floats
@@ -128,8 +125,8 @@ pub trait Step {
 
     /// Replaces `x` by the state after one step at another ε, for which the step is prepared anew.
     ///
-    /// For 0 ≤ θ ≤ 1, the curve θ ↦ φ_{θε}(x) joins x to x̃, where φ_ε is the map. Its points are
-    /// as close to the flow as a step is.
+    /// For 0 ≤ θ ≤ 1, the curve θ ↦ φ_{θε}(x) joins x to x̃, where φ_ε is the map. This curve is as
+    /// close to the flow as a step is.
     ///
     /// # Errors
     /// # Panics
@@ -141,7 +138,7 @@ pub trait Step {
         workspace: &mut Workspace,
     ) -> Result<(), Stopped>;
 
-    /// Returns the state at a point. Numbers that the state stores beside the point are 0.
+    /// Returns the state at a point. Numbers beside the point are 0.
     ///
     /// # Panics
     /// If `point` is longer than a state.
@@ -169,7 +166,7 @@ pub trait Step {
 /// The points of a map's orbits: states without the numbers that are stored beside the point.
 pub type PointOf<S> = <<S as Step>::State as StateVector<<S as Step>::Scalar>>::Point;
 
-/// Runs [`Step::advance`] with `next` on a local state, which compilers keep in registers.
+/// Runs [`Step::advance`] with `next`, on a local state that compilers keep in registers.
 #[inline(never)]
 pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     x: &mut [T],
@@ -199,7 +196,7 @@ pub(crate) fn check_length(found: usize, expected: usize) {
     assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
-/// A state as a slice: a point, then other numbers, for example compensations or tangent vectors.
+/// A state as a slice: a point, then other numbers such as compensations or tangent vectors.
 pub trait StateVector<T>: Clone + fmt::Debug {
     /// The type of the point. For a `Vec` the point is the whole state.
     type Point: StateVector<T>;
@@ -222,8 +219,7 @@ pub trait StateVector<T>: Clone + fmt::Debug {
     /// Returns a copy of the point.
     fn to_point(&self) -> Self::Point;
 
-    /// Replaces the state by the next state without allocating. Returns `None` at a pole of an
-    /// exact scalar.
+    /// Replaces the state by the next state. Returns `None` at a pole of an exact scalar.
     fn step_with<S>(&mut self, map: &S, workspace: &mut Workspace) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,
@@ -304,8 +300,8 @@ impl<T: Scalar> StateVector<T> for Vec<T> {
     }
 }
 
-/// Reusable scratch memory, which a map allocates at first use. The contents never influence
-/// results. Therefore one workspace can serve different maps.
+/// Reusable scratch memory. The contents never influence results, and therefore one workspace can
+/// serve different maps.
 #[derive(Default)]
 pub struct Workspace {
     #[cfg(feature = "std")]
@@ -319,8 +315,8 @@ impl Workspace {
         Self::default()
     }
 
-    /// Returns the stored memory if it has type `M` and `fits` accepts it. Otherwise `make` creates
-    /// new memory.
+    /// Returns the stored memory if it has type `M` and `fits` accepts it, otherwise memory from
+    /// `make`.
     #[cfg(feature = "std")]
     pub fn of<M: Any + Send + Sync>(
         &mut self,

@@ -1,11 +1,10 @@
 //! The cost of a step.
 
-/// The cost of a step, counted in its program. The cost is deterministic and serves to compare
-/// settings.
+/// The cost of a step, counted in its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
     /// The number of additions, subtractions, multiplications and divisions. A multiply-add counts
-    /// as two.
+    /// twice.
     pub operations: u32,
     /// The number of divisions, which `operations` also counts.
     pub divisions: u32,
@@ -20,8 +19,8 @@ impl StepCost {
         StepCost { operations, divisions, critical_path }
     }
 
-    /// Returns the cycles of a step: the latency or the throughput time, whichever is larger. The
-    /// throughput is two operations per cycle, and a division takes four cycles.
+    /// Returns the cycles of a step, the larger of latency and throughput time. The throughput is
+    /// two operations per cycle, and a division takes four cycles.
     pub fn cycles(self) -> f64 {
         let work = f64::from(self.operations) / 2.0 + 4.0 * f64::from(self.divisions);
         work.max(f64::from(self.critical_path))

@@ -1,6 +1,6 @@
 //! The error of a step that has no finite result.
 //!
-//! The error stores floats for every scalar; therefore it is `Copy` and never allocates.
+//! The error stores floats for every scalar, and therefore is `Copy`.
 
 use core::fmt;
 
@@ -34,15 +34,15 @@ pub enum Reason {
     Refined,
     /// Numbers overflowed before any other reason was found.
     Overflow,
-    /// Limits along different lines through the point differ. Only orbits through poles return
+    /// Limits along different lines through the point differ; only orbits through poles return
     /// this.
     Indeterminate,
-    /// No limit along lines through the point was found. Only orbits through poles return this.
+    /// No limit along lines through the point was found; only orbits through poles return this.
     Unfollowed,
 }
 
 impl SingularStep {
-    /// Creates the error of a step without error bounds, from the numbers det A(x,ε) and ε.
+    /// Creates the error of a step without error bounds, from det A(x,ε) and ε.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
         let reason = if determinant == 0.0 {
             Reason::Pole
@@ -54,8 +54,7 @@ impl SingularStep {
         Self::because(reason, determinant, f64::INFINITY, eps)
     }
 
-    /// Creates the error for a reason. `bound` is the smallest relative error bound that was
-    /// reached.
+    /// Creates the error for a reason, with the smallest relative error bound that was reached.
     pub(crate) fn because(reason: Reason, determinant: f64, bound: f64, eps: f64) -> Self {
         Self { determinant, bound, eps, reason }
     }
@@ -81,17 +80,15 @@ impl SingularStep {
         self.reason
     }
 
-    /// Returns det A(x,ε) rounded to `f64`. The result is 0 at an exact pole, and NaN if the
-    /// determinant is unknown or overflowed.
+    /// Returns det A(x,ε) rounded to `f64`, which is 0 at an exact pole and NaN if unknown.
     pub fn determinant(&self) -> f64 {
         self.determinant
     }
 
     /// Returns the smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that any precision reached.
     ///
-    /// The bound is infinite at a pole, and if no bound was computed. In more than eight variables
-    /// it is a bound of the backward error. If the bound is below 64 rounding units, the result is
-    /// beyond the range of the scalar.
+    /// The bound is infinite at a pole, and if no bound was computed. In more than eight variables,
+    /// the bound of the backward error is returned.
     pub fn bound(&self) -> f64 {
         self.bound
     }
@@ -143,7 +140,7 @@ impl fmt::Display for SingularStep {
                 )?;
             }
         }
-        // If the scalar has no approximation by `f64`, there is no ε to print.
+        // A scalar without an approximation by `f64` has no ε to print.
         if eps.is_nan() { Ok(()) } else { write!(f, " (eps = {eps:?}, half the time step)") }
     }
 }

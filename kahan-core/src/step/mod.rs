@@ -1,7 +1,6 @@
 //! Steps at fixed ε and parameters. The macro generates them; orbits, maps and ensembles run them.
 //!
-//! In: constants computed once. Out: the increment x̃ − x as numerators and reciprocals
-//! ([`Quotients`]).
+//! A step returns the increment x̃ − x as numerators and reciprocals ([`Quotients`]).
 
 mod any;
 mod cost;
@@ -24,29 +23,25 @@ pub use two_forms::{StepOfOneOrbit, StepOverEps};
 
 /// A step at fixed ε and parameters.
 ///
-/// Handwritten steps implement only [`quotients`](Self::quotients), with `Wide` = [`NoLanes`]. The
-/// order of operations is fixed. Only operations of the scalar may allocate.
+/// Handwritten steps implement only [`quotients`](Self::quotients), with `Wide` = [`NoLanes`]. Only
+/// operations of the scalar may allocate.
 pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// The cost of one step. The default is the cost of elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
 
-    /// Whether SIMD lanes can run the step, which is true for straight-line code and false for
-    /// elimination.
+    /// Whether SIMD lanes can run the step. Straight-line code can run in lanes, elimination
+    /// cannot.
     const HAS_LANES: bool = false;
 
-    /// The step over another scalar, for example a register of lanes. Steps that lanes cannot run
-    /// use [`NoLanes`].
+    /// The step over another scalar, or [`NoLanes`] if lanes cannot run the step.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 
     /// Returns the increment before its last multiplication, or `None` at a pole of an exact
     /// scalar.
-    ///
-    /// Implementations are `#[inline(always)]`; therefore a caller's target features apply to
-    /// lanes.
+    /// Implementations are `#[inline(always)]`, so that a caller's target features apply to lanes.
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>>;
 
-    /// Passes the increment at `x` to `finish`. Each form of the step calls `finish` inside its own
-    /// branch.
+    /// Passes the increment at `x` to `finish`.
     #[inline(always)]
     fn finish<R>(&self, x: &SVector<T, N>, finish: impl FnOnce(Quotients<T, N>) -> R) -> Option<R> {
         Some(finish(self.quotients(x)?))
@@ -58,15 +53,14 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
         self.finish(x, |quotients| quotients.increment())
     }
 
-    /// Returns the next state x̃. The last multiplication and addition are fused if the scalar
-    /// permits.
+    /// Returns the next state x̃.
     #[inline(always)]
     fn next(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
         self.finish(x, |quotients| quotients.added_to(x))
     }
 
-    /// Returns the next state x̃ and its carry from x and its carry. A carry is the rounding error
-    /// of a state on a compensated orbit.
+    /// Returns the next state x̃ and its carry, the rounding error of a state on a compensated
+    /// orbit.
     #[inline(always)]
     fn next_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<[SVector<T, N>; 2]> {
         self.finish(x, |quotients| quotients.added_with_carry(x, carry))
@@ -80,8 +74,8 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
         panic!("a step that chooses has no lanes: step each state alone")
     }
 
-    /// Returns the step over `L` that runs one of W steps per lane. `pack` combines the W values of
-    /// each constant.
+    /// Returns the step over `L` that runs one of W steps per lane. The function `pack` combines W
+    /// constants.
     ///
     /// # Panics
     /// If `HAS_LANES` is false.
@@ -90,7 +84,7 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     }
 }
 
-/// A type without values, which stands for lanes in steps that lanes cannot run.
+/// A type without values, used in place of lanes by steps that lanes cannot run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoLanes {}
 

@@ -1,5 +1,4 @@
-//! The increment of a step before its last multiplication, which the caller can fuse with an
-//! addition.
+//! The increment of a step, before a last multiplication that can be fused with an addition.
 
 use core::array::from_fn;
 
@@ -18,8 +17,7 @@ use crate::scalar::tuning::component;
 pub struct Quotients<T, const N: usize> {
     /// The numerators of the increments.
     pub numerators: [T; N],
-    /// The reciprocals of the denominators. An entry is `None` if the numerator is already the
-    /// increment.
+    /// The reciprocals of the denominators, `None` if the numerator is already the increment.
     pub reciprocals: [Option<T>; N],
     /// Whether later reciprocals are computed from earlier reciprocals.
     pub(crate) several: bool,
@@ -75,18 +73,16 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         }
     }
 
-    /// Returns the next state x̃ and its carry from x and its carry c. A carry is the rounding
+    /// Returns the next state x̃ and its carry, from x and its carry c. A carry is the rounding
     /// error of a state on a compensated orbit.
     ///
-    /// The carry is added while the step waits for its division; therefore the critical path is
-    /// that of a plain step. With the increment n·r, b = x + c and rest = c − (b − x), the results
-    /// are
+    /// With the increment n·r, b = x + c and rest = c − (b − x), the results are
     ///
     /// t = b + n·r, carry = (n·r − (t − b)) + rest.
     ///
-    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding error of n·r is lost. Otherwise t − b is
-    /// rounded, too, and the carry errs by at most that rounding, u·|t − b| with the rounding unit
-    /// u. No branch is needed.
+    /// If |n·r| ≤ |b| (Dekker 1971), only the rounding error of n·r is lost. Otherwise the rounding
+    /// error of t − b is lost, too. The critical path is that of a plain step, because the carry is
+    /// added while the step waits for its division.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));
@@ -99,7 +95,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         [next, carry]
     }
 
-    /// Returns x̃ᵢ − xᵢ − d, with one multiply-subtract or one subtraction.
+    /// Returns x̃ᵢ − xᵢ − d, with one operation.
     #[inline(always)]
     fn less(&self, i: usize, d: T) -> T {
         let numerator = self.numerators[i].clone();

@@ -1,7 +1,4 @@
-//! Steps as straight-line programs over prepared constants.
-//!
-//! In: a generated [`Kernel`], and constants that depend on ε and the parameters. Out: a
-//! [`PreparedStep`].
+//! Steps as straight-line programs over constants that depend on ε and the parameters.
 
 use core::array::from_fn;
 use core::marker::PhantomData;
@@ -26,10 +23,9 @@ pub trait Kernel<const N: usize, const C: usize> {
 
 /// A prepared constant, padded to 32 bytes.
 ///
-/// Compilers load adjacent scalars as one vector, and unpacking this vector lengthens the critical
-/// path of an orbit. Compilers also load a single-precision constant with the next twelve bytes,
-/// and compute with all four numbers. Zeros fill these bytes, because computing with subnormal
-/// numbers would be many times slower.
+/// Compilers load adjacent scalars as one vector, and unpacking this vector would slow down an
+/// orbit. The padding is zero, because compilers also compute with it, and subnormal numbers are
+/// slow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);
@@ -99,8 +95,8 @@ where
     }
 }
 
-/// Evaluates the formulas for scalars that own memory, for example big rationals. The operations of
-/// such scalars are calls anyway. Therefore the formulas are compiled once instead of inlined.
+/// Evaluates the formulas for scalars that own memory. Operations of these scalars are calls, and
+/// inlining would gain nothing.
 #[inline(never)]
 fn called<K, T, const N: usize, const C: usize>(
     constants: &[Padded<T>; C],

@@ -10,9 +10,8 @@ use super::{PreparedStep, Quotients, StepCost, StraightStep};
 /// A step with two forms. One is divided by ε and serves floats at an ordinary ε; the other is
 /// general.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x. The multiple saves one
-/// multiplication on the critical path. The divided form is undefined at ε = 0, overflows sooner,
-/// and cannot run in lanes.
+/// With h = 1/(2ε) prepared, 1 + 2εx becomes a multiple of h + x, which saves a multiplication. The
+/// divided form overflows sooner, and cannot run in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
     /// The divided form, `None` if ε or the scalar does not allow this form.
@@ -25,8 +24,8 @@ pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// Creates the step at `eps` from the constants of both forms. `over_eps` is called only if ε
-    /// and the scalar allow the divided form.
+    /// Creates the step at `eps`. `over_eps` is called only if ε and the scalar allow the divided
+    /// form.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -79,9 +78,8 @@ where
     }
 }
 
-/// Evaluates the general form for a scalar that usually takes the divided form. The function is not
-/// inlined, which keeps the step small. The function takes copies, and therefore a loop keeps its
-/// state in registers.
+/// Evaluates the general form if a scalar usually takes the divided form. A call with copies lets a
+/// loop keep its state in registers.
 #[cold]
 #[inline(never)]
 fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
@@ -90,7 +88,7 @@ where
     T: Scalar,
 {
     let quotients = general.quotients(&x)?;
-    // For floats the increment takes half as much memory as the quotients.
+    // The increment takes half as much memory as the quotients.
     Some(if tuning::is_float::<T>() {
         Quotients::whole(quotients.increment().data.0[0].clone())
     } else {
@@ -98,7 +96,7 @@ where
     })
 }
 
-/// A step with two forms: one for lanes, and one for orbits, in which a second division shortens
+/// A step with two forms, one for lanes and one for orbits. In orbits a second division shortens
 /// the critical path.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {

@@ -57,7 +57,6 @@ macro_rules! fused {
             }
         }
 
-        /// Unlike a float, this scalar has no reciprocal of zero.
         impl Scalar for Fused<$float> {
             fn constant(c: &Constant<'_>) -> Self {
                 Self(c.$constant())

@@ -1,5 +1,4 @@
-//! More maps for ensembles. The maps have one to six variables. Some maps have parameters, and one
-//! map eliminates.
+//! More maps for ensembles, with one to six variables.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};

@@ -8,7 +8,7 @@ use crate::ensemble::in_lanes::{ByElimination, Clebsch, E3, E5, Logistic};
 use crate::ensemble::{assert_same, fuses, levels, points};
 use crate::systems::{EulerTop, LotkaVolterra};
 
-/// Lengths around the widths of all registers, and around the lengths of tiles.
+/// Lengths around the widths of registers and the lengths of tiles.
 #[cfg(not(miri))]
 const LENGTHS: [usize; 13] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 17, 511, 513, 1000];
 #[cfg(not(miri))]
@@ -50,8 +50,7 @@ where
     points
 }
 
-/// Compares a map over floats on every instruction set with single steps over plain or fused
-/// floats.
+/// Compares a map on every instruction set with single steps over plain or fused floats.
 fn compare<F, M, W, const N: usize>(
     map: &KahanAt<M, F, N>,
     fused: &KahanAt<W, Fused<F>, N>,
@@ -131,7 +130,7 @@ fn any_scalar_that_is_copy_makes_ensembles() {
 #[test]
 #[should_panic(expected = "det A = 0: the Kahan map has a pole at this point")]
 fn a_scalar_without_a_reciprocal_of_zero_panics_at_a_pole() {
-    // Here the denominator 1 − ε·rate·(1 − 2x) is 0.
+    // The denominator 1 − ε·rate·(1 − 2x) is 0.
     let mut ensemble = Ensemble::new(vec![vector![Fused(0.5)], vector![Fused(0.0)]]);
     ensemble.advance(&Logistic { rate: Fused(4.0) }.at(Fused(0.25)), 1);
 }
@@ -147,7 +146,7 @@ fn an_estimated_reciprocal_changes_avx_512_only_and_little() {
         divided.advance(&map, 20);
         estimated.advance(&map, 20);
         if level == Level::Avx512 {
-            // Each of twenty steps may have one rounding more or less.
+            // Each of twenty steps may round once more or less.
             let furthest = divided.points().zip(estimated.points()).map(|(a, b)| (a - b).amax());
             assert!(furthest.fold(0.0, f64::max) < 1e-14);
             assert!(divided != estimated, "the estimate is not used");

@@ -1,5 +1,4 @@
-//! Tests one map per trajectory: each trajectory equals, bit for bit, that of an ensemble with the
-//! same map.
+//! Compares an ensemble with one map per trajectory, bit for bit, with ensembles of a single map.
 
 use kahan_core::observe::{Extrema, Lyapunov};
 use kahan_core::prelude::*;
@@ -18,7 +17,6 @@ kahan! {
 
 const STEPS: u64 = 23;
 
-/// Returns initial point k, which is near (½, 1, …).
 fn start<T: Scalar, const N: usize>(k: usize, from: impl Fn(f64) -> T) -> SVector<T, N> {
     SVector::from_fn(|i, _| from(0.5 + 0.25 * i as f64 + 0.01 * k as f64))
 }
@@ -54,14 +52,13 @@ fn each_trajectory_has_the_bits_of_its_own_map() {
     let lorenz = |k: usize| Lorenz { sigma: 10.0, rho: 20.0 + 0.1 * k as f64, beta: 8.0 / 3.0 };
     check(&|k| lorenz(k).at(eps(k)), |x| x);
     check(&|k| lorenz(k).at(eps(k)).composed(Composition::SUZUKI_4), |x| x);
-    // One ε is too small for the form that is divided by ε.
+    // This ε is too small for the form that is divided by ε.
     check(&|k| lorenz(k).at(if k % 3 == 0 { 1e-30 } else { eps(k) }), |x| x);
     check(&|k| E6.at(eps(k) as f32), |x| x as f32);
     let top =
         |k: usize| EulerTop { a1: Dd::from(1.0), a2: Dd::from(-2.0 + 0.01 * k as f64), a3: Dd::from(1.0) };
     check(&|k| top(k).at(Dd::from(eps(k))), Dd::from);
     check(&|k| Nine.at(eps(k)), |x| x);
-    // Trajectories with different compositions are stepped one at a time.
     let all = [Composition::SUZUKI_4, Composition::KAHAN_LI_8];
     check(&|k| E6.at(eps(k)).composed(all[k % 2]), |x| x);
 }

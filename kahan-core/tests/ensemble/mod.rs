@@ -1,9 +1,6 @@
 //! Compares ensembles with single steps, bit for bit.
 //!
-//! 1. `levels`: every instruction set, system, float type and unusual length against plain steps.
-//! 2. `neighbours`: infinities and NaNs do not spread; index and threads change no bits.
-//! 3. `maps`: one map per trajectory gives the bits of ensembles with that map.
-//! 4. `contents`: points, columns and grids are returned as given.
+//!
 //!
 //! # Miri
 //! Instruction sets that the processor lacks are skipped with a message. The tests also run under
@@ -37,14 +34,13 @@ fn fuses(level: Level) -> bool {
     level > Level::Baseline || cfg!(target_feature = "fma")
 }
 
-/// Returns `count` different points with entries between ½ and 1.
 fn points<const N: usize>(count: usize) -> Vec<SVector<f64, N>> {
     (0..count)
         .map(|i| SVector::from_fn(|c, _| 0.5 + ((i * N + c) as f64 * 0.618_033_988_749_895).fract() / 2.0))
         .collect()
 }
 
-/// Compares debug texts. The comparison is bit for bit, but all NaNs are equal.
+/// Compares debug texts, in which all NaNs are equal.
 #[track_caller]
 fn assert_same<T: EnsembleScalar, const N: usize>(ensemble: &Ensemble<T, N>, expected: &[SVector<T, N>]) {
     assert_eq!(ensemble.len(), expected.len());

@@ -1,5 +1,4 @@
-//! Tests that a trajectory's bits depend neither on its neighbours, nor on its index, nor on
-//! threads.
+//! Tests that a trajectory's bits depend on neither neighbours, index nor threads.
 
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, Reciprocal};
@@ -68,7 +67,7 @@ fn the_number_of_threads_does_not_matter() {
         let expected: Vec<_> = one.points().collect();
         assert_same(&two, &expected);
         assert_same(&five, &expected);
-        // A single thread also divides the work into tasks, except for single steps.
+        // A single thread also divides the work into tasks.
         let mut in_turn = start.clone();
         for _ in 0..steps {
             in_turn.advance(&map, 1);

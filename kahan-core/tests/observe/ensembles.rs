@@ -1,5 +1,4 @@
-//! Tests that observers of ensembles report the same bits as observers of single orbits, at any
-//! index.
+//! Compares reports of ensembles with reports of single orbits, bit for bit.
 
 use kahan_core::observe::{Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::prelude::*;
@@ -22,7 +21,7 @@ fn all<'a>(
     (variables, Lyapunov::new(map), indicators)
 }
 
-/// Returns the debug text, which also compares NaNs, because some of these orbits escape.
+/// Returns the debug text, because orbits that escape give NaNs.
 fn text(report: impl std::fmt::Debug) -> String {
     format!("{report:?}")
 }
@@ -30,7 +29,6 @@ fn text(report: impl std::fmt::Debug) -> String {
 #[test]
 fn reports_are_those_of_single_orbits_on_the_level_of_plain_code() {
     let map = HenonHeiles.at(EPS);
-    // The last group is not full.
     let mut ensemble = Ensemble::new(points(37)).at_level(Level::Baseline).unwrap();
     let reports = ensemble.observe(&map, STEPS, |_| all(&map));
     assert_eq!(reports.len(), 37);
@@ -53,7 +51,6 @@ fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone(
         let together = observed.observe(&map, STEPS, |_| indicators());
         advanced.advance(&map, STEPS);
         assert_eq!(text(&observed), text(&advanced));
-        // Tangent vectors are propagated one by one if the maps may differ.
         let mut again = ensemble();
         let alone = || (Sali::new(map), Fli::new(map));
         assert_eq!(text(together), text(again.observe(&map, STEPS, |_| alone())));
@@ -67,7 +64,7 @@ fn neither_place_nor_number_of_trajectories_matters() {
         Ensemble::new(points)
             .observe(&map, steps, |i| (Fli::new(&map), Extrema::of(move |_: &[f64]| i as f64)))
     };
-    // The points are enough for several threads, if there are several.
+    // Enough points for several threads.
     let many = observe(points(3000), 50);
     for (i, (fli, index)) in many.iter().enumerate() {
         assert_eq!(index.unwrap().least, i as f64);
@@ -86,7 +83,7 @@ fn single_precision_and_double_double_are_observed_too() {
     let wide = HenonHeiles.at(Dd::from(EPS));
     let starts = points(20).into_iter().map(|x| x.map(Dd::from)).collect();
     let wide = Ensemble::new(starts).observe(&wide, STEPS, |_| Fli::new(&wide));
-    // The orbits in the middle stay bounded, and their tangent vectors grow slowly.
+    // The orbits in the middle stay bounded.
     for (narrow, wide) in reports[5..15].iter().zip(&wide[5..15]) {
         assert!((narrow - wide).abs() < 1e-2, "{narrow} {wide}");
     }

@@ -24,19 +24,18 @@ fn indicators_tell_a_torus_from_the_chaotic_sea() {
         .map(|start| map.orbit(start).observe(20_000, (Sali::new(&map), Fli::new(&map), Megno::new(&map))));
     assert!(torus.0 > 0.01 && sea.0 < 1e-12, "SALI {torus:?} {sea:?}");
     assert!(torus.1 < 12.0 && sea.1 > 40.0, "FLI {torus:?} {sea:?}");
-    // MEGNO approaches 2 slowly, and near a periodic orbit even more slowly.
+    // MEGNO approaches 2 slowly.
     assert!((torus.2.mean - 2.0).abs() < 0.25 && sea.2.mean > 20.0, "MEGNO {torus:?} {sea:?}");
 }
 
-/// The indicators are compared with their defining sums, computed in a plain loop with the
-/// Jacobian.
+/// Computes the defining sums in a plain loop with the Jacobian.
 #[test]
 fn indicators_are_their_definitions() {
     let map = HenonHeiles.at(EPS);
     let [start, _] = starts();
     let steps = 500;
     let (fli, megno) = map.orbit(start).observe(steps, (Fli::new(&map), Megno::new(&map)));
-    // The observers' initial direction has the entries ((37 i + 11) mod 64 + 1)/64.
+    // The initial direction that the observers use.
     let mut v = SVector::<f64, 4>::from_fn(|i, _| ((37 * i + 11) % 64 + 1) as f64 / 64.0);
     v /= v.norm();
     let (mut greatest, mut weighted, mut sum, mut y) = (0.0_f64, 0.0, 0.0, 0.0);
@@ -48,7 +47,6 @@ fn indicators_are_their_definitions() {
         sum += y;
         greatest = greatest.max(v.norm().ln());
     }
-    // The vector propagates some hundred successive rounding errors.
     assert!((fli - greatest).abs() < 1e-11, "{fli} {greatest}");
     assert!(
         (megno.last - y).abs() < 1e-10 && (megno.mean - sum / steps as f64).abs() < 1e-10,
@@ -64,7 +62,6 @@ fn integrals_of_the_map_drift_by_rounding_and_those_of_the_flow_do_not_stay() {
     let mut orbit = E6.orbit(vector![0.3, 0.8, 0.5], eps);
     let ([h, k], [flow]) = orbit.observe(10_000, (of_the_map, of_the_flow));
     for drifted in [h, k] {
-        // Each of 10⁴ steps rounds by a few rounding units.
         assert!(drifted.last <= drifted.max && drifted.max > 0.0 && drifted.max < 1e-12, "{drifted:?}");
     }
     assert!(flow.max > 1e-4, "{flow:?}");

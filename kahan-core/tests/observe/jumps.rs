@@ -1,5 +1,4 @@
-//! Tests sign changes at zeros and at jumps. Jumps are poles of maps, and poles and gaps of
-//! functions.
+//! Tests sign changes at zeros and at jumps: poles of maps, and poles and gaps of functions.
 
 use kahan_core::observe::{
     Crossing, Direction, FirstCrossings, Observer, Section, SectionReport, StoredCrossings, first_crossing,
@@ -58,7 +57,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     [count(|before, after| before < 0.0 && after >= 0.0), count(|before, after| before > 0.0 && after <= 0.0)]
 }
 
-/// Checks that every sign change in one direction is a crossing, and in the other direction a jump.
+/// Checks that all sign changes in one direction are crossings, in the other direction jumps.
 fn falls_through_infinity<S: Step<Scalar = T>, T: FloatScalar>(map: &S, start: S::State, is_mirrored: bool) {
     let [rising, falling] = sign_changes(map, start.clone(), 200, |x| x[0]);
     assert!(rising > 5 && falling > 5);
@@ -141,7 +140,6 @@ fn a_function_without_a_value_at_its_zero_crosses_there() {
     assert!(found.points.kept[0].point[0].abs() < 1e-15);
 }
 
-/// A search may start at an argument for which the function overflows.
 #[test]
 fn a_zero_is_found_from_an_infinite_value() {
     let level = |x: &[f64]| (1000.0 * x[0]).exp() - 1.0;
@@ -165,16 +163,15 @@ fn a_start_on_the_section_is_neither_a_crossing_nor_a_jump() {
             assert_eq!((found.points.all, found.jumps), (0, 0));
         }
     }
-    // Here the function has a pole.
     let found = section(&Straight.at(0.5), vector![0.0], 9, Direction::Both, |x: &[f64]| 1.0 / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, 0));
-    // Here a step ends at a pole of the function.
+    // A step ends at the pole of the function.
     let found = section(&Straight.at(0.5), vector![-2.0], 9, Direction::Both, |x: &[f64]| 1.0 / x[0]);
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }
 
-/// The circle touches x = 1 from inside without a sign change. A line slightly nearer to the centre
-/// is crossed twice whenever a point lies beyond the line.
+/// The circle touches x = 1 from inside. A line slightly nearer to the centre is crossed twice if a
+/// point lies beyond the line.
 #[test]
 fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     for eps in [0.02, -0.02, 1e-4] {
@@ -191,8 +188,7 @@ fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     }
 }
 
-/// Each step moves the point by a relative 10⁻⁹, which leaves seven digits of the function's
-/// change.
+/// Each step moves the point by a relative 10⁻⁹.
 #[test]
 fn crossings_of_slow_orbits_are_found() {
     for eps in [1e-3_f64, 1e-6, 1e-9] {
@@ -205,7 +201,6 @@ fn crossings_of_slow_orbits_are_found() {
     assert_eq!((found.points.all, found.jumps), (1, 0));
 }
 
-/// Scaling the function or the state does not change the crossings.
 #[test]
 fn units_do_not_matter() {
     let map = Tangent.at(0.05);
@@ -218,7 +213,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// Some chains have few sites, and others are long enough to be stepped in parts.
+/// The longer chain is stepped in parts.
 #[test]
 fn chains_cross_and_jump() {
     for sites in [3, 700] {
@@ -262,7 +257,7 @@ fn projective_orbits_jump_at_infinity() {
         let found = Tangent.orbit(vector![0.1, 0.0], 0.05).projective().observe(299, section(direction));
         assert_eq!((found.points.all, found.jumps), expected);
     }
-    // A point at infinity is skipped, and therefore its neighbours are not consecutive.
+    // The neighbours of a point at infinity are not consecutive.
     let map = Burst.at(0.25);
     let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, FirstCrossings::new(9));
     let found = Burst.orbit(vector![1.0], 0.25).projective().observe(4, both);

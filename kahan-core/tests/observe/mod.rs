@@ -26,5 +26,4 @@ kahan! {
     qdot = -y - x^2 + y^2;
 }
 
-/// The usual parameters of Lorenz' system.
 pub(crate) const LORENZ: Lorenz<f64> = Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 };

@@ -83,7 +83,7 @@ fn a_tolerance_below_the_roundings_of_every_scalar_is_out_of_reach() {
 fn a_solution_that_ends_before_the_horizon_is_lost_there() {
     let choose = |horizon| Scene::trajectory(horizon, 1e-6).choose(&Burst, &vector![1.0]);
     assert!(choose(0.75).is_ok());
-    // Kahan's map is exact here. Therefore all orbits step over the pole and agree beyond it.
+    // Kahan's map is exact here, and therefore all orbits step over the pole.
     for horizon in [1.25, 2.0, 3.1] {
         let Err(NoSetting::Lost { time }) = choose(horizon) else {
             panic!("1/(1 - t) has no value at t = 1")
@@ -94,13 +94,12 @@ fn a_solution_that_ends_before_the_horizon_is_lost_there() {
 
 #[test]
 fn chaos_for_longer_than_f64_can_follow_is_refused() {
-    // Errors grow like exp(0.9 t), which is exp(90) over this horizon.
+    // Errors grow like exp(0.9 t), to exp(90) here.
     let long = Scene::trajectory(100.0, 1e-6).choose(&Lorenz, &vector![1.0, 1.0, 20.0]);
     assert!(matches!(long, Err(NoSetting::Lost { .. } | NoSetting::TooLong { .. })), "{long:?}");
 }
 
-/// From (1, 1, 1) the motion starts slowly. An earlier version extrapolated the errors of this
-/// beginning, and ended elsewhere on the attractor.
+/// From (1, 1, 1) the motion starts slowly, and its first errors are no measure of later errors.
 #[test]
 fn chaos_after_a_quiet_beginning_is_followed_to_its_end() {
     let (start, horizon, tolerance) = (vector![1.0, 1.0, 1.0], 20.0, 1e-3);

@@ -10,8 +10,7 @@ use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 /// The largest allowed ratio of the chosen cost to the smallest possible cost.
 const RATIO: f64 = 3.0;
 
-/// Checks for each tolerance that the choice meets it, and that no setting of a third of the cost
-/// does.
+/// Checks that the choice meets each tolerance, and that no setting of a third of the cost does.
 fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
 where
     M: ExtendScalars<f64, N>,
@@ -21,8 +20,7 @@ where
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
     let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
     for &tolerance in tolerances {
-        // A reference with half the steps differs by 255 times the reference's own error, because
-        // the order is 8.
+        // A reference with half the steps of order 8 errs 256 times as much as the reference.
         assert!(doubt < 0.1 * tolerance, "{name}: the reference is known to {doubt:e} only");
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));
@@ -32,8 +30,8 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // Among settings of a third of the cost, the dearest errs least. Fewer steps rule out
-            // luck.
+            // Among the settings of a third of the cost, the dearest errs least. Fewer steps rule
+            // out luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {
@@ -75,7 +73,7 @@ fn a_little_of_lorenz_is_served_at_no_more_than_three_times_the_least_cost() {
     check("Lorenz", Lorenz, [1.0, 1.0, 20.0], 4.0, 4096, &TOLERANCES[..7]);
 }
 
-/// At these initial points an earlier version missed tolerances, because it extrapolated too far.
+/// Regression test: extrapolation once missed these tolerances.
 #[test]
 fn points_whose_laws_bend_are_served_too() {
     let top = || EulerTop { a1: 1.0, a2: -3.0, a3: 1.5 };
@@ -105,7 +103,7 @@ fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     }
 }
 
-/// The horizons exceed the pilot runs, from which early errors are extrapolated.
+/// The horizon exceeds the pilot runs.
 #[test]
 fn a_long_orbit_meets_its_tolerance_too() {
     check("LV", LotkaVolterra, [1.5, 1.0], 500.0, 8192, &[1e-3, 1e-6, 1e-9]);

@@ -1,7 +1,7 @@
 //! A reference trajectory of the flow in double-double.
 //!
 //! The points of a time grid come from the composition of order 8, and points between these from
-//! one more step. A trajectory with half the steps differs by [`Trajectory::doubt`].
+//! one more step.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -18,7 +18,7 @@ pub(crate) struct Trajectory<M: ExtendScalars<f64, N>, const N: usize> {
 const HIGHEST: Composition = Composition::KAHAN_LI_8;
 
 impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
-    /// Runs slightly beyond the horizon, because steps of a rounded ε do not end there exactly.
+    /// Creates a trajectory that ends beyond the horizon, because steps of a rounded ε do.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
         let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;
@@ -51,8 +51,7 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
     }
 
     /// Returns the largest relative distance of a setting's orbit, at its end and at about
-    /// `samples` points. The first distance above `enough` is returned at once. `Dd` is rounded to
-    /// `f64` first, which adds half an ulp.
+    /// `samples` points. The first distance above `enough` is returned at once.
     pub(crate) fn error(
         &self,
         setting: &Setting,

@@ -16,8 +16,8 @@ use super::{DeltaSeries, direction};
 /// [`Dd`](crate::Dd).
 const DELTA: i32 = -192;
 
-/// The exponent, relative to the size of the point, above which a coordinate counts as infinite. A
-/// coordinate with an exponent below the negative threshold counts as 0.
+/// A coordinate counts as infinite if its exponent exceeds that of the point by this number. A
+/// coordinate counts as 0 if its exponent is lower by this number.
 const INFINITE: i64 = 96;
 
 /// The number of bits to which a limit must be known, more than any float of this crate has.
