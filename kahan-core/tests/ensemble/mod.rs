@@ -1,7 +1,5 @@
 //! Compares ensembles with single steps, bit for bit.
 //!
-//!
-//!
 //! # Miri
 //! Instruction sets that the processor lacks are skipped with a message. The tests also run under
 //! Miri, without estimated reciprocals, on the instruction sets that the flags name:
