@@ -1,5 +1,4 @@
-//! Advances many trajectories at once: 2 500 springs that start close together lose their common
-//! phase.
+//! Advances 2 500 springs that start close together and lose their common phase.
 //!
 //! Larger oscillations take longer. Therefore the mean velocity decays.
 

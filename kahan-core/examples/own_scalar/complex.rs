@@ -1,4 +1,4 @@
-//! Complex numbers as a scalar, with the operators, 0 and 1, and the conversion of constants.
+//! Complex numbers as a scalar.
 //!
 //! A new type is necessary, because Rust forbids a foreign trait on a foreign type.
 

@@ -31,8 +31,7 @@ pub(crate) struct Palindrome<P> {
 pub(super) const MOST: usize = 9;
 
 impl<P> Palindrome<P> {
-    /// Creates the palindrome of 2·`len` − 1 stages, where `step(k)` is stage k and `len` is 1 to
-    /// 9.
+    /// Creates a palindrome of 2·`len` − 1 stages. Stage k is `step(k)`, and `len` is 1 to 9.
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
@@ -52,7 +51,6 @@ impl<P> Palindrome<P> {
 }
 
 impl<S: Step> Composed<S> {
-    /// Composes a map. The function `at` prepares the map at the ε of a stage.
     fn new(composition: Composition, eps: S::Scalar, at: impl Fn(S::Scalar) -> S) -> Self {
         let gammas = composition.first_half;
         let stage = |k: usize| at(S::Scalar::constant(&gammas[k]) * eps.clone());

@@ -1,8 +1,8 @@
 //! Compositions: steps of higher order made of several Kahan steps.
 //!
 //! The inverse of a Kahan step φ_ε is φ₋ε. Therefore a composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with
-//! symmetric γᵢ of sum 1 is symmetric, too, and its order is even. The order is p if the
-//! [`coefficients`] γᵢ satisfy the order conditions up to p.
+//! symmetric coefficients γᵢ of sum 1 is symmetric, too, and has an even order. The order is p if
+//! the [`coefficients`] satisfy the order conditions up to p.
 
 mod coefficients;
 mod composed;
@@ -28,8 +28,8 @@ pub(crate) use stages::Staged;
 ///
 /// # What does not
 /// - **Integrals and measures that depend on ε**: the composition conserves none of these. In a
-///   method of order p, H and K of E2, E4, E5, E6 and the Euler top oscillate by O(εᵖ) around the
-///   flow's integral, without drift.
+///   method of order p, the integrals H and K of E2, E4, E5, E6 and the Euler top oscillate by
+///   O(εᵖ) around the flow's integral, without drift.
 /// - **Exactness**: the coefficients are irrational, so a composition exists only over floats.
 /// - **Short binary ε** ([`nearest_short_eps`](crate::nearest_short_eps)): the products γᵢε are
 ///   rounded.

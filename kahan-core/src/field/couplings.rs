@@ -1,7 +1,7 @@
 //! Sparse elimination: tables of the entries of A(x,ε) = I − εf′(x), and loops over these tables.
 //!
-//! The tables describe A, and its LU factors in place of A. Rows are never exchanged;
-//! [`factor`](Couplings::factor) reports pivots that are too small.
+//! LU factors replace A in place. Rows are never exchanged; [`factor`](Couplings::factor) reports
+//! pivots that are too small.
 
 use core::ops::Range;
 
@@ -56,7 +56,7 @@ impl CouplingRow {
         self.own as usize..self.end as usize
     }
 
-    /// Returns the entries that forward substitution multiplies by known unknowns.
+    /// Returns the entries to the left of the diagonal, including the entries of earlier blocks.
     fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }

@@ -115,11 +115,7 @@ pub fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
 }
 
 /// Returns the coefficients c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the
-/// Samuelson–Berkowitz algorithm.
-///
-/// The leading block of size m+1 is [[C_m, s], [r, d]], with a block C_m of size m, a column s, a
-/// row r and a number d. Its coefficients are those of C_m times the Toeplitz matrix of 1, −d,
-/// −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf. Process. Lett. 18 (1984) 147–150).
+/// Samuelson–Berkowitz algorithm (S. J. Berkowitz, Inf. Process. Lett. 18 (1984) 147–150).
 fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) -> [T; N] {
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
@@ -170,8 +166,7 @@ fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize
     sum
 }
 
-/// Returns the row with the best pivot in column k, the first of equal ones, among the rows from k
-/// on.
+/// Returns the first row with the best pivot in column k, among the rows from k on.
 fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
     (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
 }

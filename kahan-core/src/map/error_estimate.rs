@@ -43,8 +43,6 @@ impl<M: KahanMap<T, N>, T: Scalar, const N: usize> KahanAt<M, T, N> {
     }
 }
 
-/// Computes (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] + 2ε(f at ε − f at 0), with g = εf and the quadratic
-/// part Q of f.
 fn local_error<M: KahanMap<T, N>, T: Scalar, const N: usize>(
     map: &M,
     eps: &T,

@@ -13,7 +13,7 @@ pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
 /// The points of a group of trajectories, stored as one column for each variable.
 pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
-    ///  The type of one trajectory's point.
+    /// The type of one trajectory's point.
     type Point: AsRef<[T]> + AsMut<[T]>;
 
     /// Returns the point of the trajectory in this lane.

@@ -32,8 +32,7 @@ pub struct Drift<F, T, const M: usize> {
     max: [f64; M],
 }
 
-/// The relative distance |I − I(x₀)|/|I(x₀)| of an integral I, or the absolute distance if I(x₀) =
-/// 0.
+/// The distance |I − I(x₀)|/|I(x₀)| of an integral I, or |I − I(x₀)| if I(x₀) = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drifted {

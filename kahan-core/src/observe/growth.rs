@@ -20,8 +20,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Returns the squared length of a vector whose squared length after scaling by 2^−`exponent`
-    /// is `squared`.
+    /// Returns the squared length of a vector. `squared` is that of the vector times 2^−`exponent`.
     #[inline(always)]
     pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
         Self { mantissa: squared, exponent: 2 * exponent }

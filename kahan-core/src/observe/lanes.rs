@@ -15,8 +15,8 @@ use crate::{EnsembleScalar, ExtendScalars};
 use super::growth::most;
 use super::{Grouped, SideBySide};
 
-/// The propagation of vectors by one map along the points. Returns the number of steps taken. If
-/// squared lengths are requested, the propagation stops as soon as a vector needs scaling.
+/// The propagation of tangent vectors by one map. If squared lengths are requested, the propagation
+/// stops as soon as a vector needs scaling.
 pub(super) struct ByOneMap<'a, S, T, P, const N: usize> {
     pub(super) map: &'a S,
     pub(super) work: SideBySide<'a, T, P>,

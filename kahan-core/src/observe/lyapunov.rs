@@ -6,9 +6,8 @@ use super::growth::Size;
 
 /// An observer of the largest Lyapunov exponent, the growth rate of tangent vectors.
 ///
-/// After n steps a tangent vector has grown by exp(λ·2εn), where λ is the exponent, times a factor
-/// that grows slowly or not. For quasi-periodic motion the factor is linear in n, and the estimate
-/// of λ tends to 0 like log(n)/n.
+/// A tangent vector grows like exp(λt) with the time t, where λ is the exponent. For quasi-periodic
+/// motion the estimate of λ tends to 0 like log(n)/n after n steps.
 ///
 /// `Lyapunov::new(&map)` takes a [`TangentMap`]. The tangent vector costs about as much as the
 /// step.

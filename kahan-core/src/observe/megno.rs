@@ -39,8 +39,7 @@ pub struct Megnos {
 }
 
 impl MeanGrowth {
-    /// Returns Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n), for vectors vₖ scaled to |v₀| =
-    /// 1.
+    /// Returns Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n), where |v₀| = 1.
     fn value(&self) -> f64 {
         2.0 * (self.last - self.before / self.steps as f64)
     }

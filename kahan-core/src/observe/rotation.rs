@@ -58,7 +58,8 @@ pub struct Rotation<F, T> {
 pub struct RotationNumber {
     /// The number of revolutions per step, modulo 1, positive from the first axis to the second.
     pub value: f64,
-    /// An estimate of the error: the distance of `value` from the mean over half of the steps.
+    /// An estimate of the error: the distance of `value` from the mean over the first half of the
+    /// run.
     pub error: f64,
 }
 

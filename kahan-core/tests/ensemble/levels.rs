@@ -1,4 +1,4 @@
-//! Compares every instruction set with plain steps in its arithmetic.
+//! Compares every instruction set with plain steps.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal};

@@ -30,8 +30,8 @@ where
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
         for scheme in Scheme::all() {
-            // Among the settings of a third of the cost, the dearest errs least. Fewer steps rule
-            // out luck.
+            // Among the settings of a third of the cost, the dearest errs least. Fewer steps are
+            // tried, too, because a setting may be accurate by luck.
             let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {

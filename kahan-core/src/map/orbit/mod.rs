@@ -54,7 +54,7 @@ pub use scaled::Scaled;
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<S: Step> {
     pub(crate) map: S,
-    /// The last yielded state. Before the first point is yielded, this is the initial state.
+    /// The last yielded state, or the initial state before the first point is yielded.
     pub(crate) state: S::State,
     begun: bool,
     stopped: Option<SingularStep>,
@@ -72,7 +72,6 @@ impl<S: Step> Orbit<S> {
         Self { map, state: start, begun: false, stopped: None, workspace: Workspace::new() }
     }
 
-    /// Replaces the map and converts the state.
     #[inline]
     pub(crate) fn with_map<R: Step>(
         self,

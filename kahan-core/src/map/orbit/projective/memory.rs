@@ -1,7 +1,8 @@
 //! Tests whether an ordinary step preserves enough digits. Otherwise an orbit follows lines.
 //!
 //! A step has the derivative A(x,ε)⁻¹A(x̃,−ε). If A(x,ε) is nearly singular, x̃ is large or
-//! inaccurate. If A(x̃,−ε) is nearly singular, the step merges points beyond the digits of x̃.
+//! inaccurate. If A(x̃,−ε) is nearly singular, the step maps different points to one x̃, up to
+//! rounding.
 
 use nalgebra::SMatrix;
 

@@ -65,8 +65,9 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
     ///
     /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, for the map φ and any direction v. A
     /// map may contract a curve or surface to one point, and separate the merged points some steps
-    /// later; `kahan poles` finds such curves. Until the separation, the orbit follows
-    /// orbit continues from the merged point.
+    /// later; `kahan poles` finds such curves. Until the separation, the orbit follows lines
+    /// through the point before the contraction. If twelve steps separate no points, the orbit
+    /// continues from the merged point.
     ///
     /// Exact orbits are exact. Over floats, points away from poles have the bits of
     /// [`KahanMap::orbit`](crate::KahanMap::orbit), and a passage through a pole loses at most ten

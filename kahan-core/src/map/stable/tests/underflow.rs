@@ -1,5 +1,5 @@
-//! Tests values near underflow. Errors of η, the largest error of an operation that underflows, are
-//! amplified as far as the range permits.
+//! Tests values near underflow. The error η of an underflow is amplified as far as the range
+//! permits.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -13,7 +13,7 @@ const TINY: (i64, i64) = (0, 1);
 
 type Value = Beside<FINE>;
 
-/// Checks the bound. The range allows 30 doublings of an error η, 20 of which inputs may cause.
+/// Checks that the error is positive and within the bound.
 fn assert_allowed(value: &Value) {
     let error = value.error();
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
@@ -177,8 +177,6 @@ mod premises {
         assert_eq!(quotient(MOST_UNDERFLOWS / 2), InputLimit::NONE);
     }
 
-    /// Compares (1+u)ᵏ − 1 with 1.0625·k·u·(1−u)ᵏ, for a coarse rounding unit u and rounded
-    /// magnitudes.
     #[test]
     fn no_more_roundings_are_counted_than_the_slack_pays_for() {
         const COARSE: i32 = 10;
