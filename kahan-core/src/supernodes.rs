@@ -72,7 +72,7 @@ struct RowReduction {
     count: u32,
 }
 
-/// A range of consecutive panel columns in which a pivot row has entries.
+/// A range of panel columns in which a pivot row has entries.
 #[derive(Clone, Debug)]
 struct ColumnRun {
     /// The number of entries of the last pivot row between the diagonal and this range.

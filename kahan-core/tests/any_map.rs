@@ -70,7 +70,6 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
         x
     };
     assert_eq!(found, own());
-    // One thread may find that the other uses the chain's memory.
     std::thread::scope(|scope| {
         for run in [scope.spawn(own), scope.spawn(own)] {
             assert_eq!(found, run.join().unwrap());
@@ -98,7 +97,6 @@ fn modes_are_maps() {
     // An orbit continues exactly only with its rounding errors.
     let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
-    // A fraction of a step is that of the plain map.
     let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);
     Compensated(&plain).part(&0.01, &mut part, &mut workspace).unwrap();
     plain.part(&0.01, &mut alone, &mut workspace).unwrap();
@@ -119,7 +117,6 @@ fn modes_are_maps() {
     plain.part(&0.01, &mut alone, &mut workspace).unwrap();
     assert_eq!((&part[..3], &part[3..]), (&alone[..], &beside[3..]));
 
-    // This ε is exact in both types.
     let eps = 1.0 / 32.0;
     let through = ThroughF64::of_step(E6.at(eps));
     let single = start.map(|entry| entry as f32);
@@ -206,7 +203,6 @@ fn a_state_of_another_length_panics() {
 fn a_first_crossing_is_told_of_any_map() {
     let map = Turn.at(EPS);
     let crossing = first_crossing(&map, vector![1.0, 0.0], 1000, |x| x[0]).unwrap();
-    // A fraction θ of a step turns by the angle 2 arctan(θε).
     let turn = 2.0 * EPS.atan();
     let steps = (std::f64::consts::FRAC_PI_2 / turn).floor();
     let part = ((std::f64::consts::FRAC_PI_2 - steps * turn) / 2.0).tan() / EPS;
@@ -299,7 +295,6 @@ fn escapes_and_crossings_can_end_a_run() {
 
 #[test]
 fn orbits_are_told_by_time() {
-    // The times are multiples of the time step ¼, and times half-way between them.
     let eps = 0.125_f64;
     let start = vector![0.6, 0.8];
     let points: Vec<_> = Turn.orbit(start, eps).take(9).collect();
@@ -320,7 +315,6 @@ fn orbits_are_told_by_time() {
     assert_eq!(timed(0.5), [(0.0, points[0]), (0.25, points[1]), (0.5, points[2])]);
     assert_eq!(timed(0.375), [(0.0, points[0]), (0.25, points[1]), (0.375, half(1))]);
     assert_eq!(timed(0.0), [(0.0, points[0])]);
-    // A composition has its own fractions of a step.
     let composed = Turn.orbit(start, eps).composed(Composition::KAHAN_LI_8).compensated();
     let last = composed.until(1.9).last().unwrap().1;
     let turn = |part: f64| -> f64 {

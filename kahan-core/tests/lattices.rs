@@ -223,7 +223,6 @@ fn kept_sums_have_no_slope() {
     let hump = |x: f64| 1.0 / x.cosh().powi(2);
     let mut state: Vec<f64> =
         (0..sites).map(|i| h * i as f64).map(|x| 2.0 * hump(x - 20.0) + 0.5 * hump(x / 2.0 - 22.0)).collect();
-    // The terms of mass and energy have positive signs here.
     let slopes = (0..sites).map(|i| ((state[(i + 1) % sites] - state[i]) / h).powi(2) / 2.0);
     let terms =
         [state.iter().sum::<f64>(), slopes.sum::<f64>() + state.iter().map(|u| u.powi(3)).sum::<f64>()];

@@ -37,8 +37,8 @@ pub struct CouplingRow {
 }
 
 impl CouplingRow {
-    /// Creates a row from the indices of its first entry, of the first entry in its diagonal block,
-    /// of its diagonal entry, and after its last entry.
+    /// Creates a row from the indices of its first entry, its first entry in its own block, its
+    /// diagonal entry, and the entry after its last.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
         CouplingRow { start, own, diagonal, end }

@@ -51,7 +51,6 @@ impl<M: TangentMap, const K: usize> Carried<M, K> {
         self.steps
     }
 
-    /// Returns the scaled vectors.
     pub(super) fn vectors(&self) -> [&[M::Scalar]; K] {
         self.vectors.each_ref().map(M::State::as_slice)
     }

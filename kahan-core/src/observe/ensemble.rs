@@ -97,7 +97,6 @@ pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     advance: impl Fn(&mut P),
     mut tell: impl FnMut(u64) -> ControlFlow<()>,
 ) {
-    // The point before the burst, then the points of the burst.
     let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
     for (lane, observer) in observers.iter_mut().enumerate() {
         observer.observe(0, points.of(lane).as_ref());

@@ -19,8 +19,7 @@ use super::zero::{ZeroBracket, is_zero, narrow, small};
 ///
 /// A sign change without a zero is counted as a jump instead. Jumps occur at a pole or
 /// discontinuity of s, or where the curve passes through infinity at a pole of the map. At a
-/// crossing |s| is at most u^⅓ times the larger of |s(xₙ)| and |s(xₙ₊₁)|, where u^⅓ is 2⁻¹⁷ in
-/// `f64` and 2⁻⁸ in `f32`.
+/// crossing |s| is at most 2⁻¹⁷ times the larger of |s(xₙ)| and |s(xₙ₊₁)|, in `f32` 2⁻⁸ times.
 ///
 /// A step costs an evaluation of s. A crossing costs about fifteen steps, a jump up to about a
 /// hundred.
@@ -248,7 +247,8 @@ where
 }
 
 /// Returns whether a point of the curve is infinite or near a pole of the curve. Near a pole, some
-/// variable is much larger than at both ends and at the adjacent point `beside`.
+/// variable is much larger than at both ends, and differs from its value at the adjacent point
+/// `beside`.
 fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> bool {
     let small = small::<T>();
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {

@@ -95,7 +95,6 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         [next, carry]
     }
 
-    /// Returns x̃ᵢ − xᵢ − d, with one operation.
     #[inline(always)]
     fn less(&self, i: usize, d: T) -> T {
         let numerator = self.numerators[i].clone();

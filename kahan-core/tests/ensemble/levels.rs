@@ -14,7 +14,6 @@ const LENGTHS: [usize; 13] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 17, 511, 513, 1000];
 #[cfg(not(miri))]
 const STEPS: u64 = 7;
 
-/// The lengths that Miri can run in minutes.
 #[cfg(miri)]
 const LENGTHS: [usize; 3] = [1, 8, 17];
 #[cfg(miri)]

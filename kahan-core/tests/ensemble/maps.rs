@@ -27,7 +27,6 @@ where
     [S]: Advances<T, N>,
     T: EnsembleScalar,
 {
-    // Groups have sixteen trajectories, and registers have two to sixteen.
     for len in [1, 2, 7, 16, 17, 45] {
         let maps: Vec<_> = (0..len).map(map).collect();
         let starts: Vec<SVector<T, N>> = (0..len).map(|k| start(k, from)).collect();

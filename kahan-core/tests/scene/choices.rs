@@ -83,7 +83,6 @@ fn points_whose_laws_bend_are_served_too() {
     check("Henon", Henon, [-0.058, -0.245, -0.266, 0.229], 30.0, 1024, &[1e-4, 1e-9]);
 }
 
-/// Checks the relative change of E6's integrals along the orbit of a setting, in double-double.
 #[test]
 fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     let x0 = vector![0.25, -0.5, 1.0];
@@ -103,7 +102,6 @@ fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     }
 }
 
-/// The horizon exceeds the pilot runs.
 #[test]
 fn a_long_orbit_meets_its_tolerance_too() {
     check("LV", LotkaVolterra, [1.5, 1.0], 500.0, 8192, &[1e-3, 1e-6, 1e-9]);

@@ -53,7 +53,6 @@ pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: 
     }
 }
 
-/// The LU factors of A(x,ε).
 struct Factors<T, const S: usize>([T; S]);
 
 impl<T: Scalar, const S: usize> Factors<T, S> {

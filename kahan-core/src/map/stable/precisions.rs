@@ -145,8 +145,7 @@ fn by_elimination<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     tried.find_map(|settled| settled).unwrap_or(Err(Reason::Digits(LongNumber::MOST_DIGITS)))
 }
 
-/// Eliminates with one capacity of the long numbers. Returns `None` if the capacity does not decide
-/// the step.
+/// Eliminates with long numbers of this capacity. Returns `None` if the digits are too few.
 #[cfg(feature = "std")]
 fn eliminated<T: PromiseScalar, M: ExtendScalars<T, N>, const N: usize>(
     map: &M,
@@ -190,7 +189,7 @@ fn by_elimination<T, M, const N: usize>(
     Err(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// The inputs of the precision levels 3 and 4. Both methods are not inlined, so that each frees its
+/// The inputs of the precision levels 3 and 4. The methods are not inlined, so that each frees its
 /// stack.
 struct WideInputs<M, const N: usize> {
     map: M,

@@ -100,7 +100,6 @@ impl PromiseScalar for Dd {
     }
 }
 
-/// The next state x̃, computed by elimination over long numbers.
 #[cfg(feature = "std")]
 pub(crate) struct LongElimination<T> {
     next: Vec<T>,

@@ -77,7 +77,7 @@ impl<M: ExtendScalars<T, N>, T: ThroughPoles, const N: usize> Orbit<KahanAt<M, T
     ///
     /// Over floats a point costs a step and the matrix A. If |εf′| is not small, a second matrix
     /// and two eliminations are added. Over exact scalars a point costs a step and a determinant. A
-    /// step near a pole allocates; over floats it is several orders of magnitude slower.
+    /// step near a pole allocates, and is much slower.
     ///
     /// ```
     /// use kahan_core::prelude::*;

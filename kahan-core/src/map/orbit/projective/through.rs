@@ -1,5 +1,4 @@
 //! Scalars that support orbits through poles.
-//!
 
 use core::mem;
 

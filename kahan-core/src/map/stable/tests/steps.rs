@@ -168,7 +168,6 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::from_input(Worst::of_float(number)));
         by_step(&LongNumber { a }, &from_input(&x), eps).expect("no pole is near")
     });
-    // The first component starts at 0, and its last roundings are relative to its own size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = f64::from(attempt.next[1].size());
     let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());

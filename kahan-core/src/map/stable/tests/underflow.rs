@@ -19,7 +19,6 @@ fn assert_allowed(value: &Value) {
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
 }
 
-/// Returns the largest input that a formula permits, evaluated with inputs of 1.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
     formula(&Value::from_input(1.0)).bounded.largest_input().size()
 }
@@ -138,7 +137,6 @@ mod premises {
     #[test]
     fn no_product_is_larger_than_all_products_may_be() {
         let bits = Worst::<FINEST>::RANGE.bits_of_products;
-        // The literal 2 is below 2², and each doubling adds a bit.
         let large = |doublings: u32| doubled(&Value::literal(2, 1), doublings);
         assert_eq!(large(bits - 2).bounded.largest_input(), InputLimit::below(0));
         assert_eq!(large(bits - 1).bounded.largest_input(), InputLimit::NONE);
@@ -165,7 +163,6 @@ mod premises {
         // A literal that is rounded may underflow as well.
         assert_eq!(product(MOST_UNDERFLOWS / 2, 1), InputLimit::below(20));
         assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), InputLimit::NONE);
-        // A sum counts the underflows of the worse term, and one bit more.
         let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
         let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
         assert_eq!(sum.largest_input(), InputLimit::below(20 - 5));
@@ -195,11 +192,8 @@ mod premises {
     fn a_quotient_has_the_inputs_of_its_divisor() {
         let input = || Bounded::<Worst<FINEST>>::from_input(Worst::of_float(1.0));
         let quotient = |divisor: Bounded<Worst<FINEST>>| input().quotient(divisor).expect("a divisor of 1");
-        // The quotient uses 8 of the 20 bits, twice the 4 bits of the least divisor.
         assert_eq!(quotient(input()).largest_input(), InputLimit::below((20 - 8) / 2));
         assert_eq!(quotient(input() * input() * input()).largest_input(), InputLimit::below((20 - 8) / 4));
-        // The divisor is b = x·(0·0)·x + ⅛. If its inputs did not count, x = 2¹⁰ would be allowed,
-        // although b then has the error 2²⁰·η.
         let size = power_of_two(10);
         let formula = |x: f64| {
             let lost = off_by(TINY, || Beside::<FINEST>::from_input(0.0).times(&Beside::from_input(0.0)));
@@ -281,7 +275,6 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let weight = f64::from(reciprocal.bounded.weight(roundings));
     let bound = (magnitude + underflow::<Worst<FINE>>(roundings)) * weight * Worst::<FINE>::UNIT;
     assert!(as_float(product.error()) <= bound);
-    // Here the reciprocal itself underflows: its value is 0 with an error of η.
     let (reciprocal, product) = off_by(TINY, || {
         let reciprocal = Value::from_input(0.0).over(&Value::from_input(1.0)).expect("a quotient");
         (reciprocal.clone(), Value::from_input(1.0).times(&reciprocal))

@@ -147,7 +147,6 @@ impl<const BITS: i32> Zero for Rough<BITS> {
 impl<const BITS: i32> Number for Worst<BITS> {
     type Magnitude = Rough<BITS>;
     const UNIT: f64 = power_of_two(-BITS);
-    /// The allowance for underflow is 2¹⁰·2²⁰·η.
     const RANGE: Range = Range::of(ETA, 10 + 20 + ETA, 4, 6);
 
     fn size(&self) -> Rough<BITS> {
