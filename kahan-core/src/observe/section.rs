@@ -19,7 +19,8 @@ use super::zero::{ZeroBracket, is_zero, narrow, small};
 ///
 /// A sign change without a zero is counted as a jump instead. Jumps occur at a pole or
 /// discontinuity of s, or where the curve passes through infinity at a pole of the map. At a
-/// crossing |s| is at most 2⁻¹⁷ times the larger of |s(xₙ)| and |s(xₙ₊₁)|, in `f32` 2⁻⁸ times.
+/// crossing in `f64`, |s| is at most 2⁻¹⁷ times the larger of |s(xₙ)| and |s(xₙ₊₁)|. In `f32` the
+/// factor is 2⁻⁸.
 ///
 /// A step costs an evaluation of s. A crossing costs about fifteen steps, a jump up to about a
 /// hundred.
