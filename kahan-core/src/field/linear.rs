@@ -195,11 +195,13 @@ pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
 }
 
+/// Returns a vector with these entries.
 #[inline(always)]
 pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([entries]))
 }
 
+/// Returns the entries of a vector as an array.
 #[inline(always)]
 pub fn components<T, const N: usize>(vector: &SVector<T, N>) -> &[T; N] {
     let [entries] = &vector.data.0;
