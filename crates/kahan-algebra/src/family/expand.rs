@@ -16,7 +16,7 @@ use super::{Family, Role, SiteSum};
 
 impl Family {
     /// Returns the names of a chain. States `x0`, `x1`, … are ordered by site, then by array. The
-    /// parameters of the chain come first, then site parameters `c0`, `c1`, ….
+    /// parameters of the chain precede site parameters `c0`, `c1`, ….
     #[must_use]
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
