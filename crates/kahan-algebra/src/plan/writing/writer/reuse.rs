@@ -88,7 +88,7 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
 }
 
 /// Returns the quotient m of a term of P by a term of g, if the overlap of P and m·g is at least
-/// `common`. Most candidates are rejected early.
+/// `common`.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,
