@@ -90,8 +90,8 @@ pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<Modifie
 }
 
 /// Returns a basis of the linear integrals Σ cₖ xₖ with numeric coefficients, as pairs (k, cₖ).
-/// They are integrals of the flow and of the map for all parameters and ε. The list is empty if the
-/// work is too large.
+/// Linear integrals of the flow are integrals of the map for all parameters and ε. The list is
+/// empty if the work is too large.
 ///
 /// The list `order` must be a permutation of the states. The last variable of each integral, in
 /// this order, occurs in no other integral.
@@ -126,7 +126,7 @@ impl From<OverBudget> for NoIntegral {
 /// A form λ and its derivative λ′ along the field, or λ′/m for a form m.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product of two linear integrals. The states `pair` occur as a product in it.
+/// A product of two linear integrals that contains the product of the states `pair`.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
@@ -193,8 +193,7 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // Reduction modulo products: without a multiple of (x + y)², the energy may be a sum of
-            // squares.
+            // Without a multiple of (x + y)², the energy may become a sum of squares.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -306,8 +305,6 @@ impl<'a> Flow<'a> {
     }
 
     /// Returns the forms m that divide at least two components and may rotate a pair of variables.
-    /// After division by m, each component of the pair contains the other variable, or each
-    /// contains its own.
     fn multipliers(&self, budget: &mut Budget) -> WithinBudget<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -372,8 +369,8 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
     }
 
-    /// Returns the integral I/(1 + ε²δm²) by rotation. The forms y = 2Qx satisfy ẏ = m u and u̇ =
-    /// −δ m y.
+    /// Returns the integral I/(1 + ε²δm²) by rotation. The forms y = 2Qx and further forms u
+    /// satisfy ẏ = m u and u̇ = −δ m y.
     fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         let symbols = self.symbols;

@@ -164,7 +164,7 @@ impl Relations {
         self.values.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
-    /// Returns the solved names with their values, in the order of the relations.
+    /// Returns the names for which relations were solved, with their values, in order.
     pub fn values(&self) -> impl Iterator<Item = (Variable, &RationalFunction)> {
         self.values.iter().map(|(name, value)| (*name, value))
     }

@@ -76,7 +76,7 @@ impl System {
     }
 
     /// Returns the system without claims where these relations hold. Solved parameters are removed.
-    /// Returns `None` if the field divides by zero, or beyond limits on sizes.
+    /// Returns `None` if the field divides by zero, or if limits on sizes are exceeded.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;

@@ -91,8 +91,8 @@ impl Subexpressions {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// Returns the variable of a subexpression, which is added if new. Returns `None` beyond 2¹⁶
-    /// variables.
+    /// Returns the variable of a subexpression, which is added if new. Returns `None` if there are
+    /// more than 2¹⁶ variables.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let place = self.values.number(value);
         self.variable(place)
@@ -149,8 +149,8 @@ impl Subexpressions {
         })
     }
 
-    /// Returns the reciprocal of a nonzero polynomial without states. Returns `None` beyond 2¹⁶
-    /// variables.
+    /// Returns the reciprocal of a nonzero polynomial without states. Returns `None` if there are
+    /// more than 2¹⁶ variables.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -197,7 +197,7 @@ impl Subexpressions {
         let value = self.values[place].clone();
         let factor = match value {
             Value::Sum(_) => Polynomial::one(),
-            // (1/q)′ = −q′·(1/q)².
+            // The derivative of 1/q is −q′·(1/q)².
             Value::Reciprocal(_) => {
                 let own = self.variable(place).expect("it has a variable");
                 Polynomial::term(Monomial::power(own, 2), -Rational::ONE)

@@ -1,4 +1,4 @@
-//! Assigns variables to names: states, parameters, ε, then second states.
+//! Assigns variables to names: states, parameters, ε, then a second copy of the states.
 
 use crate::poly::{Polynomial, Variable, gcd_all};
 

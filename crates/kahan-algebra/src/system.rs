@@ -53,9 +53,9 @@ pub struct Claim {
 pub struct Condition {
     /// The condition as written.
     pub written: syntax::Condition,
-    /// The solved name.
+    /// The name for which the relation was solved.
     pub variable: Variable,
-    /// The value of `variable`, as a function of unsolved names.
+    /// The value of `variable`, as a function of names for which no condition is solved.
     pub value: RationalFunction,
     /// The polynomials that must be nonzero: divisors, and the coefficient of `variable`.
     pub nonzero: Vec<Polynomial>,

@@ -161,7 +161,7 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
 }
 
-/// Equations may leave too little of the budget for claims, which is one mistake.
+/// Equations that leave too little of the budget for claims are one mistake.
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
     // The expansion takes about 170 000 products.

@@ -168,8 +168,8 @@ fn fields_that_nearly_fit_keep_nothing() {
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
         // The derivative dI/dt vanishes only on s² + c² = 1.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // The first exponents are not opposite. In the second field, another variable couples to
-        // the pair.
+        // In the first field, the exponents are not opposite. In the second field, another variable
+        // couples to the pair.
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
         // The factor that rotates the pair is not affine.

@@ -256,7 +256,7 @@ impl Frame {
             ticks.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max)
         };
         let left = 20.0 + 6.0 + widest(frame.up(y)) + 7.0;
-        // Half of a label extends beyond the right end of the axis.
+        // Half of the last label may extend beyond the right end of the axis.
         let out = widest(Frame { left, ..frame }.along(x)) / 2.0 + 4.0;
         Frame { left, right: across - beside.max(out.max(14.0)), ..frame }
     }

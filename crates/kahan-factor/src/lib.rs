@@ -112,8 +112,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// Splits off the factors without the variable `main`. These divide every coefficient, so only the
-/// shortest coefficient is factored.
+/// Splits off the factors without the variable `main`. Factors without `main` divide every
+/// coefficient, so only the shortest coefficient is factored.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

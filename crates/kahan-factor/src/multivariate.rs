@@ -62,8 +62,8 @@ struct Image {
 }
 
 impl Image {
-    /// Factors the image at random integers below `size` + 2. Returns `None` if the image has a
-    /// smaller degree.
+    /// Factors the image at random integers of absolute value below `size` + 2. Returns `None` if
+    /// the image has a smaller degree.
     fn at(
         whole: &Polynomial,
         order: &[Variable],

@@ -50,8 +50,8 @@ pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<V
     Some(results)
 }
 
-/// Lifts monic factors from t = 0. Returns the polynomial in x before each power of t, for each
-/// factor.
+/// Lifts monic factors from t = 0. Returns the coefficients of each factor by powers of t. The
+/// coefficients are polynomials in x.
 fn lift_monic(
     field: PrimeField,
     whole: &BivariateCoefficients,

@@ -163,8 +163,8 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
 
 /// A polynomial evaluated at successive powers of a point. One or two variables stay free.
 struct PowerEvaluation {
-    /// For each term: the exponents of the free variables, the value, and the factor to the next
-    /// value.
+    /// For each term: the exponents of the free variables, the value, and the ratio of the next
+    /// value to the current one.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 

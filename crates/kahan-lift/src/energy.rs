@@ -139,7 +139,7 @@ pub(crate) fn slopes<'a>(
 }
 
 /// Returns a symmetric matrix S for which −A⁻ᵀSG is a gradient, for x′ = A p and p′ = G(x). No
-/// diagonal entry of S is 0. The matrix A is preferred, then a diagonal matrix.
+/// diagonal entry of S is 0. A symmetric matrix A is preferred, then a diagonal matrix.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],

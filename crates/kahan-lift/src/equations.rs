@@ -28,8 +28,8 @@ pub struct EquationNames {
     pub has_time: bool,
 }
 
-/// Reads the names in a lifted block. Their order is that of values in
-/// [`Options::orbit`](crate::Options::orbit).
+/// Reads the names in a lifted block. Values in [`Options::orbit`](crate::Options::orbit) have the
+/// order of these names.
 ///
 /// # Errors
 /// Returns all mistakes, each with a place and a remedy.
@@ -38,7 +38,7 @@ pub fn stated(tokens: &[Token]) -> Result<EquationNames, Vec<Diagnostic>> {
 }
 
 impl Equations {
-    /// Reads and checks a block. Errors are all mistakes in the block.
+    /// Reads and checks a block. The error holds all mistakes.
     pub(crate) fn read(tokens: &[Token]) -> Result<Self, Vec<Diagnostic>> {
         let mut diagnostics = Diagnostics::default();
         let block = parse_lifted(tokens, &mut diagnostics);
@@ -47,7 +47,7 @@ impl Equations {
         equations.filter(|_| diagnostics.is_empty()).ok_or(diagnostics)
     }
 
-    /// Returns the search for monomials that make the equations quadratic.
+    /// Returns the search problem for monomials that make the equations quadratic.
     pub(crate) fn problem_in(&self, ring: &Ring) -> Problem {
         let given: Vec<Monomial> =
             (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();

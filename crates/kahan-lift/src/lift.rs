@@ -72,7 +72,7 @@ pub struct Relation {
     pub along: Option<RelationBehaviour>,
     /// The modified function that the map preserves exactly.
     pub formula: Option<String>,
-    /// The growth rate of errors of all relations per unit of time.
+    /// The largest growth rate of errors among all relations, per unit of time.
     pub rate: Option<f64>,
     /// The index of the new variable that the relation defines.
     pub defines: Option<usize>,
@@ -366,8 +366,8 @@ impl Lift {
     }
 
     /// Returns the program that computes the derivatives of the new variables. The derivatives are
-    /// with respect to all states except `t`, variable by variable. Those of the work done since
-    /// the start are 0.
+    /// with respect to all states except `t`, variable by variable. The derivatives of the work
+    /// done since the start are 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);

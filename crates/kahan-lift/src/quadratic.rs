@@ -45,8 +45,8 @@ pub(crate) struct Products<'a> {
     ring: &'a Ring,
     /// The states, then the functions of the new variables.
     variables: Vec<Laurent>,
-    /// Products that are a single monomial. Their order determines the order of relations in
-    /// answers.
+    /// Products that are a single monomial. The order of products determines the order of relations
+    /// in answers.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
     /// Polynomials in the variables that vanish as functions of the states.

@@ -5,7 +5,7 @@ use crate::embedding::{CalledFunction, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
-/// Smaller relative errors in units of 2⁻⁵² count as rounding.
+/// Relative errors up to this multiple of 2⁻⁵² count as rounding.
 const ROUNDING: f64 = 8.0;
 
 /// Steps of a lifted map with symmetric projection onto relations w = g(x).

@@ -192,10 +192,11 @@ impl Ring {
         self.derivatives.known().clear();
     }
 
-    /// Returns the ring with frequent sums as further coordinates.
+    /// Returns the ring with frequent sums as further coordinates. Returns `None` if no sum is
+    /// frequent.
     ///
-    /// These sums are the polynomial factors of P′, P″ and P‴ for bases P of roots. Kepler's
-    /// problem then becomes a problem in r, x·p and p·p. Returns `None` without a frequent sum.
+    /// The frequent sums are the polynomial factors of P′, P″ and P‴ for bases P of roots. Kepler's
+    /// problem then becomes a problem in r, x·p and p·p.
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
@@ -233,7 +234,7 @@ impl Ring {
         self.rewritten(monomial).is_none()
     }
 
-    /// Rewrites a monomial by one rule. Returns `None` in normal form.
+    /// Rewrites a monomial by one rule. Returns `None` if the monomial is in normal form.
     fn rewritten(&self, monomial: &Monomial) -> Option<Laurent> {
         self.rules.iter().find_map(|rule| match rule {
             Rule::Replace(from, to) => {

@@ -91,7 +91,8 @@ struct Search<'a> {
 }
 
 /// Returns the smallest closed sets of at most `most` variables, then sets with up to `surplus`
-/// more variables. The search visits at most `budget` nodes. Returns `None` without a closed set.
+/// more variables. The search visits at most `budget` nodes. Returns `None` if no closed set is
+/// found.
 pub(crate) fn search(
     ring: &Ring,
     problem: &Problem,

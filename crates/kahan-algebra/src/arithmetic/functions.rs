@@ -83,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Cancels factors with many terms that divide `numerator`. Other factors are appended to
-    /// `denominator`.
+    /// Cancels factors that divide `numerator` and have equally many terms. Other factors are
+    /// appended to `denominator`.
     fn cancel(
         &self,
         numerator: &mut Polynomial,

@@ -31,8 +31,8 @@ pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 const MOST_EQUATIONS: usize = 10_000;
-/// Counts the states, parameters, constants and claims of a block. An array counts once for each
-/// site of the stencil.
+/// The limit for states, parameters, constants and claims of a block together. An array counts once
+/// for each site of the stencil.
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 

@@ -17,7 +17,7 @@ use super::names::constant_names;
 /// The position of an entry of A(x,ε) in the rows of one site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryPosition {
-    /// The index of the array of the row.
+    /// The index of the array to which the row belongs.
     pub row: usize,
     /// The column, which is an index among the states of the stencil. States are ordered by site,
     /// then by array.
@@ -34,7 +34,7 @@ pub struct Lines {
     pub symbols: Symbols,
     /// The plan that computes the prepared constants from ε and the parameters of the chain.
     pub constants: Plan,
-    /// The plan of the field and of entries of A. Each array has an output, and then each of the
+    /// The plan of the field and of entries of A. The outputs belong to the arrays, then to the
     /// [`entries`](Self::entries).
     pub rows: Plan,
     /// The plan of the summands of claims at one site. The integrals come first, then the

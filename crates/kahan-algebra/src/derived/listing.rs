@@ -10,7 +10,6 @@ use super::names::{constant_names, listed_constants, listed_kernel};
 ///
 /// The name `eps` means half the time step. Names `reciprocal_1`, `reciprocal_2` and so on mean a
 /// power of two divided by a denominator.
-/// `reciprocal_1`, `reciprocal_2` and so on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepListing {
     /// The names and formulas of prepared constants. A name without a formula is ε or a parameter.

@@ -33,12 +33,12 @@ pub struct Derived {
     pub system: System,
     /// The plan of the divisors of the field. The field is undefined where a divisor is zero.
     pub divisors: Plan,
-    /// The map as polynomials. `None` beyond the budget of terms.
+    /// The map as polynomials. `None` if the budget of terms is exceeded.
     pub map: Option<RationalMap>,
-    /// The plan of det A(x,ε) in expanded form. `None` beyond the budget.
+    /// The plan of det A(x,ε) in expanded form. `None` if the budget is exceeded.
     pub det_matrix: Option<Plan>,
     /// The plan of the map without cancellation. Numerators come first, then the common
-    /// denominator. `None` beyond the budget.
+    /// denominator. `None` if the budget is exceeded.
     pub rational_map: Option<Plan>,
     /// The plan of the reduced map. Numerators come first, then the denominator. `None` if no
     /// factor with states was divided out.

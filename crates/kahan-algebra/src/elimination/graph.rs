@@ -20,8 +20,8 @@ pub(super) struct FilledPattern {
 pub(super) struct FilledRow {
     pub(super) columns: Vec<usize>,
     pub(super) diagonal: usize,
-    /// The end of the columns that rows below read from this row. Rows below inherit later columns
-    /// from the last row in this range.
+    /// The end of the columns that later rows read from this row. Later rows inherit the remaining
+    /// columns from other rows.
     looked_at: Option<usize>,
 }
 

@@ -84,7 +84,7 @@ struct Term {
 struct RowTerm {
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K in the term. Terms of ẋ have the number of unknowns.
+    /// The index of the unknown entry of K in the term. For terms of ẋ, the number of unknowns.
     unknown: usize,
     coefficient: Polynomial,
 }
@@ -164,8 +164,8 @@ fn gradient(
     Ok(gradient)
 }
 
-/// Returns the terms of ẋ = K∇H for one array, ordered by monomial. Both sides are multiplied by
-/// their divisors.
+/// Returns the terms of ẋ = K∇H for one array, ordered by monomial. The equation is multiplied by
+/// the divisors of both sides.
 fn row(
     middle: &MiddleSite<'_>,
     unknowns: &[(usize, usize, usize)],

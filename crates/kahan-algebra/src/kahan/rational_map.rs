@@ -1,9 +1,9 @@
 //! Derives the map as rational functions x̃ᵢ = Nᵢ/D, and the reduced increments x̃ᵢ − xᵢ = 2ε nᵢ/d.
 //!
-//! Let the field be pᵢ/qᵢ and Â = diag(q)·A. By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where
-//! n̂ⱼ is det Â with column j replaced by p. Then N̂ = xD̂ + 2εn̂. At ε = 0, D̂ = ∏q, so ε does not
-//! divide D̂. Hence N̂ and D̂ have the common factors of n̂₁ … n̂ₙ and D̂, whose gcd is divided
-//! out. A pole where only the gcd vanishes is removable.
+//! Let the field be pᵢ/qᵢ, Â = diag(q)·A and D̂ = det Â. By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p =
+//! n̂/D̂, where n̂ⱼ is det Â with column j replaced by p. The numerators of x̃ are N̂ = xD̂ + 2εn̂.
+//! At ε = 0, D̂ = ∏q, so ε does not divide D̂. Hence N̂ and D̂ have the common factors of n̂₁ … n̂ₙ
+//! and D̂, whose gcd is divided out. A pole where only the gcd vanishes is removable.
 
 use kahan_syntax::rational::Rational;
 
@@ -28,8 +28,8 @@ pub struct RationalMap {
     pub numerators: Vec<Polynomial>,
     /// The denominator D̂ = ∏q · det A.
     pub denominator: Polynomial,
-    /// The product ∏q of the denominators of the field. Division by it gives N = N̂/∏q and D =
-    /// D̂/∏q.
+    /// The product ∏q of the denominators of the field. Division by the product gives N = N̂/∏q and
+    /// D = D̂/∏q.
     pub divisor: Polynomial,
     /// The map in lowest terms.
     pub reduced: Reduced,
@@ -47,7 +47,7 @@ pub struct Reduced {
 }
 
 impl RationalMap {
-    /// Derives the map of a field. Returns `None` beyond the budget.
+    /// Derives the map of a field. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         let mut budget = Budget::new(TERM_BUDGET, WORK_BUDGET);
@@ -64,7 +64,7 @@ impl RationalMap {
         let all = (1u64 << (n + 1)) - 1;
         let mut without = |column: usize| minors.remove(&(all & !(1 << column))).unwrap_or_default();
         let denominator = without(n);
-        // Moving p from the last column to position j changes the sign n−1−j times.
+        // Moving the last column to position j changes the sign n−1−j times.
         let signed = |j: usize, minor: Polynomial| if (n - 1 - j) % 2 == 1 { -&minor } else { minor };
         let increments: Vec<Polynomial> = (0..n).map(|j| signed(j, without(j))).collect();
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));

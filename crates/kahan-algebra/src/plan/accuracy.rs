@@ -29,11 +29,11 @@ const FEW: usize = 25;
 const MANY: usize = 100;
 /// The limit for the ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// Smaller median errors of elimination, in multiples of u, count as this value.
+/// Smaller median errors of elimination, in units of the unit roundoff, count as this value.
 const SMALL: f64 = 10.0;
 /// The limit for the ratio of a step's tail of errors to that of elimination.
 const TAIL_FACTOR: f64 = 60.0;
-/// Tails up to this multiple of u are within the limit.
+/// Tails of errors up to this multiple of the unit roundoff are accepted.
 const SMALL_TAIL: f64 = 1000.0;
 /// A step beyond the limits by this factor is refused if another step can replace it.
 const REFUSED: f64 = 1.5;

@@ -12,7 +12,7 @@ use super::{Node, Plan, PlanBuilder};
 const FEWEST_VARIABLES: usize = 10;
 /// Straight-line code is faster with fewer products of two variables.
 const FEWEST_PRODUCTS: usize = 300;
-/// A dense field has at least one of `SPARSEST` products.
+/// In a dense field, at least one of this many products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]

@@ -36,11 +36,10 @@
 //! | reuse of sums (`writing::writer::reuse`) | 44 | 1.00; 1.43 | 1.00; 1.35 | | |
 //! | signs of constants (`step::signs`) | 27 | 1.00; 1.01 | 1.00; 1.02 | 1.05; 1.43 | 1.01; 1.12 |
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
-//!
 //! Two more optimisations were dropped. Writing (2ε)x as εx + εx changed 27 steps with means near
 //! 1.00. A division for each component in place of a shared reciprocal changed 6 steps. Only fields
-//! of one variable use it (`PlanBuilder::increment`). Ensembles took twice the time with it,
-//! because two divisions are the bottleneck in SIMD lanes.
+//! of one variable use such a division (`PlanBuilder::increment`). Ensembles would take twice the
+//! time, because two divisions are the bottleneck in SIMD lanes.
 
 mod operation;
 

@@ -80,7 +80,7 @@ impl Polynomial {
     }
 
     /// Returns the sum of all summands, or an error if it exceeds the budget. Summands with the
-    /// flag `true` are subtracted. Adding coefficients with w further words costs w² units of work.
+    /// flag `true` are subtracted. Adding long coefficients also counts as work.
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,

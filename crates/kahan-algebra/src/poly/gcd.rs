@@ -155,7 +155,8 @@ fn subresultants(
         let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
         upper = std::mem::replace(&mut lower, next.primitive_part());
         lead = upper.leading_coefficient_in(main);
-        // Replaces h by g^δ h^(1−δ) up to a rational factor, where δ is the difference of degrees.
+        // Replaces Knuth's h by g^δ h^(1−δ) up to a rational factor. Here δ is the difference of
+        // degrees.
         if gap > 0 {
             let numerator = lead.pow_within(gap, budget)?;
             let denominator = scale.pow_within(gap - 1, budget)?;

@@ -5,8 +5,8 @@
 //! but never wrong.
 //!
 //! *Proof.* Let g be the primitive gcd of primitive a and integer b. By Gauss's lemma a = g·h with
-//! integer h, so the leading coefficients in v are multiplied, too. If the image of a keeps its
-//! degree in v, the image of g also does. The image of g divides both images. ∎
+//! integer h, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If the image of a keeps its
+//! degree in v, the image of g keeps its degree, too. The image of g divides both images. ∎
 
 use kahan_syntax::table::Table;
 

@@ -15,7 +15,6 @@
 //! If a step divides by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`). A step
 //! then passes with probability at most r·e. Fewer than r steps are skipped where the claim is
 //! undefined.
-//! than r of them.
 //!
 //! With k points, a false claim is proved only if k of its first k + r − 1 independent steps pass.
 //! The probability is at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. The number k ≥ 3 is chosen
@@ -46,11 +45,11 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// Returns the least number k of points with (r²·e)ᵏ < 2⁻¹⁰⁰. The [proof](self#proof) defines r and
+/// Returns the least number k of points with (r²·e)ᵏ < 2⁻¹⁰⁰. The head of this module defines r and
 /// e.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // In units of 2⁻⁶⁰, e is at most 64·(b/60 + 1) + deg F.
+    // With b and e as in the head of this module, e·2⁶⁰ is at most 64·(b/60 + 1) + deg F.
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(draws)?;
     let lost = u64::BITS - units.leading_zeros();

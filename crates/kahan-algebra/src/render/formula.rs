@@ -13,7 +13,7 @@ use super::notation::Notation;
 pub struct Formulas<'a> {
     /// The field.
     pub field: &'a Field,
-    /// The map of the field. `None` beyond the budget.
+    /// The map of the field. `None` if the budget is exceeded.
     pub map: Option<&'a RationalMap>,
     /// The notation of the formulas.
     pub notation: &'a dyn Notation,
@@ -70,7 +70,7 @@ impl Formulas<'_> {
         self.over_each(&bilinear_form(self.field))
     }
 
-    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d. Returns `None` beyond the budget.
+    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn map(&self) -> Option<Vec<String>> {
         let map = self.map?;
@@ -84,7 +84,8 @@ impl Formulas<'_> {
         Some(rows.collect())
     }
 
-    /// Returns ∂x̃/∂x in lowest terms, with a gcd for each entry. Returns `None` beyond the budget.
+    /// Returns ∂x̃/∂x in lowest terms, with a gcd for each entry. Returns `None` if the budget is
+    /// exceeded.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
         /// The most products of terms for an entry, in some tenths of a second.
@@ -105,7 +106,7 @@ impl Formulas<'_> {
         variables.clone().map(|i| variables.clone().map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// Returns det A(x,ε). Returns `None` beyond the budget.
+    /// Returns det A(x,ε). Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn determinant(&self) -> Option<String> {
         let map = self.map?;

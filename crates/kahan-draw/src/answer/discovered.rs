@@ -72,7 +72,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    // Without relations, all monomials on an orbit are independent, so the degree says everything.
+    // Without relations, all monomials on an orbit are independent, so only the degree is shown.
     let hilbert = report.hilbert.as_ref();
     if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
         rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);

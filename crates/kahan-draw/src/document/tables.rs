@@ -2,8 +2,8 @@
 
 use maud::{Markup, Render, html};
 
-/// The rows of a table. The first row holds the headings, and the first cell of each other row is
-/// its heading.
+/// The rows of a table. The first row holds headings. In every other row, the first cell is the
+/// heading.
 pub type Rows = Vec<Vec<String>>;
 
 /// A table of an answer. Text output omits the caption.

@@ -23,12 +23,13 @@ pub struct Chart {
     pub is_logarithm: bool,
     /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// The end of each cell's orbit and the number of its steps. Empty for rows of a file.
+    /// The end of each cell's orbit and the number of its steps. The list is empty for rows of a
+    /// file.
     pub ended: Vec<(String, i64)>,
     steps: Option<u64>,
 }
 
-/// Returns the logarithm to base 10 of a number that is at least `f64::EPSILON`.
+/// Returns the logarithm to base 10. Numbers below `f64::EPSILON` count as `f64::EPSILON`.
 fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { libm::log10(f64::EPSILON) } else { libm::log10(value) }
 }
@@ -69,8 +70,7 @@ impl Chart {
         Observable::of_column(column).is_some_and(Observable::is_logarithmic)
     }
 
-    /// Returns the function that charts apply to a column. Either the logarithm or the identity is
-    /// returned.
+    /// Returns the function that charts apply to a column, the logarithm or the identity.
     #[must_use]
     pub fn scale(column: &str) -> fn(f64) -> f64 {
         if Self::is_logarithmic(column) { logarithm } else { |value| value }

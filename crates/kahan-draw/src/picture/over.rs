@@ -32,7 +32,7 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
 }
 
 /// Draws the first variable of a cycle against the parameter. Stable cycles have a style of their
-/// own. Cycles of the flow are drawn by their extrema.
+/// own. For cycles of the flow, only the extrema are drawn.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &PictureOptions) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));

@@ -6,7 +6,7 @@ use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
 /// Draws the errors of each relation along an orbit on a logarithmic axis. Relations without errors
-/// are omitted. Returns `None` without an orbit.
+/// are omitted. Returns `None` if no errors were measured.
 #[must_use]
 pub fn relations(found: &LiftFound, look: &PictureOptions) -> Option<Picture> {
     let WatchedOrbit { eps, errors: seen, .. } = found.watched.as_ref()?;

@@ -1,5 +1,6 @@
 //! Axes with round ticks. A number is subtracted from values that share leading digits. Very large
-//! or small values are divided by a power of ten. The name of the axis states both.
+//! or small values are divided by a power of ten. The name of the axis states the number and the
+//! power.
 
 use super::script::raised;
 
@@ -41,8 +42,8 @@ impl NumberLine {
         NumberLine { label: label.to_owned(), low, high, marks: TickKind::Round }
     }
 
-    /// Makes an axis that shows all finite values with small margins. Rounding errors count as
-    /// equality.
+    /// Makes an axis that shows all finite values with small margins. Values that differ by
+    /// rounding errors count as equal.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -121,7 +122,7 @@ impl NumberLine {
     /// labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Steps differ by factors of 2 or 2.5, so one step gives four to seven ticks.
+        // Steps differ by factors of 2 or 2.5, so one of them gives four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };

@@ -62,8 +62,8 @@ impl SampleStep {
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// Returns the largest error from component `first` on, as a multiple of u times the largest
-    /// component.
+    /// Returns the largest error from component `first` on, in units of the unit roundoff times the
+    /// largest component.
     pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next[first..].iter().zip(next) {

@@ -54,9 +54,9 @@ impl Forms<'_> {
     }
 }
 
-/// Returns the candidate forms of a field's step. With `kept`, they come from its products of sums.
-/// Otherwise they come from A and from the reduced map. Returns `None` if the field is too large
-/// for straight-line code.
+/// Returns the candidate forms of a field's step. With `kept`, forms use the products of sums in
+/// `kept`. Otherwise forms use A and the reduced map. Returns `None` if the field is too large for
+/// straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&FieldWithSubexpressions>,

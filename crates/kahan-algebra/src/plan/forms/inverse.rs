@@ -23,8 +23,9 @@ use crate::plan::writing::writer::Writer;
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// Returns forms divided by ε or ε². Constants are rounded once. The
-    /// [recurrence](crate::plan::StepPlan::recurrence) may be below `recurrence`.
+    /// Returns forms divided by ε or ε² that may have a
+    /// [recurrence](crate::plan::StepPlan::recurrence) below `recurrence`. Their constants are
+    /// rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
             // With folded constants, division by ε saves nothing.
@@ -70,8 +71,9 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ). The constant c is the dividend of the reciprocal of d/εᵏ.
-    /// Returns `None` if the recurrence is too long, or if a constant is rounded twice.
+    /// Writes x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) for numerators n and the written denominator d/εᵏ. The
+    /// dividend of its reciprocal is c. Returns `None` if the recurrence is too long, or if a
+    /// constant is rounded twice.
     fn over_power(
         &self,
         power: u32,
@@ -111,7 +113,7 @@ impl FactoredMap<'_> {
         powers.filter_map(form).collect()
     }
 
-    /// Returns p/εᵏ without a common power of two as q, and c with c/q = 2/(p/εᵏ).
+    /// Returns q and c with c/q = 2/(p/εᵏ). The polynomial q is p/εᵏ without a common power of two.
     fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
         let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
         let two = Rational::from(2);

@@ -136,5 +136,5 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
 }
 
 const MOST_MINORS: usize = 4096;
-/// Elimination is faster than Cramer's rule with more operations.
+/// In blocks with more operations, elimination is faster than Cramer's rule.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

@@ -36,7 +36,7 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &FieldWithSubexpressions)
         let entry = |node| MatrixEntry { polynomial: None, written: Signed::plus(node) };
         let mut rows: Vec<Vec<MatrixEntry>> =
             nodes.chunks(n + 1).map(|row| row.iter().copied().map(entry).collect()).collect();
-        // An odd permutation changes the signs of all determinants, and the quotients stay.
+        // An odd permutation changes the signs of all determinants, but not the quotients.
         rows.rotate_left(turn);
         let Determinants { denominator, numerators } = determinants(&mut writer, &rows);
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);

@@ -28,8 +28,8 @@ impl Structure {
         blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// Returns independent states of a block. They do not depend on each other or on themselves, so
-    /// A is the identity on them.
+    /// Returns independent states of a block. Independent states do not depend on each other or on
+    /// themselves, so A is the identity on them.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);

@@ -115,8 +115,8 @@ impl StepPlan {
 
     /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// Three components leave one value when pairs are packed, and moves between registers cost up
-    /// to an eighth of a step. Two components fill a vector. More components would make steps too
+    /// The answer is yes for three components only. One value is left when pairs are packed, and
+    /// moves between registers cost up to an eighth of a step. More components would make steps too
     /// large for inlining.
     #[must_use]
     pub fn fences_values(&self) -> bool {

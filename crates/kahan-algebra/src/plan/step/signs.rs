@@ -33,8 +33,8 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (turn_constants(&constants, &turned), rebuilt)
 }
 
-/// A search over the signs of prepared differences and mixed sums. A choice is a list of flags for
-/// the operations.
+/// A search over the signs of prepared differences and of sums with mixed signs. A choice is a list
+/// of flags for the operations.
 struct Search<'a> {
     kernel: &'a Plan,
     /// The node of each prepared difference in the kernel.

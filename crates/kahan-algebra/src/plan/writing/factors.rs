@@ -5,7 +5,7 @@ use kahan_syntax::rational::Rational;
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
-/// The most work for factors. Beyond it, polynomials stay unfactored.
+/// Polynomials stay unfactored beyond this much work.
 const WORK: u64 = 20_000;
 const TERMS: usize = 60;
 /// Discriminants of longer polynomials are not computed.

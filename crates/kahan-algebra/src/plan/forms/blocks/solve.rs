@@ -73,7 +73,7 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // An odd permutation changes the signs of all determinants, and the quotients stay.
+            // An odd permutation changes the signs of all determinants, but not the quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);
