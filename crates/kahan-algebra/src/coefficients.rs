@@ -1,5 +1,4 @@
-//! Builds quadratic fields ẋ = Q(x, x) + Bx + c from coefficients, and returns the coefficients of
-//! a field.
+//! Builds quadratic fields ẋ = Q(x, x) + Bx + c from coefficients, and returns coefficients.
 
 use kahan_syntax::rational::Rational;
 
@@ -14,17 +13,17 @@ use crate::system::System;
 pub struct Coefficient {
     /// The index of the component.
     pub component: usize,
-    /// The indices of the states in the monomial. An entry of c has no index, an entry of B has one
-    /// index, and an entry of Q has two indices.
+    /// The indices of the states in the monomial. Entries of c have no index, entries of B one, and
+    /// entries of Q two.
     pub states: [Option<usize>; 2],
-    /// The index of the parameter in the monomial, if there is one.
+    /// The index of the parameter in the monomial.
     pub parameter: Option<usize>,
     /// The value of the coefficient.
     pub value: Rational,
 }
 
 impl System {
-    /// Returns the system whose components are sums of these terms. The system has no claims.
+    /// Returns the system with these terms and without claims.
     ///
     /// # Panics
     /// If an index of a component, a state or a parameter exceeds those of the symbols.
@@ -45,8 +44,8 @@ impl System {
         System::of(field, kept)
     }
 
-    /// Returns the coefficients, ordered by component. Returns `None` if the field contains a
-    /// divisor, ε, or a product of parameters.
+    /// Returns the coefficients, ordered by component. Returns `None` for fields with a divisor, ε,
+    /// or a product of parameters.
     #[must_use]
     pub fn coefficients(&self) -> Option<Vec<Coefficient>> {
         let symbols = &self.field.symbols;

@@ -1,9 +1,8 @@
-//! The checked quadratic field. Later stages cannot fail on account of mistakes in the text.
+//! The checked quadratic field. Later stages cannot fail because of mistakes in the text.
 //!
-//! Each component is ẋᵢ = pᵢ/qᵢ in lowest terms, where pᵢ has degree at most 2 in the states and qᵢ
-//! contains no state. Coefficients may depend on ε²; the map approximates the flow of the field at
-//! ε = 0. [`crate::kahan`] derives the Jacobian f′, the bilinear form, the matrix A and the
-//! right-hand side b.
+//! Each component is ẋᵢ = pᵢ/qᵢ in lowest terms. The numerator pᵢ has degree at most 2 in the
+//! states, and qᵢ contains no state. Coefficients may depend on ε². The map approximates the flow
+//! of the field at ε = 0. [`crate::kahan`] derives the objects of Kahan's method.
 
 use crate::poly::{Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
@@ -14,9 +13,8 @@ use crate::symbols::Symbols;
 pub struct Field {
     /// The names of states and parameters.
     pub symbols: Symbols,
-    /// The components p/q, one for each state. The numerator p is a polynomial in states,
-    /// parameters and ε², of degree at most 2 in the states. The denominator q is a polynomial in
-    /// parameters and ε² that is nonzero at ε = 0.
+    /// The components p/q of the states. The numerator p has degree at most 2 in the states. The
+    /// denominator q contains no state and is nonzero at ε = 0. Both contain ε in even powers only.
     pub components: Vec<RationalFunction>,
 }
 
@@ -44,7 +42,7 @@ impl Field {
         self.components.iter().any(|component| component.contains(eps))
     }
 
-    /// Returns the part of a numerator that has degree `degree` (0, 1 or 2) in the states.
+    /// Returns the terms of a numerator with this degree in the states.
     #[must_use]
     pub fn homogeneous_part(&self, component: usize, degree: u32) -> Polynomial {
         let is_in = |monomial: &Monomial| monomial.degree_where(|v| self.symbols.is_state(v)) == degree;
@@ -52,14 +50,15 @@ impl Field {
         numerator.map_monomials(|monomial| is_in(monomial).then(|| monomial.clone()))
     }
 
-    /// Returns whether all terms are quadratic, so that B = 0 and c = 0.
+    /// Returns whether all terms are quadratic.
     #[must_use]
     pub fn is_homogeneous(&self) -> bool {
         (0..self.dimension())
             .all(|i| self.homogeneous_part(i, 0).is_zero() && self.homogeneous_part(i, 1).is_zero())
     }
 
-    /// Returns the indices of the states in a monomial. A state in the power k is listed k times.
+    /// Returns the indices of the states in a monomial. The k-th power of a state is listed k
+    /// times.
     #[must_use]
     pub fn states_of(&self, monomial: &Monomial) -> Vec<usize> {
         let mut states = Vec::new();

@@ -1,5 +1,5 @@
-//! Evaluates every object of Kahan's method at a point, at run time and in any arithmetic. In exact
-//! arithmetic, an undefined value is `None`.
+//! Evaluates every object of Kahan's method at a point, in any arithmetic. In exact arithmetic,
+//! undefined values are `None`.
 
 mod map;
 
@@ -12,7 +12,7 @@ use crate::poly::Variable;
 use crate::symbols::Symbol;
 use crate::system::{System, upper_index};
 
-/// A system that is prepared for evaluation.
+/// A system with plans for evaluation.
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     derived: Derived,
@@ -23,13 +23,13 @@ pub struct Interpreter {
 pub struct Point<V> {
     /// The states x.
     pub state: Vec<V>,
-    /// The parameters, in order.
+    /// The parameters.
     pub parameters: Vec<V>,
     /// The parameter ε, which is half the time step.
     pub eps: V,
 }
 
-/// The name of a bracket and its n×n matrix; `None` if the matrix is undefined.
+/// The name of a bracket and its n×n matrix. Undefined matrices are `None`.
 pub type NamedTensor<V> = (String, Option<Vec<Vec<V>>>);
 
 /// All objects of Kahan's method at a point. Undefined values are `None`.
@@ -51,15 +51,13 @@ pub struct Evaluation<V> {
     pub jacobian: Option<Vec<Vec<V>>>,
     /// The determinant of the Jacobian ∂x̃/∂x.
     pub det_jacobian: Option<V>,
-    /// The unconditional integrals, each with its name and value.
+    /// The unconditional integrals by name.
     pub integrals: Vec<(String, Option<V>)>,
-    /// The value of the unconditional density. The outer option is `None` if no density is
-    /// declared.
+    /// The unconditional density. The outer option is `None` without a density.
     pub density: Option<Option<V>>,
     /// The unconditional brackets, as n×n matrices.
     pub brackets: Vec<NamedTensor<V>>,
-    /// The unconditional drifts. Each has a name, the value F(x), and the value F(x̃) computed by
-    /// its recurrence.
+    /// The unconditional drifts by name, with F(x) and the value of F(x̃) by the recurrence.
     pub drifts: Vec<(String, Option<Vec<V>>)>,
 }
 
@@ -68,7 +66,7 @@ pub struct Evaluation<V> {
 pub struct UndefinedField;
 
 impl Interpreter {
-    /// Derives the plans of a system once, for evaluation at many points.
+    /// Derives the plans of a system once for many points.
     #[must_use]
     pub fn new(system: &System) -> Self {
         Interpreter { derived: derive(system) }
@@ -113,13 +111,13 @@ impl Interpreter {
         self.at(arithmetic, x).run_with(self.derived.at_eps_zero().polarized(), y)
     }
 
-    /// Returns the image x̃ under the reduced map; `None` at a pole, even in float arithmetic.
+    /// Returns the image x̃ under the reduced map. Returns `None` at a pole, even in floats.
     pub fn next<A: OverRationals>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
         self.at(arithmetic, point).next()
     }
 
     /// Returns the Jacobian ∂x̃/∂x at x̃ = `next`. The reduced map is differentiated by dual
-    /// numbers; without a reduced map, the result is A(x,ε)⁻¹A(x̃,−ε).
+    /// numbers. Without a reduced map, the Jacobian is A(x,ε)⁻¹A(x̃,−ε).
     pub fn jacobian<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -198,7 +196,7 @@ impl<A: OverRationals> Evaluator<'_, A> {
         }
     }
 
-    /// Returns the antisymmetric matrix whose entries above the diagonal are `upper`, row by row.
+    /// Returns an antisymmetric matrix from its entries above the diagonal, row by row.
     fn full(&self, upper: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
         let n = self.point.state.len();
         let zero = self.arithmetic.constant(&Rational::zero())?;

@@ -1,10 +1,8 @@
-//! The exact part of the implementation of Kahan's method: from the text of a field to plans of its
-//! map.
+//! The exact part of Kahan's method, from the text of a field to plans of the map.
 //!
-//! [`read`] takes tokens of the language of `kahan!`. It returns a checked quadratic vector field
-//! with a verdict on every claim about the field's map. [`check`] makes a [`system`] or a
-//! [`family`] from the syntax tree, and [`prove`] decides the claims. [`derive()`] returns every
-//! [`plan`] that evaluates the map; its code is in [`derived`].
+//! [`read`] turns tokens of the language of `kahan!` into a checked quadratic vector field.
+//! [`check`] makes a [`system`] or a [`family`], and [`prove`] decides the claims. [`derive()`]
+//! returns every [`plan`] that evaluates the map, by the code in [`derived`].
 //!
 //! The macro, maps at run time and the command share one [`Derived`]. The crate must therefore know
 //! neither a target language nor the scalars of `kahan-core`.
@@ -57,8 +55,7 @@ pub mod prove;
 pub mod check;
 
 pub use derived::{Derived, derive};
-/// The modules of `kahan-syntax` are exported here, so that users of this crate need no second
-/// dependency.
+/// The modules of `kahan-syntax`, so that users of this crate need no second dependency.
 pub use kahan_syntax::{diagnostics, lenient, lexer, parse, rational, syntax, table, token};
 
 use check::{Broken, Checked};
@@ -83,8 +80,8 @@ pub fn read_unproved(tokens: &[Token]) -> Checked {
     checked(block, None, diagnostics)
 }
 
-/// Parses and checks a text in the lenient notation without proving its claims. The tokens, which
-/// take several times the memory of the text, are freed before the check.
+/// Parses and checks a text in the lenient notation without proving its claims. The long list of
+/// tokens is freed before the check.
 #[must_use]
 pub fn read_unproved_text(text: &str) -> Checked {
     let mut diagnostics = Diagnostics::default();
@@ -98,7 +95,7 @@ pub fn check_unproved(block: Block) -> Checked {
     checked(block, None, Diagnostics::default())
 }
 
-/// Checks a block. The claims of the block are proved only if the tokens are given.
+/// Checks a block. Claims are proved only if tokens are given.
 fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
     let (stand_in, checked) = match &block.family {
         Some(head) => {
@@ -110,8 +107,8 @@ fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics)
         }
         None => {
             let (stand_in, system) = check::check_system(block, &mut diagnostics);
-            // If the field is wrong, every claim may be wrong. Only the mistakes of the field are
-            // then reported.
+            // In a wrong field every claim may be wrong, so only the mistakes of the field are
+            // reported.
             if let (Some(system), Some(tokens)) = (&system, tokens) {
                 prove::check_claims(system, seed(tokens), &mut diagnostics);
             }
@@ -128,9 +125,8 @@ fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics)
     }
 }
 
-/// Returns the seed of the prover's random points, which is a cryptographic hash of the block's
-/// text. Builds are therefore reproducible, and nobody can construct a claim that holds only at the
-/// points of its test.
+/// Returns the seed of the prover's random points, a cryptographic hash of the text. Builds are
+/// therefore reproducible. Nobody can construct a claim that holds only at the points of the test.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();

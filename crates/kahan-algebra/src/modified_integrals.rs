@@ -1,12 +1,10 @@
 //! Derives integrals of Kahan's map from integrals of the flow, by linear algebra over rational
-//! functions of the parameters. Methods that use orbits, primes or searches are in
-//! `kahan-discover`.
+//! functions of the parameters.
 //!
 //! # Theorems
 //!
 //! Let x̃ be the image of x and f(x,x̃) the polarised field, so that x̃ − x = 2ε f(x,x̃). A *form*
-//! is an affine function of x. The following two theorems hold in any dimension; [`Rule`] states
-//! special cases.
+//! is an affine function of x. Two theorems hold in any dimension.
 //!
 //! **Polarisation.** Let I = a·x + xᵀCx with dI/dt = 0 and Cf affine. Then I − ε² fᵀCf is an
 //! integral. Proof: write I = a·x + yᵀCy with forms y whose derivatives ℓ are affine. Polarise
@@ -31,7 +29,7 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, linear_relations};
 
-/// The most terms of a formula. Lifted chains of equations stay below this limit.
+/// The most terms of a formula.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -41,66 +39,62 @@ pub enum Rule {
     /// If I = a·x + xᵀCx is an integral of the flow ẋ = f and Cf is affine, then I − ε² fᵀCf is an
     /// integral of the map.
     ///
-    /// If I is linear, the integral of the map is I. If f is linear, I itself is an integral of the
-    /// map.
+    /// A linear integral I of the flow is also an integral of the map. For linear f, every
+    /// quadratic integral I is an integral of the map.
     ///
-    /// *Relations*: if w = x² and ẋ = y, then w − x² + ε²y² is an integral of the map, whatever ẏ
-    /// is. *Energy*: if ẋ = p, ṗ = −F and Ẇ = F·p for a potential W with gradient F, then |p|²/2 +
-    /// W − ε²|F|²/2 is one, whatever the equations of F are.
+    /// *Relations*: if w = x² and ẋ = y, then w − x² + ε²y² is an integral of the map. *Energy*: if
+    /// ẋ = p, ṗ = −F and Ẇ = F·p for a potential W with gradient F, then |p|²/2 + W − ε²|F|²/2 is
+    /// an integral.
     Polarisation,
     /// If ẏ = m N y with a form m and N² = −δ, δ > 0, then yᵀQy/(1 + ε²δm²) is an integral of the
     /// map. Here yᵀQy is an integral of the flow. For ṡ = αcm and ċ = −βsm, the integral is (βs² +
-    /// αc²)/(1 + ε²αβm²), whatever ṁ is. If m is constant along orbits, yᵀQy itself is an integral.
+    /// αc²)/(1 + ε²αβm²). If m is an integral, so is yᵀQy.
     Rotation,
     /// Like [`Rotation`](Rule::Rotation), but with δ < 0. For ṡ = κsm and ẇ = −κwm, the integral is
     /// sw/(1 − ε²κ²m²). If δ contains parameters, the sign of its leading coefficient counts.
     Hyperbolic,
 }
 
-/// A quadratic or linear integral of the flow, and the corresponding integral of Kahan's map.
+/// An integral of the flow, and the corresponding integral of Kahan's map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModifiedIntegral {
-    /// The theorem from which the integral of the map follows.
+    /// The theorem that proves the integral of the map.
     pub rule: Rule,
     /// The integral I of the flow, of degree at most 2 in the states.
     pub of_flow: Polynomial,
-    /// The integral of the map, in states, parameters and ε. At ε = 0 it equals the integral of the
-    /// flow.
+    /// The integral of the map. At ε = 0 it equals the integral of the flow.
     pub of_map: RationalFunction,
 }
 
-/// Returns all integrals that polarisation and rotation yield. First comes a basis of the linear
-/// integrals. The integrals by polarisation follow, as a basis modulo products of linear integrals.
-/// The integrals by rotation come last, for one form m after another. All integrals are linearly
-/// independent, and usually also functionally independent.
+/// Returns all integrals by polarisation and rotation within a bounded amount of work.
 ///
-/// The amount of work is bounded. Integrals that would take more work are omitted.
+/// First comes a basis of the linear integrals, then integrals by polarisation, modulo products of
+/// linear integrals. Integrals by rotation come last, ordered by forms m. All integrals are
+/// linearly independent, and usually also functionally independent.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
     let mut found = Vec::new();
-    // If the budget is spent, the integrals found before are still valid.
     let _ = flow.add_polarised(&mut found, &mut budget());
     let _ = flow.add_rotations(&mut found, &mut budget());
     found
 }
 
-/// Returns the integral of Kahan's map that corresponds to `integral`, an integral of the flow of
-/// degree at most 2. Returns `None` if neither theorem applies, or if the work would exceed a
-/// bound. The rotation rule may change the constant term, multiplied by a denominator without
-/// states.
+/// Returns the integral of the map for an integral of the flow of degree at most 2. Returns `None`
+/// if neither theorem applies, or if the work is too large. The rotation rule may change the
+/// constant term and multiply the integral by a denominator without states.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
     flow.polarised(integral, &mut budget()).or_else(|_| flow.rotated(integral, &mut budget())).ok()
 }
 
-/// Returns a basis of the linear integrals Σ cₖ xₖ with numeric coefficients, each as pairs (k,
-/// cₖ). The linear integrals are integrals of the flow and of the map, for all parameters and ε.
-/// The list is empty if the work would exceed a bound.
+/// Returns a basis of the linear integrals Σ cₖ xₖ with numeric coefficients, as pairs (k, cₖ).
+/// Linear integrals of the flow are integrals of the map for all parameters and ε. The list is
+/// empty if the work is too large.
 ///
-/// `order` must be a permutation of the states. The basis is in reduced echelon form, counted from
-/// the end of `order`: the last variable of each integral occurs in no other one.
+/// The list `order` must be a permutation of the states. The last variable of each integral, in
+/// this order, occurs in no other integral.
 ///
 /// # Panics
 /// If `order` contains an index that is not a state.
@@ -119,7 +113,7 @@ fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The error that there is no integral, because a premise fails or the budget is spent.
+/// The error that a premise fails or the budget is spent.
 #[derive(Clone, Copy, Debug)]
 struct NoIntegral;
 
@@ -129,18 +123,17 @@ impl From<OverBudget> for NoIntegral {
     }
 }
 
-/// A form λ together with its derivative λ′ along the field, or with λ′/m for a form m.
+/// A form λ and its derivative λ′ along the field, or λ′/m for a form m.
 type WithSlope = (Polynomial, Polynomial);
 
-/// A product of two linear integrals. `pair` are two states whose product occurs in it.
+/// A product of two linear integrals that contains the product of the states `pair`.
 #[derive(Clone)]
 struct Product {
     value: Polynomial,
     pair: [Variable; 2],
 }
 
-/// The flow of ẋ = F(x)/q. The components F are polynomials in states and parameters; the divisor q
-/// contains no states.
+/// The flow of ẋ = F(x)/q. The divisor q contains no states.
 struct Flow<'a> {
     symbols: &'a Symbols,
     components: Vec<Polynomial>,
@@ -157,7 +150,7 @@ impl<'a> Flow<'a> {
         Polynomial::variable(self.symbols.state(i))
     }
 
-    /// Returns the derivative Σ ∂P/∂xᵢ vᵢ of a polynomial P in the direction v.
+    /// Returns the derivative of a polynomial in the direction v.
     fn directional_derivative(
         &self,
         polynomial: &Polynomial,
@@ -184,8 +177,8 @@ impl<'a> Flow<'a> {
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
         let constant = linear_relations(&self.components, |v| symbols.is_state(v), budget)?;
         let affine = linear_relations(&quadratic, |v| symbols.is_state(v), budget)?;
-        // Forms with affine derivatives include the linear integrals. To complete a basis, take the
-        // forms whose last term is not the last term of a linear integral.
+        // The basis of forms with affine derivatives consists of the linear integrals and of forms
+        // with other last terms.
         let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
         let others = affine.iter().filter(|relation| !is_last(last(relation)));
         let mut forms = Vec::new();
@@ -200,8 +193,7 @@ impl<'a> Flow<'a> {
         let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
         let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
         for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
-            // Reduce the integral modulo products: subtracting a multiple of (x + y)² may turn the
-            // energy into a sum of squares.
+            // Without a multiple of (x + y)², the energy may become a sum of squares.
             for Product { value, pair } in &products {
                 let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
                 let scaled = integral.mul_within(&other, budget)?;
@@ -212,9 +204,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the products of linear integrals. Products of two different integrals come first.
-    /// The pair of states of a product occurs in no later product, because the last state of a
-    /// linear integral occurs in no other one.
+    /// Returns the products of linear integrals, with products of two different integrals first.
+    /// The pair of states of a product occurs in no later product.
     fn products(
         &self,
         relations: &[Relation],
@@ -227,7 +218,7 @@ impl<'a> Flow<'a> {
                 let is_square = i == j;
                 let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
                 let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
-                // Products that are squares of a single state were removed before.
+                // Squares of a single state were removed before.
                 if pair[0] != pair[1] {
                     let value = forms[i].0.mul_within(&forms[j].0, budget)?;
                     if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
@@ -237,15 +228,14 @@ impl<'a> Flow<'a> {
         Ok([of_two, squares].concat())
     }
 
-    /// Adds the integrals by rotation, where ẏ = m N y, for each form m.
+    /// Adds the integrals by rotation for each form m.
     fn add_rotations(
         &self,
         found: &mut Vec<ModifiedIntegral>,
         budget: &mut Budget,
     ) -> Result<(), NoIntegral> {
         for multiplier in self.multipliers(budget)? {
-            // The candidates for y are variables with ẋ = m n, where n is affine in these
-            // variables.
+            // The candidates for y are variables with ẋ = m n, where n is affine in the candidates.
             let mut slopes = Vec::with_capacity(self.components.len());
             for component in &self.components {
                 let slope = component.div_within(&multiplier, budget)?;
@@ -268,7 +258,7 @@ impl<'a> Flow<'a> {
                 second.push(twice);
             }
             for delta in deltas {
-                // Collect forms λ with λN² = −δλ.
+                // Collect the forms λ with λN² = −δλ.
                 let vector = |(value, twice): (&Polynomial, &Polynomial)| {
                     twice.add_within(&delta.mul_within(value, budget)?, budget)
                 };
@@ -286,8 +276,8 @@ impl<'a> Flow<'a> {
         Ok(())
     }
 
-    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ in `further`. Both
-    /// are given with their derivatives. Products of the first `constant` forms are omitted.
+    /// Returns the integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ of forms λᵢ and functions vₖ. Both lists contain
+    /// derivatives. Products of the first `constant` forms are omitted.
     fn invariants(
         &self,
         forms: &[WithSlope],
@@ -315,8 +305,6 @@ impl<'a> Flow<'a> {
     }
 
     /// Returns the forms m that divide at least two components and may rotate a pair of variables.
-    /// Let n be the quotient of a component by m. Either each variable of the pair occurs in the
-    /// quotient n of the other, or each occurs in its own.
     fn multipliers(&self, budget: &mut Budget) -> WithinBudget<Vec<Polynomial>> {
         let mut found: Vec<Polynomial> = Vec::new();
         let mut add = |divisor: &Polynomial| {
@@ -339,8 +327,7 @@ impl<'a> Flow<'a> {
         Ok(found)
     }
 
-    /// Removes variables whose quotient n depends on a removed variable, until no such variable is
-    /// left.
+    /// Removes variables whose quotients contain a removed variable.
     fn close(&self, slopes: &mut [Option<Polynomial>]) {
         loop {
             let is_out = |slope: &Polynomial| {
@@ -356,15 +343,15 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// Returns the integral I − ε² fᵀCf by polarisation, where I is the integral of the flow.
+    /// Returns the integral I − ε² fᵀCf by polarisation of an integral I.
     fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
-        // If the field is linear, the map is the midpoint rule, which preserves I.
+        // For a linear field, the map is the midpoint rule, which preserves I.
         if self.components.iter().all(|component| self.symbols.degree(component) < 2) {
             let of_map = integral.clone().into();
             return Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map });
         }
-        // Use 2fᵀCf = Σ fᵢ (2Cf)ᵢ, where (2Cf)ᵢ is the derivative of ∂I/∂xᵢ along the field.
+        // Here 2fᵀCf = Σ fᵢ (2Cf)ᵢ, and (2Cf)ᵢ is the derivative of ∂I/∂xᵢ along the field.
         let mut twice = Polynomial::zero();
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
             let second = self.directional_derivative(&slope, &self.components, budget)?;
@@ -382,13 +369,13 @@ impl<'a> Flow<'a> {
         Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
     }
 
-    /// Returns the integral I/(1 + ε²δm²) by rotation. The forms y = 2Qx of the integral I satisfy
-    /// ẏ = m u and u̇ = −δ m y.
+    /// Returns the integral I/(1 + ε²δm²) by rotation. The forms y = 2Qx and further forms u
+    /// satisfy ẏ = m u and u̇ = −δ m y.
     fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, NoIntegral> {
         self.check(integral, budget)?;
         let symbols = self.symbols;
         let slopes = integral.gradient(|variable| symbols.is_state(variable));
-        // Regard I as a quadratic form of (1, x). The first form belongs to the constant 1.
+        // I is a quadratic form of (1, x). The first form belongs to the constant 1.
         let mut first = integral.scale(&Rational::from(2));
         for (variable, slope) in slopes.iter() {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
@@ -415,7 +402,7 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(NoIntegral);
         }
-        // The sums u̇/m + δy are zero, except for the one that belongs to the constant term of I.
+        // All sums u̇/m + δy are zero, except for the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;
@@ -430,8 +417,7 @@ impl<'a> Flow<'a> {
         let of_flow = centred.numerator().clone();
         let (_, leading) = above.leading_term().expect("δ is not 0");
         let rule = if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation };
-        // If m is an integral, then 1 + ε²δm² is also an integral, and the division by it may be
-        // omitted.
+        // If m is an integral, so is 1 + ε²δm², and the division may be omitted.
         if self.directional_derivative(&multiplier, &self.components, budget)?.is_zero() {
             return Ok(ModifiedIntegral { rule, of_map: of_flow.clone().into(), of_flow });
         }
@@ -459,7 +445,7 @@ fn last(relation: &Relation) -> usize {
     relation.last().expect("a relation has a coefficient").0
 }
 
-/// Returns the combination Σ cₖ vₖ of vectors vₖ, where cₖ are the coefficients of the relation.
+/// Returns the combination Σ cₖ vₖ with the coefficients cₖ of a relation.
 fn combination(relation: &Relation, vectors: &[Polynomial], budget: &mut Budget) -> WithinBudget<Polynomial> {
     relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
         sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)

@@ -1,8 +1,8 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
 //! Terms are strictly decreasing in graded lexicographic order and have nonzero coefficients. Equal
-//! polynomials are therefore equal as data, and every iteration is deterministic. Three tasks are
-//! done elsewhere: names, evaluation (by plans) and irreducible factors (`kahan-factor`).
+//! polynomials are therefore equal as data. Names, evaluation and irreducible factors are
+//! deliberately absent.
 
 mod arithmetic;
 mod budget;
@@ -60,8 +60,7 @@ impl Polynomial {
         if coefficient.is_zero() { Self::zero() } else { Self { terms: vec![(monomial, coefficient)] } }
     }
 
-    /// Returns the sum of terms that are given in any order. Coefficients of repeated monomials are
-    /// added. The cost is that of sorting the terms.
+    /// Returns the sum of terms in any order. The cost is that of sorting.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
         let Ok(sum) = Self::collected(terms.into_iter().collect(), |a, b| Ok::<_, Infallible>(a + b));
         sum
@@ -103,7 +102,7 @@ impl Polynomial {
         &self.terms
     }
 
-    /// Returns the highest term; `None` for the polynomial 0.
+    /// Returns the highest term. Returns `None` for the polynomial 0.
     pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
         self.terms.first().map(|(monomial, coefficient)| (monomial, coefficient))
     }
@@ -113,7 +112,7 @@ impl Polynomial {
         self.terms.len()
     }
 
-    /// Returns whether the polynomial has no terms, like [`is_zero`](Self::is_zero).
+    /// Returns whether the polynomial is 0, like [`is_zero`](Self::is_zero).
     pub fn is_empty(&self) -> bool {
         self.terms.is_empty()
     }
@@ -132,13 +131,12 @@ impl Polynomial {
     pub fn as_constant(&self) -> Option<Rational> {
         match self.leading_term() {
             None => Some(Rational::ZERO),
-            // The order is graded, so if the leading monomial is 1, there is no other one.
+            // In a graded order, only a constant polynomial has the leading monomial 1.
             Some((monomial, coefficient)) => monomial.is_one().then(|| coefficient.clone()),
         }
     }
 
-    /// Returns the coefficient of `monomial`, which is 0 if the monomial does not occur. The cost
-    /// is that of a binary search.
+    /// Returns the coefficient of `monomial`, or 0. The cost is that of a binary search.
     pub fn coefficient(&self, monomial: &Monomial) -> Rational {
         match self.terms.binary_search_by(|term| monomial.cmp(&term.0)) {
             Ok(index) => self.terms[index].1.clone(),
@@ -160,7 +158,7 @@ impl Polynomial {
         degree
     }
 
-    /// Returns the degree of the polynomial in the variables that satisfy `belongs`.
+    /// Returns the degree in the variables that satisfy `belongs`.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
         for (monomial, _) in &self.terms {

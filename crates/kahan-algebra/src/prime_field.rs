@@ -1,8 +1,7 @@
 //! Arithmetic modulo primes below 2^62, and tests for primes.
 //!
-//! The prover tests identities between rational functions by evaluating them in a prime field at
-//! seeded points. The primality test is certain. Equal seeds give equal primes and points on every
-//! machine. Montgomery form is not used, because a `u128` remainder is fast enough here.
+//! The prover evaluates identities in a prime field at seeded points. The primality test is
+//! certain. Equal seeds give equal primes and points on every machine.
 
 mod random;
 #[cfg(test)]
@@ -16,18 +15,18 @@ pub use random::{Random, Shake256, SplitMix64};
 
 use kahan_syntax::rational::Rational;
 
-/// The field ℤ/p of residues modulo a prime p. Its elements are `u64` numbers below p.
+/// The field ℤ/p of a prime p. Elements are `u64` numbers below p.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PrimeField {
     prime: u64,
 }
 
 impl PrimeField {
-    /// The field with 2^61 − 1 elements, for computations whose result does not depend on the
-    /// prime.
+    /// The field with 2^61 − 1 elements, for results that do not depend on the prime.
     pub const MERSENNE_61: Self = Self { prime: (1 << 61) - 1 };
 
-    /// Returns the field with `prime` elements; `None` unless `prime` is a prime below 2^62.
+    /// Returns the field with `prime` elements. Returns `None` unless `prime` is a prime below
+    /// 2^62.
     pub fn new(prime: u64) -> Option<Self> {
         (prime < 1 << 62 && is_prime_u64(prime)).then_some(Self { prime })
     }
@@ -37,7 +36,7 @@ impl PrimeField {
         Self { prime: random_prime_61(rng) }
     }
 
-    /// Returns the prime, which is the number of elements.
+    /// Returns the number of elements.
     pub fn prime(self) -> u64 {
         self.prime
     }
@@ -68,7 +67,7 @@ impl PrimeField {
         pow_mod(a, exponent, self.prime)
     }
 
-    /// Returns 1/a by the extended Euclidean algorithm; `None` if a is 0.
+    /// Returns 1/a. Returns `None` if a is 0.
     pub fn inverse(self, a: u64) -> Option<u64> {
         if a == 0 {
             return None;
@@ -90,7 +89,7 @@ impl PrimeField {
         if value < 0 { self.neg(residue) } else { residue }
     }
 
-    /// Returns the residue of a rational; `None` if the prime divides the denominator.
+    /// Returns the residue of a rational. Returns `None` if the prime divides the denominator.
     pub fn reduce(self, value: &Rational) -> Option<u64> {
         let (num, den) = match value.as_small_ratio() {
             Some((num, 1)) => return Some(self.reduce_i64(num)),
@@ -126,12 +125,12 @@ fn pow_mod(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
     power
 }
 
-/// The first twelve primes. As bases of the Miller–Rabin test they decide primality below 3.3·10^24
-/// (Sorenson and Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
+/// The first twelve primes. As bases of the Miller–Rabin test, they decide primality below
+/// 3.3·10^24 (Sorenson and Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86,
+/// 2017).
 const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 
-/// The upper limit of trial divisors. Trial division is cheap and recognises most composite
-/// numbers.
+/// The upper limit of trial divisors.
 const TRIAL_LIMIT: u64 = 256;
 
 /// Returns whether `n` is prime. The answer is certain.
@@ -155,8 +154,8 @@ pub fn is_prime_u64(n: u64) -> bool {
     BASES.iter().all(|&base| is_strong_probable_prime(n, base))
 }
 
-/// Returns whether base^d = 1, or base^(d·2^r) = −1 for some r < s, modulo n. The numbers d and s
-/// are those with n − 1 = d·2^s and d odd.
+/// Returns whether base^d = 1, or base^(d·2^r) = −1 for some r < s, modulo n. Here n − 1 = d·2^s
+/// with odd d.
 fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     let twos = (n - 1).trailing_zeros();
     let mut power = pow_mod(base, (n - 1) >> twos, n);
@@ -172,7 +171,7 @@ fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     false
 }
 
-/// Draws a prime between 2^60 and 2^61 uniformly. About 21 odd numbers are tried on average.
+/// Draws a prime between 2^60 and 2^61 uniformly. On average 21 odd numbers are tried.
 pub fn random_prime_61(rng: &mut dyn Random) -> u64 {
     loop {
         let candidate = (1 << 60) | (rng.next_u64() >> 4) | 1;

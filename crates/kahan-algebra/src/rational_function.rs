@@ -1,9 +1,8 @@
 //! Rational functions over ℚ in normal form.
 //!
 //! Numerator and denominator are coprime, and the denominator is primitive with positive leading
-//! coefficient. Equal functions are therefore equal as data. Operands are in lowest terms, so only
-//! few factors can cancel; Henrici's algorithm uses this to keep each gcd small. Each operation
-//! exists with and without a [`Budget`]. Evaluation is done by plans.
+//! coefficient. Equal functions are therefore equal as data. Henrici's algorithm keeps gcds small,
+//! because operands are in lowest terms. Each operation exists with and without a [`Budget`].
 
 mod common;
 #[cfg(test)]
@@ -46,7 +45,7 @@ impl RationalFunction {
         Self::from(Polynomial::variable(variable))
     }
 
-    /// Returns the quotient in lowest terms; `None` if the denominator is zero.
+    /// Returns the quotient in lowest terms. Returns `None` if the denominator is zero.
     pub fn new(numerator: Polynomial, denominator: Polynomial) -> Option<Self> {
         unlimited(|budget| Self::new_within(numerator, denominator, budget))
     }
@@ -64,13 +63,13 @@ impl RationalFunction {
         Ok(Some(Self::from_coprime(numerator, denominator)))
     }
 
-    /// Returns the numerator, which includes the rational factor and the sign.
+    /// Returns the numerator with the rational factor and the sign.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }
 
-    /// Returns the denominator, which is primitive with positive leading term. The denominator is 1
-    /// exactly if the function is a polynomial.
+    /// Returns the denominator, which is primitive with positive leading coefficient. Polynomials
+    /// have the denominator 1.
     pub fn denominator(&self) -> &Polynomial {
         &self.denominator
     }
@@ -80,7 +79,7 @@ impl RationalFunction {
         self.numerator.is_zero()
     }
 
-    /// Returns the function as a polynomial, if it is one.
+    /// Returns the function as a polynomial if possible.
     pub fn as_polynomial(&self) -> Option<&Polynomial> {
         self.denominator.is_one().then_some(&self.numerator)
     }
@@ -90,17 +89,18 @@ impl RationalFunction {
         self.numerator.contains(variable) || self.denominator.contains(variable)
     }
 
-    /// Applies `change` to numerator and denominator; `None` if the new denominator is zero.
+    /// Applies `change` to numerator and denominator. Returns `None` if the new denominator is
+    /// zero.
     pub fn map(&self, change: impl Fn(&Polynomial) -> Polynomial) -> Option<Self> {
         Self::new(change(&self.numerator), change(&self.denominator))
     }
 
-    /// Returns the quotient; `None` if `divisor` is zero.
+    /// Returns the quotient. Returns `None` if `divisor` is zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         unlimited(|budget| self.div_within(divisor, budget))
     }
 
-    /// Returns the reciprocal; `None` if the function is 0.
+    /// Returns the reciprocal. Returns `None` if the function is 0.
     pub fn recip(&self) -> Option<Self> {
         if self.is_zero() {
             return None;
@@ -115,8 +115,7 @@ impl RationalFunction {
 
     /// Returns the sum, or an error if it exceeds the budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
-        // Compute a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d). Only divisors of g may
-        // cancel.
+        // For g = gcd(b, d), a/b + c/d = (a·d/g + c·b/g) / (b·d/g). Only divisors of g may cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
         let own_cofactor = divide(&self.denominator, &common, budget)?;
         let other_cofactor = divide(&other.denominator, &common, budget)?;
@@ -138,22 +137,20 @@ impl RationalFunction {
 
     /// Returns the product, or an error if it exceeds the budget.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> WithinBudget<Self> {
-        // Both factors are in lowest terms. Only a numerator and the denominator of the other
-        // factor can have a common factor.
+        // Factors in lowest terms can cancel only between a numerator and the other denominator.
         let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
         let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
         Ok(Self::from_coprime(a.mul_within(&c, budget)?, b.mul_within(&d, budget)?))
     }
 
-    /// Returns the quotient, or an error if it exceeds the budget. The quotient is `None` if
-    /// `divisor` is zero.
+    /// Returns the quotient, or an error if it exceeds the budget. The quotient by 0 is `None`.
     pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> WithinBudget<Option<Self>> {
         divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
     }
 
     /// Returns the partial derivative, or an error if it exceeds the budget.
     pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> WithinBudget<Self> {
-        // Compute (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′).
+        // With g = gcd(d, d′), (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g).
         let slope = self.denominator.derivative(variable);
         let common = gcd_within(&self.denominator, &slope, budget)?;
         let cofactor = divide(&self.denominator, &common, budget)?;
@@ -166,7 +163,7 @@ impl RationalFunction {
         Ok(Self::from_coprime(numerator, denominator))
     }
 
-    /// Replaces `variable` by `value`; `None` if the new denominator is zero.
+    /// Replaces `variable` by `value`. Returns `None` if the new denominator is zero.
     pub fn compose_within(
         &self,
         variable: Variable,
@@ -183,7 +180,7 @@ impl RationalFunction {
         Self::new_within(above, below, budget)
     }
 
-    /// Normalises a quotient of two coprime polynomials. The denominator must be nonzero.
+    /// Normalises a quotient of coprime polynomials with nonzero denominator.
     pub(crate) fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
         if numerator.is_zero() {
             return Self::zero();
@@ -212,10 +209,10 @@ fn divide(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> W
     Ok(multiple.div_within(divisor, budget)?.expect("a common divisor divides"))
 }
 
-/// Runs a computation with a budget that limits only degrees.
+/// Runs a computation with a budget for degrees only.
 ///
 /// # Panics
-/// If a total degree exceeds 2^24, beyond which exponents might overflow.
+/// If a total degree exceeds 2^24.
 fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> WithinBudget<T>) -> T {
     compute(&mut Budget::unlimited()).expect("total degrees stay below 2^24")
 }

@@ -1,10 +1,9 @@
-//! Solves relations between parameters and ε. Each is solved for a name that occurs linearly.
+//! Solves relations between parameters and ε for names that occur linearly.
 //!
-//! The input consists of polynomials that must vanish. The result gives some names as rational
-//! functions of the other names. Solving divides by the coefficient of the name. The coefficient is
-//! assumed to be nonzero where the relations hold, and its factors are divided out of later
-//! relations. A relation a·v + b with coprime a and b is irreducible, so its generic solutions do
-//! not depend on the choice of the name v.
+//! The result gives some names as rational functions of the other names. The coefficient of a name
+//! is assumed to be nonzero, and its factors are divided out of later relations. A relation a·v + b
+//! with coprime a and b is irreducible. The solutions then do not depend on the choice of the name
+//! v.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, WithinBudget, gcd_within};
 use crate::rational_function::RationalFunction;
@@ -30,24 +29,22 @@ pub enum Obstacle {
     Contradiction,
     /// No name occurs linearly in the relation.
     NotLinear,
-    /// The relation is a product of these two polynomials. The relation does not say which
-    /// polynomial must vanish.
+    /// The relation is a product of these polynomials, and either factor may vanish.
     Product(Polynomial, Polynomial),
-    /// The relation is too large to be solved.
+    /// The relation is too large.
     TooLarge,
 }
 
-/// A classification of names v, by the coefficients of a relation a·v + b = 0. It is better to
-/// solve for a name of an earlier class.
+/// Classes of names v in relations a·v + b = 0. Earlier classes are preferred.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Solvability {
     /// The coefficient a is a number.
     Number,
-    /// The coefficients a and b are coprime, so the relation is irreducible.
+    /// The coefficients a and b are coprime.
     Irreducible,
-    /// The coefficients a and b have a common factor, which is assumed to be nonzero.
+    /// The coefficients a and b have a common factor, assumed to be nonzero.
     Factor,
-    /// The coefficient b is 0, so either v or a may be meant to vanish.
+    /// The coefficient b is 0, so either v or a may vanish.
     Product,
 }
 
@@ -64,15 +61,13 @@ impl Default for Relations {
 }
 
 impl Relations {
-    /// Adds the relation `polynomial` = 0 and returns the name for which it was solved. Names whose
-    /// coefficient is a number are preferred, then names whose coefficient is coprime to the other
-    /// terms. Among equals, the first name in `names` comes first; variables that earlier values
-    /// introduced come last.
+    /// Adds the relation `polynomial` = 0 and returns the name for which it was solved. Names with
+    /// a number as coefficient are preferred, then names with a coprime coefficient, then the order
+    /// of `names`.
     ///
     /// # Errors
-    /// Returns the [`Obstacle`]; the relation is then not added.
+    /// Returns the [`Obstacle`], and does not add the relation.
     pub fn add(&mut self, polynomial: &Polynomial, names: &[Variable]) -> Result<Variable, Obstacle> {
-        // The relation holds where the numerator vanishes.
         let mut relation = self.put_into(polynomial)?.ok_or(Obstacle::Contradiction)?.numerator().clone();
         if relation.is_zero() {
             return Err(Obstacle::Identity);
@@ -121,7 +116,7 @@ impl Relations {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // A polynomial a·v + b is a product if a and b have a common factor.
+        // A polynomial a·v + b with a common factor of a and b is a product.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };
@@ -148,8 +143,8 @@ impl Relations {
         })
     }
 
-    /// Records that `polynomial` is nonzero where the relations hold. Returns `false` if it
-    /// vanishes there.
+    /// Records that `polynomial` is nonzero. Returns `false` if it vanishes where the relations
+    /// hold.
     pub fn require(&mut self, polynomial: &Polynomial) -> WithinBudget<bool> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {
@@ -158,36 +153,35 @@ impl Relations {
         Ok(!vanishes)
     }
 
-    /// Returns whether `polynomial` vanishes or is undefined wherever the relations hold.
+    /// Returns whether `polynomial` vanishes or is undefined where the relations hold.
     pub fn makes_vanish(&mut self, polynomial: &Polynomial) -> WithinBudget<bool> {
         Ok(self.put_into(polynomial)?.is_none_or(|value| value.is_zero()))
     }
 
-    /// Returns the value of a name; `None` if no relation is solved for it.
+    /// Returns the value of a name. Returns `None` for names without a relation.
     #[must_use]
     pub fn value(&self, name: Variable) -> Option<&RationalFunction> {
         self.values.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
-    /// Returns the names for which relations are solved, with their values, in the order of the
-    /// relations.
+    /// Returns the names for which relations were solved, with their values, in order.
     pub fn values(&self) -> impl Iterator<Item = (Variable, &RationalFunction)> {
         self.values.iter().map(|(name, value)| (*name, value))
     }
 
-    /// Returns the polynomials that must be nonzero for the values to exist.
+    /// Returns the polynomials that must be nonzero.
     pub fn nonzero(&self) -> &[Polynomial] {
         &self.nonzero
     }
 
-    /// Replaces every name by its value; `None` if a divisor then vanishes identically.
+    /// Replaces every name by its value. Returns `None` if a divisor becomes identically 0.
     pub fn put_into(&mut self, polynomial: &Polynomial) -> WithinBudget<Option<RationalFunction>> {
         put_into(polynomial, self.values.iter().map(|(name, value)| (*name, value)), &mut self.budget)
     }
 }
 
-/// Replaces names by their values, within a budget. Returns `None` if a divisor then vanishes
-/// identically.
+/// Replaces names by their values within a budget. Returns `None` if a divisor becomes identically
+/// 0.
 pub(crate) fn put_into<'a>(
     polynomial: &Polynomial,
     values: impl Iterator<Item = (Variable, &'a RationalFunction)>,
@@ -203,7 +197,7 @@ pub(crate) fn put_into<'a>(
     Ok(Some(function))
 }
 
-/// Returns the coefficients a and b of a polynomial a·v + b, where v is `name`.
+/// Returns the coefficients a and b of a polynomial a·`name` + b.
 fn linear_in(polynomial: &Polynomial, name: Variable) -> (Polynomial, Polynomial) {
     let mut parts = polynomial.coefficients_in(name);
     (parts.remove(&1).unwrap_or_default(), parts.remove(&0).unwrap_or_default())

@@ -1,4 +1,4 @@
-//! Inserts values for some parameters into a system, and reduces the result.
+//! Inserts values for parameters into a system.
 
 use std::sync::Arc;
 
@@ -15,9 +15,9 @@ use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, Condition, System};
 
 impl System {
-    /// Returns the system in which these parameters are constants with the given values. Claims are
-    /// dropped if their conditions contradict the values or cannot be solved. Returns `None` if the
-    /// field divides by zero.
+    /// Returns the system with these parameters as constants. Claims are dropped if their
+    /// conditions contradict the values or cannot be solved. Returns `None` if the field divides by
+    /// zero.
     #[must_use]
     pub fn specialise(&self, values: &[(usize, Rational)]) -> Option<System> {
         let old = &self.field.symbols;
@@ -32,8 +32,8 @@ impl System {
             Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
-            // A block has one unconditional density. A second density would be the first density
-            // multiplied by an integral.
+            // A block has one unconditional density. A second density is the first one times an
+            // integral.
             let is_density = |claim: &Claim| claim.kind == ClaimKind::Density && claim.is_unconditional();
             if !is_density(&claim) || !claims.iter().any(is_density) {
                 claims.push(claim);
@@ -46,7 +46,7 @@ impl System {
         Some(specialised)
     }
 
-    /// Returns the system with additional parameters that do not occur anywhere.
+    /// Returns the system with additional unused parameters.
     #[must_use]
     pub fn with_parameters(&self, names: &[String]) -> System {
         let old = &self.field.symbols;
@@ -62,8 +62,8 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// Returns the system at this ε, without claims. At ε = 0, the map approximates the flow of the
-    /// returned field. Returns `None` if the field divides by zero, which never happens at ε = 0.
+    /// Returns the system at this ε, without claims. At ε = 0, the map approximates the flow of its
+    /// field. Returns `None` if the field divides by zero, which never happens at ε = 0.
     #[must_use]
     pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
@@ -75,9 +75,8 @@ impl System {
         Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
     }
 
-    /// Returns the system where these relations between parameters hold. The returned system has no
-    /// claims, and does not contain the parameters for which the relations are solved. Returns
-    /// `None` if the field divides by zero, or if limits on sizes are exceeded.
+    /// Returns the system without claims where these relations hold. Solved parameters are removed.
+    /// Returns `None` if the field divides by zero, or if limits on sizes are exceeded.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;
@@ -168,8 +167,8 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// Solves the conditions of a claim after values were inserted. Returns `None` if the
-    /// conditions are false, or not known to be equivalent.
+    /// Solves the conditions of a claim after values were inserted. Returns `None` for conditions
+    /// that are false or not known to be equivalent.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

@@ -1,11 +1,10 @@
-//! The written form of a field. Sums that are used as factors, and reciprocals of divisors, become
-//! named subexpressions (`Subexpressions`).
+//! The written form of a field. Sums in products and reciprocals of divisors become named
+//! subexpressions (`Subexpressions`).
 //!
-//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but
-//! `p*x*y - q*x*y` is not. Similarly, the common divisor in `x/(1 + nu) + x/(mu - nu)` can vanish
-//! by rounding where neither divisor does. Plans for floats therefore use polynomials without
-//! divisions, in states, parameters and named subexpressions. When subexpressions are substituted,
-//! the components equal those of the [`Field`].
+//! Expansion can lose digits. For example, `(p - q)*x*y` is accurate for p near q, but `p*x*y -
+//! q*x*y` is not. A common divisor can also vanish by rounding where its factors do not. Plans for
+//! floats therefore use polynomials in states, parameters and named subexpressions. With all
+//! subexpressions inserted, the components are those of the [`Field`].
 
 use kahan_program::Numbered;
 use kahan_syntax::rational::Rational;
@@ -17,10 +16,10 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 
-/// A quantity by which the points of an orbit are differentiated.
+/// A quantity by which orbits are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sensitivity {
-    /// The coordinate with this index of the first point.
+    /// All coordinates of the first point.
     Start,
     /// The parameter with this index.
     Parameter(usize),
@@ -28,17 +27,16 @@ pub enum Sensitivity {
     Epsilon,
 }
 
-/// A named subexpression, given by a polynomial in states, parameters and earlier subexpressions.
+/// A named subexpression in states, parameters and earlier subexpressions.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Value {
-    /// A sum that is written as a factor.
+    /// A sum as a factor.
     Sum(Polynomial),
-    /// The reciprocal of a divisor that contains no state.
+    /// The reciprocal of a divisor without states.
     Reciprocal(Polynomial),
 }
 
-/// The named subexpressions of a field. The variables of named subexpressions are numbered after
-/// the variables of all symbols.
+/// The named subexpressions of a field. Their variables follow those of all symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Subexpressions {
     first: usize,
@@ -53,13 +51,13 @@ pub struct FieldWithSubexpressions {
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field from which steps are planned. Subexpressions without states are additional parameters.
+/// A field for planning steps. Subexpressions without states are additional parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct WithConstants {
     pub(crate) field: Field,
-    /// The field whose subexpressions are sums with states; `None` if all sums are free of states.
+    /// The field with sums of states as subexpressions. `None` without such sums.
     pub(crate) kept: Option<FieldWithSubexpressions>,
-    /// For each added parameter, the index of its subexpression.
+    /// The subexpression of each added parameter.
     pub(crate) places: Vec<usize>,
     pub(crate) values: Subexpressions,
     pub(crate) symbols: Symbols,
@@ -84,7 +82,7 @@ impl Subexpressions {
         Subexpressions { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
     }
 
-    /// Returns the index of the subexpression that a variable names.
+    /// Returns the index of the subexpression of a variable.
     pub(crate) fn place(&self, variable: Variable) -> Option<usize> {
         usize::from(variable.0).checked_sub(self.first)
     }
@@ -93,8 +91,8 @@ impl Subexpressions {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// Returns the variable that names a subexpression, which is added if it is new. Returns `None`
-    /// if there would be more than 2¹⁶ variables.
+    /// Returns the variable of a subexpression, which is added if new. Returns `None` if there are
+    /// more than 2¹⁶ variables.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let place = self.values.number(value);
         self.variable(place)
@@ -105,8 +103,7 @@ impl Subexpressions {
         self
     }
 
-    /// Turns a polynomial into a factor of a product. A sum becomes a named subexpression
-    /// multiplied by a number; a single term stays.
+    /// Turns a polynomial into a factor. A sum becomes a number times a named subexpression.
     pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.len() < 2 {
             return polynomial.clone();
@@ -124,8 +121,8 @@ impl Subexpressions {
         }
     }
 
-    /// Returns the quotient by a nonzero divisor that contains no state. Common monomials are
-    /// cancelled first.
+    /// Returns the quotient by a nonzero divisor without states. Common monomials are cancelled
+    /// first.
     pub(crate) fn quotient(&mut self, dividend: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
         let (dividend, divisor) = (self.factor(dividend), self.factor(divisor));
         let common = dividend.monomial_content().gcd(&divisor.monomial_content());
@@ -134,7 +131,7 @@ impl Subexpressions {
         Some(&dividend * &self.reciprocal(&divisor)?)
     }
 
-    /// Returns whether every divisor that occurs in a polynomial is a factor of `denominator`.
+    /// Returns whether every divisor in a polynomial is a factor of `denominator`.
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         let mut places = polynomial.variables().into_iter().filter_map(|variable| self.place(variable));
         places.all(|place| match &self.values[place] {
@@ -152,8 +149,8 @@ impl Subexpressions {
         })
     }
 
-    /// Returns the reciprocal of a nonzero polynomial without states. Returns `None` if there would
-    /// be more than 2¹⁶ variables.
+    /// Returns the reciprocal of a nonzero polynomial without states. Returns `None` if there are
+    /// more than 2¹⁶ variables.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -163,8 +160,8 @@ impl Subexpressions {
         self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
     }
 
-    /// Returns the derivatives of a polynomial by the wanted variables, by the chain rule.
-    /// Derivatives that are sums become named subexpressions.
+    /// Returns the derivatives by the wanted variables, by the chain rule. Derivatives that are
+    /// sums become named subexpressions.
     fn gradient(
         &mut self,
         polynomial: &Polynomial,
@@ -200,7 +197,7 @@ impl Subexpressions {
         let value = self.values[place].clone();
         let factor = match value {
             Value::Sum(_) => Polynomial::one(),
-            // The derivative of a reciprocal is (1/q)′ = −q′·(1/q)².
+            // The derivative of 1/q is −q′·(1/q)².
             Value::Reciprocal(_) => {
                 let own = self.variable(place).expect("it has a variable");
                 Polynomial::term(Monomial::power(own, 2), -Rational::ONE)
@@ -214,7 +211,7 @@ impl Subexpressions {
     }
 }
 
-/// The nonzero derivatives of a polynomial, each with its variable, in no particular order.
+/// The nonzero derivatives of a polynomial with their variables, in any order.
 type Gradient = Vec<(Variable, Polynomial)>;
 
 fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
@@ -225,9 +222,8 @@ fn add_slope(gradient: &mut Gradient, variable: Variable, slope: Polynomial) {
 }
 
 impl FieldWithSubexpressions {
-    /// Builds a field that keeps only the subexpressions that its components need.
-    ///
-    /// If ε occurs only in even powers, ε² becomes the first subexpression.
+    /// Builds a field with the subexpressions that its components need. If ε occurs only in even
+    /// powers, ε² is the first subexpression.
     pub(crate) fn new(values: Subexpressions, components: Vec<Polynomial>) -> Self {
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -272,8 +268,7 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions { components, values: kept }
     }
 
-    /// Returns the written form of an expanded field, whose divisors are the denominators of the
-    /// components.
+    /// Returns the written form of an expanded field. Its divisors are the denominators.
     pub(crate) fn of(field: &Field) -> Self {
         let mut values = Subexpressions::of(&field.symbols);
         let components = field.components.iter().map(|component| {
@@ -290,7 +285,7 @@ impl FieldWithSubexpressions {
         !polynomials.all(|polynomial| polynomial.is_even_in(*epsilon))
     }
 
-    /// Returns the field at this ε. The divisors must be nonzero there.
+    /// Returns the field at this ε, where divisors must be nonzero.
     pub(crate) fn at_eps(&self, symbols: &Symbols, eps: &Rational) -> Self {
         let mut values = Subexpressions::of(symbols);
         let put = |variable| match variable == symbols.epsilon() {
@@ -301,8 +296,8 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(values, components)
     }
 
-    /// Returns the field together with one vector of derivatives for each entry of `by`. `tangent`
-    /// has the names of all variables.
+    /// Returns the field with one vector of derivatives for each entry of `by`. The names are those
+    /// of `tangent`.
     pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[Sensitivity]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
@@ -332,8 +327,7 @@ impl FieldWithSubexpressions {
         FieldWithSubexpressions::new(Subexpressions::of(tangent).with(renamed), components)
     }
 
-    /// Returns ∂f/∂a for a parameter a. For ε returns f + ε ∂f/∂ε instead, which the caller
-    /// multiplies by 1/ε.
+    /// Returns ∂f/∂a for a parameter a. For ε, returns f + ε ∂f/∂ε, which the caller divides by ε.
     fn sources(&self, symbols: &Symbols, values: &mut Subexpressions, by: Sensitivity) -> Vec<Polynomial> {
         let name = match by {
             Sensitivity::Start => return vec![Polynomial::zero(); self.components.len()],
@@ -353,8 +347,7 @@ impl FieldWithSubexpressions {
         self.components.iter().map(source).collect()
     }
 
-    /// Returns the nonzero entries of f′(x), row by row, with the subexpressions that occur in
-    /// them.
+    /// Returns the nonzero entries of f′(x) by rows, and their subexpressions.
     pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Subexpressions, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
@@ -369,13 +362,13 @@ impl FieldWithSubexpressions {
     }
 
     /// Turns subexpressions without states into parameters. Returns `field` unchanged if a
-    /// coefficient of the result vanishes.
+    /// coefficient vanishes.
     pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
         self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// Turns subexpressions without varying variables into parameters. Returns the plain field if
-    /// it divides by a varying variable.
+    /// Turns subexpressions without varying variables into parameters. Returns the plain field if a
+    /// divisor varies.
     pub(crate) fn with_values_free_of(
         &self,
         field: &Field,
@@ -429,12 +422,11 @@ impl FieldWithSubexpressions {
         WithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
-    /// Returns whether a step that is planned from expanded sums may lose digits. The step may lose
-    /// digits if a term contains two written sums, or a constant multiplied by a sum as in `(y -
-    /// 1)/s`. A sum that contains the component's own state does no harm, because the constant is
-    /// also on the diagonal of A and cancels.
+    /// Returns whether a step that is planned from expanded sums may lose digits.
     ///
-    /// Every subexpression must be a sum, as in a field with named constants.
+    /// This may happen if a term contains two written sums, or a constant and a sum as in `(y -
+    /// 1)/s`. A sum with the component's own state is harmless, because the constant cancels on the
+    /// diagonal of A. Every subexpression must be a sum.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let is_sum = |variable: Variable| self.values.place(variable).is_some();
         let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
@@ -451,8 +443,7 @@ impl FieldWithSubexpressions {
         })
     }
 
-    /// Replaces each variable by the result of `put`. Subexpressions that arise are added to
-    /// `others`.
+    /// Replaces each variable by the result of `put`. New subexpressions are added to `others`.
     pub(crate) fn with(
         &self,
         others: &mut Subexpressions,
@@ -487,7 +478,7 @@ impl FieldWithSubexpressions {
 }
 
 impl WithConstants {
-    /// Returns the expanded field, to which no parameters are added.
+    /// Returns the expanded field without added parameters.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Subexpressions::of(&symbols);

@@ -1,14 +1,13 @@
-//! Assigns variables to names. States come first, then parameters, then ε, then a second copy of
-//! the states.
+//! Assigns variables to names: states, parameters, ε, then a second copy of the states.
 
 use crate::poly::{Polynomial, Variable, gcd_all};
 
 /// The names of states and parameters of a system.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Symbols {
-    /// The names of the states, in order of their equations.
+    /// The names of the states in the order of the equations.
     pub states: Vec<String>,
-    /// The names of the parameters, in order of the header.
+    /// The names of the parameters in the order of the header.
     pub parameters: Vec<String>,
 }
 
@@ -32,7 +31,7 @@ impl Symbols {
         self.states.len()
     }
 
-    /// Returns the number of variables. Each state counts twice, each parameter and ε once.
+    /// Returns the number of variables. States count twice.
     #[must_use]
     pub fn count(&self) -> usize {
         2 * self.states.len() + self.parameters.len() + 1
@@ -100,9 +99,8 @@ impl Symbols {
         self.degree(polynomial) > 0
     }
 
-    /// Divides by the greatest common divisor of the coefficients with respect to the states. Then
-    /// scales the rational coefficients to coprime integers with a positive leading one. The
-    /// polynomial 0 stays 0.
+    /// Divides by the gcd of the coefficients of states, and scales to coprime integers with
+    /// positive leading coefficient. The polynomial 0 stays 0.
     #[must_use]
     pub fn primitive_part(&self, polynomial: &Polynomial) -> Polynomial {
         let groups = polynomial.group(|variable| self.is_state(variable));
@@ -110,8 +108,7 @@ impl Symbols {
         polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part()
     }
 
-    /// Returns the name of a variable as the user wrote it. The second copy of a state gets a
-    /// prime.
+    /// Returns the name of a variable. Second states get a prime.
     #[must_use]
     pub fn name(&self, variable: Variable) -> String {
         match self.symbol(variable) {

@@ -1,5 +1,4 @@
-//! A checked block, which consists of a field and claims about its map. Names in claims are
-//! resolved, but the claims are not yet proved.
+//! A checked block, with a field and unproved claims about its map.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,18 +18,17 @@ use crate::symbols::Symbols;
 /// A field with its claims. Clones share the field.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// The header, if the block has one.
+    /// The header of the block.
     pub header: Option<Header>,
-    /// The constants with their values, in order of declaration.
+    /// The constants with their values.
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
     pub field: Arc<Field>,
-    /// The field with the sums and divisors as written, from which plans are made.
+    /// The field with sums and divisors as written. Plans are made from it.
     pub kept: Arc<FieldWithSubexpressions>,
-    /// The right-hand sides as written, in order. The list is empty for a system that was derived
-    /// from another system.
+    /// The right-hand sides as written. The list is empty for derived systems.
     pub written: Arc<[Expr]>,
-    /// The claims, in order.
+    /// The claims.
     pub claims: Vec<Claim>,
 }
 
@@ -41,33 +39,31 @@ pub struct Claim {
     pub kind: ClaimKind,
     /// The name of the claim.
     pub name: Name,
-    /// The claim as written, for display.
+    /// The claim as written.
     pub body: ClaimBody,
-    /// The plan of the claim. A drift has the outputs F(x) and F(x̃), a bracket has its n(n−1)/2
-    /// entries above the diagonal, row by row, and any other claim has one output.
+    /// The plan of the claim. A drift has the outputs F(x) and F(x̃). A bracket has its entries
+    /// above the diagonal, row by row. Any other claim has one output.
     pub plan: Plan,
-    /// The conditions under which the claim should hold.
+    /// The conditions of the claim.
     pub conditions: Vec<Condition>,
 }
 
-/// A relation between parameters and ε that follows `when`, solved for one of these names.
+/// A solved relation behind `when` between parameters and ε.
 #[derive(Clone, Debug)]
 pub struct Condition {
-    /// The condition as written, for display.
+    /// The condition as written.
     pub written: syntax::Condition,
     /// The name for which the relation was solved.
     pub variable: Variable,
-    /// The value of `variable`, as a function of names for which no condition of the claim is
-    /// solved.
+    /// The value of `variable`, as a function of names for which no condition is solved.
     pub value: RationalFunction,
-    /// The polynomials that must be nonzero for this relation: divisors, and the coefficient of
-    /// `variable`.
+    /// The polynomials that must be nonzero: divisors, and the coefficient of `variable`.
     pub nonzero: Vec<Polynomial>,
 }
 
 impl Condition {
-    /// Builds the conditions of a claim from solved relations. Each entry has a relation as
-    /// written, its name, and the range of its polynomials in `relations.nonzero()`.
+    /// Builds the conditions of a claim from relations as written, their names, and ranges in
+    /// `relations.nonzero()`.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,
@@ -79,7 +75,7 @@ impl Condition {
         solved.into_iter().map(condition).collect()
     }
 
-    /// Returns the condition `NAME = value`. The condition has no place in the text.
+    /// Returns the condition `NAME = value`.
     #[must_use]
     pub fn fixed(symbols: &Symbols, variable: Variable, value: &Rational) -> Condition {
         let expr = |kind| Expr { kind, span: Span::token(0) };
@@ -102,7 +98,7 @@ impl Condition {
 }
 
 impl Claim {
-    /// Replaces names in the condition by their values.
+    /// Replaces names in the claim by their values.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.body {
             ClaimBody::Function(value) => value.put_values(values),
@@ -118,8 +114,7 @@ impl Claim {
         }
     }
 
-    /// Returns the plan of the claim, in which names for which conditions are solved are replaced
-    /// by their values.
+    /// Returns the plan of the claim with the values of solved names inserted.
     #[must_use]
     pub fn where_it_holds(&self) -> Plan {
         let mut builder = PlanBuilder::default();
@@ -133,16 +128,14 @@ impl Claim {
         builder.finish(&outputs)
     }
 
-    /// Returns whether the claim has no conditions, so that it should hold for generic parameters
-    /// and ε.
+    /// Returns whether the claim has no conditions.
     #[must_use]
     pub fn is_unconditional(&self) -> bool {
         self.conditions.is_empty()
     }
 }
 
-/// Returns the index of entry (i, j) in the list of entries above the diagonal of an n×n matrix,
-/// row by row. The indices must satisfy i < j.
+/// Returns the index of entry (i, j), i < j, among the entries above the diagonal, row by row.
 #[must_use]
 pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
     i * (2 * n - i - 1) / 2 + (j - i - 1)
@@ -160,17 +153,17 @@ impl System {
         }
     }
 
-    /// Returns the unconditional claims of one kind, in order.
+    /// Returns the unconditional claims of one kind.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())
     }
 
-    /// Returns the claims that have conditions, in order.
+    /// Returns the claims with conditions.
     pub fn conditional(&self) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(|claim| !claim.is_unconditional())
     }
 
-    /// Returns the system's name, or `field` if the system has no name.
+    /// Returns the system's name, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())

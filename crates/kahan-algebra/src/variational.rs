@@ -1,8 +1,8 @@
 //! Derives the variational field, which extends a field by tangent vectors.
 //!
-//! The field ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a for a parameter a, which is quadratic
-//! again. Since polarisation and differentiation commute, the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v +
-//! ∂x̃/∂a. If a = ε, f/ε + ∂f/∂ε replaces ∂f/∂a.
+//! The field ẋ = f(x) is extended by v̇ = f′(x)·v + ∂f/∂a for a parameter a. Polarisation and
+//! differentiation commute, so the map becomes x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a. For a = ε, f/ε +
+//! ∂f/∂ε replaces ∂f/∂a.
 
 use crate::field::Field;
 use crate::poly::Polynomial;
@@ -12,16 +12,15 @@ use crate::symbols::Symbols;
 use crate::system::System;
 
 impl System {
-    /// Returns the system for x and a tangent vector v, without claims. The names of v begin with
-    /// `d`.
+    /// Returns the system for x and a tangent vector v, without claims. Names of v begin with `d`.
     #[must_use]
     pub fn variational(&self) -> System {
         self.sensitivities(&[Sensitivity::Start])
     }
 
-    /// Returns the system for x and one vector of derivatives for each entry of `by`, without
-    /// claims. The names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], 1/ε is an
-    /// additional last parameter.
+    /// Returns the system for x and a vector of derivatives for each entry of `by`, without claims.
+    /// Names of derivatives begin with `d`. For [`Sensitivity::Epsilon`], the last parameter is
+    /// 1/ε.
     #[must_use]
     pub fn sensitivities(&self, by: &[Sensitivity]) -> System {
         let field = &self.field;

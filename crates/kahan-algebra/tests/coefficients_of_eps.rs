@@ -1,5 +1,5 @@
-//! Tests coefficients that depend on ε. At each ε, the map equals that of a field with a parameter
-//! k = ε².
+//! Tests coefficients that depend on ε. At each ε, the map is that of a field with a parameter k =
+//! ε².
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::diagnostics::Diagnostic;
@@ -11,11 +11,10 @@ use kahan_algebra::read;
 use kahan_algebra::system::System;
 use kahan_algebra::variational::Sensitivity;
 
-/// At k = ε², a factor cancels. The map is then x̃ = x/(1 − 2εx) and ỹ = y(1 + εb)/((1 − εb)(1 −
-/// 2εx)).
+/// At k = ε², a factor cancels in the map.
 const REPAIRED: &str = "struct P { b, k } xdot = x^2; ydot = (1 - k*b^2)*x*y + b*y;";
 
-/// The fields have a parameter `k`, which is replaced by ε².
+/// The parameter `k` is replaced by ε².
 const FIELDS: [&str; 12] = [
     "xdot = k*x^2 + x;",
     "struct P { k } xdot = (1 - k)*x^2 + k^2*x - 3*k;",
@@ -24,7 +23,7 @@ const FIELDS: [&str; 12] = [
     "struct P { k } xdot = x^2*(1 + k) - 2*x*y; ydot = y*(x - k*y)/(2 - k);",
     "struct P { a, k } xdot = y*z*(1 - a*k); ydot = x*z + k*(x - y)*(z + a); zdot = x*y + k*x - k*x;",
     "struct P { a, k } xdot = y; ydot = z + k*x*(x - a); zdot = -x*y - k*z^2/(a + k);",
-    // In these fields, a factor of det A cancels in the map.
+    // A factor of det A cancels in these maps.
     "struct P { k } xdot = (1 + k)*x^2; ydot = (1 + k)*x*y; zdot = (1 + k)*x*z;",
     REPAIRED,
     "struct P { a, k } x1dot = x2*x3 + k*x1; x2dot = x3*x4 - a; x3dot = k*x4*x1; x4dot = x1*x2 - x3/(1 + k^2); \
@@ -107,15 +106,14 @@ fn the_map_is_that_of_the_field_with_eps_squared_put_in() {
 #[test]
 fn factors_that_cancel_for_these_coefficients_are_divided_out() {
     let own = with_eps(REPAIRED);
-    // At ε = 1/2 and b = 1, the divisor 1 − εb − ε(1 − ε²b²)x is zero at x = 4/3, where x̃ = x/(1 −
-    // x) = −4.
+    // A factor of the divisor of the unreduced map is zero at this point.
     let [half, one, y] = [Rational::new(1, 2), Rational::ONE, Rational::from(5)];
     let point = Point { state: vec![Rational::new(4, 3), y], parameters: vec![one], eps: half };
     let next = Interpreter::new(&own).next(&Exact, &point).expect("the reduced map has a value");
     assert_eq!(next, [Rational::from(-4), Rational::from(-45)]);
 }
 
-/// A step in floats keeps all digits, because its constants are prepared from ε.
+/// Constants are prepared from ε, so a step in floats keeps all digits.
 #[test]
 fn a_step_of_floats_is_near_the_exact_one() {
     let float = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
@@ -163,7 +161,7 @@ fn stepping_back_returns_the_start() {
     }
 }
 
-/// For ẋ = ε²x², one step takes x to x/(1 − 2ε³x). The derivative by ε is 6ε²x²/(1 − 2ε³x)².
+/// The derivative of x/(1 − 2ε³x) by ε is 6ε²x²/(1 − 2ε³x)².
 #[test]
 fn the_derivative_by_eps_has_that_of_the_coefficients() {
     let with_derivative = system("xdot = eps^2*x^2;").sensitivities(&[Sensitivity::Epsilon]);
@@ -171,11 +169,9 @@ fn the_derivative_by_eps_has_that_of_the_coefficients() {
     let inverse = eps.recip().expect("it is not 0");
     let point = Point { state: vec![x.clone(), Rational::ZERO], parameters: vec![inverse], eps };
     let next = Interpreter::new(&with_derivative).next(&Exact, &point).expect("no pole");
-    // The divisor 1 − 2ε³x is 8/9, and the numerator 6ε²x² is 3/2.
     assert_eq!(next, [Rational::new(27, 16), Rational::new(243, 128)]);
 }
 
-/// Derivatives by ε are compared with central differences of the exact map.
 #[test]
 fn derivatives_by_eps_are_limits_of_differences() {
     for text in FIELDS {
@@ -222,7 +218,7 @@ fn values_of_parameters_leave_eps_in_the_coefficients() {
     assert_eq!(next(&fixed), next(&same));
 }
 
-/// The map (x̃ − x)/(2ε) = ε²xx̃ is equivalent to 1/x̃ = 1/x − 2ε³.
+/// The map is equivalent to 1/x̃ = 1/x − 2ε³.
 #[test]
 fn claims_about_such_a_map_are_proved() {
     let text = "xdot = eps^2*x^2; ydot = -eps^2*y^2; integral I = 1/x + 1/y;";
@@ -254,7 +250,7 @@ fn odd_powers_of_eps_are_refused_at_the_token() {
         assert!(found[0].message.contains("odd powers"), "{found:?}");
         assert_eq!(place(text, &found[0]), start..start + 3, "{text}");
     }
-    // Odd powers of ε may cancel, or multiply to even powers.
+    // Odd powers of ε may cancel or multiply to even powers.
     system("xdot = (x + eps*y)*(x - eps*y) + eps*x - eps*x; ydot = eps*x*eps;");
 }
 

@@ -1,5 +1,4 @@
-//! Tests claims with conditions behind `when`. The conditions are solved, the claims proved or
-//! refuted, and both are printed.
+//! Tests claims with conditions behind `when`.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::check::Checked;
@@ -11,9 +10,9 @@ use kahan_algebra::{derive, lexer, read, read_unproved, seed};
 
 /// The derivative of x + y + z is (p + q + r) x y.
 const SUM: &str = "xdot = p*x*y; ydot = q*x*y; zdot = r*x*y;";
-/// A Lotka–Volterra field. The derivative of a b x + y − a z is (a b c + 1) x y.
+/// The derivative of a b x + y − a z is (a b c + 1) x y.
 const VOLTERRA: &str = "xdot = x*(c*y + z); ydot = y*(x + a*z); zdot = z*(b*x + y);";
-/// Two oscillators with the frequencies a1 a2 and a5 a6.
+/// Two oscillators with frequencies a1 a2 and a5 a6.
 const OSCILLATORS: &str = "xdot = a1*a2*y; ydot = -a1*a2*x; udot = a5*a6*v; vdot = -a5*a6*u;";
 /// The map multiplies x by (1 + ε p)/(1 − ε p), and y by (1 + ε q)/(1 − ε q).
 const GROWTH: &str = "xdot = p*x; ydot = q*y;";
@@ -54,7 +53,7 @@ fn both_provers_decide_claims_on_their_relations() {
             ],
             &["p = q, r = 2*p", "r = p - q", "r = -p - 2*q", "eps = 1"],
         ),
-        // Solving divides the first relation by q, so q ≠ 0; hence r = 0 and p = 0.
+        // Division by q implies q ≠ 0, hence r = 0 and p = 0.
         (SUM, "integral D = x + z", &["p*q = r^2, q*r = 0"], &[]),
         (
             VOLTERRA,
@@ -62,7 +61,7 @@ fn both_provers_decide_claims_on_their_relations() {
             &["a*b*c = -1", "c = -1/(a*b)", "a*b*c = -1, a = b^2", "a = b^2, a*b*c = -1"],
             &["a*b*c = -2", "a*b*c = 1"],
         ),
-        // This is the last true case. Solving divides the first relation by a2, so a2 ≠ 0.
+        // In the last true case, division by a2 implies a2 ≠ 0.
         (
             OSCILLATORS,
             "integral G = x*u + y*v",
@@ -145,7 +144,7 @@ fn no_sign_and_no_coefficient_can_be_changed() {
 
 #[test]
 fn tensors_are_decided_on_relations_too() {
-    // The bracket is that of two oscillators with equal frequency, with exchanged signs.
+    // The bracket is that of two oscillators of equal frequency with exchanged signs.
     let bracket = "bracket P { {x,v} = 1; {y,u} = -1; }";
     assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1*a2 = a5*a6;")), Verdict::Proved(_)));
     assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1 = a5;")), Verdict::Refuted(_)));
@@ -166,8 +165,7 @@ fn a_counterexample_satisfies_the_relations() {
 
 #[test]
 fn the_degrees_of_solved_names_enter_the_error_bound() {
-    // The claim has a degree of about 10⁵, which is below the limit 2²⁰. With p = q^64 the degree
-    // exceeds the limit.
+    // The claim has a degree of about 10⁵. With p = q^64, the degree exceeds the limit 2²⁰.
     let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
     assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
     assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);
@@ -214,7 +212,6 @@ fn relations_that_cannot_be_solved_are_explained_at_their_place() {
         let text = format!("xdot = p*x*y/k; ydot = q*x*y; zdot = r*x*y; integral T = 1 + S when {when};");
         let text =
             text.replace("1 + S", "q*x - p*y/k").replace("integral T", "integral S = z + x; integral T");
-        // The first integral only declares its name.
         let lexed = lexer::lex(&text);
         let read = read(&lexed.tokens);
         let diagnostics = read.diagnostics();
@@ -235,7 +232,6 @@ fn what_is_fixed_later_is_put_into_relations() {
         let values: Vec<(usize, Rational)> = fixed.iter().map(|&(k, v)| (k, Rational::from(v))).collect();
         let special = system.specialise(&values).expect("the field divides by nothing");
         special.claims.first().map(|claim| {
-            // The printed block can be read and proved again.
             sound(macro_block(&special).replace("kahan! {", "").trim_end_matches('}'));
             assert_eq!(prove_by_normal_form(&special, claim), Some(true), "{fixed:?}");
             claim_text(&special, claim).split_once(" when ").map(|(_, when)| when.to_owned())
@@ -243,13 +239,13 @@ fn what_is_fixed_later_is_put_into_relations() {
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // If a1 and a2 are given, the relation is solved for a5; if three names are given, for a6. If
-    // all four are given, the relation only has to be checked.
+    // With given a1 and a2, the relation is solved for a5. With three given names, it is solved for
+    // a6.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 4)]), None);
-    // If the divisor of the relation is 0, the claim is dropped.
+    // A zero divisor of the relation drops the claim.
     assert_eq!(condition(&[(1, 0)]), None);
     assert_eq!(condition(&[(1, 0), (2, 0)]), None);
 }
@@ -277,7 +273,7 @@ fn what_relations_were_divided_by_is_said() {
     assert_eq!(note("p*q = r^2, eps*p = 1/(r + 1)"), "q != 0, 1 + r != 0");
 }
 
-/// In the evaluation r equals −p − q, whatever value is given for r.
+/// The value of r is −p − q in the evaluation.
 #[test]
 fn a_conditional_claim_is_evaluated_where_it_holds() {
     let system = sound(&format!("{SUM} integral S = r*(x + y + z) when r = -p - q;"));

@@ -1,8 +1,7 @@
-//! Follows each hint to a text that can be read, or to the page about fields that are not
-//! quadratic.
+//! Follows each hint to a text that can be read, or to a page.
 //!
-//! Each row of a table has a text with one mistake, and the text to which its hint leads. Text that
-//! the hint quotes must occur in the second text, up to `…`.
+//! Each row has a text with one mistake, and the text to which the hint leads. Text that the hint
+//! quotes must occur in the second text.
 
 use std::path::Path;
 
@@ -127,8 +126,7 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
 }
 
-/// Texts of other tools are refused. Each row has the text or the page to which the hint
-/// leads.
+/// Texts of other tools are refused. Each row has the text or the page to which the hint leads.
 #[test]
 fn hints_on_texts_of_other_tools_lead_on() {
     let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);
@@ -182,7 +180,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(ON_TEXTS).exists());
 }
 
-/// A name that looks like a derivative is a state if the block uses it as a state.
+/// A name like a derivative is a state if the block uses it as a state.
 #[test]
 fn names_that_are_used_are_states() {
     for (text, states) in [
@@ -205,7 +203,7 @@ fn names_that_are_used_are_states() {
     assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
 }
 
-/// If a field were misread, claims about a wrong field would be proved.
+/// Claims about a misread field would be proved.
 #[test]
 fn no_name_of_a_derivative_is_taken_for_a_parameter() {
     for text in [

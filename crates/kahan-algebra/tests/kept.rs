@@ -1,5 +1,4 @@
-//! Tests written forms. Written forms keep products, divisors and differences, but nothing that
-//! cancels.
+//! Tests written forms, which keep products, divisors and differences but nothing that cancels.
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -12,7 +11,7 @@ fn system(text: &str) -> System {
     read(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
-/// Returns f at a state and at parameters in order of first use; `None` at a division by zero.
+/// Returns f at a state and parameters in order of first use. Returns `None` at a division by zero.
 fn field<A: Arithmetic<Constant = Rational>>(
     text: &str,
     arithmetic: &A,
@@ -30,8 +29,7 @@ fn q(value: i64) -> Rational {
 
 #[test]
 fn a_difference_and_a_divisor_are_computed_as_they_are_written() {
-    // The numbers 1 + 1e-9 and 1 agree in their first 30 bits. With a common divisor, half of the
-    // digits would be lost.
+    // With a common divisor, half of the digits would be lost.
     let (p, r) = (1.0 + 1e-9, 0.5);
     let f = field("xdot = (p - q)*x/(1 + r) + x/(p - q); ydot = y;", &Float64, &[3.0, 1.0], &[p, 1.0, r]);
     assert_eq!(f.expect("defined")[0], (1.0 / (1.0 + r)) * (3.0 * (p - 1.0)) + (1.0 / (p - 1.0)) * 3.0);
@@ -64,7 +62,6 @@ fn what_cancels_leaves_no_pole() {
         let f = field(text, &Exact, &[q(2), q(3)], &[q(5), q(5)]);
         assert_eq!(f.expect("p = q is no pole")[0], value, "{text}");
     }
-    // The divisor that does not cancel is zero at this point.
     let text = "xdot = (p^2 - q^2)*x/(p - q) + x/(q - r); ydot = y;";
     assert!(field(text, &Exact, &[q(2), q(3)], &[q(5), q(5), q(1)]).is_some());
     assert!(field(text, &Exact, &[q(2), q(3)], &[q(5), q(7), q(7)]).is_none());
@@ -83,7 +80,7 @@ fn what_does_not_move_stays() {
     assert_eq!(f.expect("a polynomial")[0], 0.0);
 }
 
-/// The factor of the map cancels only because one subexpression is the product of two others.
+/// A factor of the map cancels because one subexpression is the product of two others.
 #[test]
 fn a_relation_between_values_costs_no_reduction() {
     let text =
@@ -92,8 +89,7 @@ fn a_relation_between_values_costs_no_reduction() {
     for (first, second) in [(same, same), (same, related), (related, related)] {
         let system = system(&text(first, second));
         assert!(derive(&system).reduced_map.is_some(), "{first} and {second}");
-        // The sum 1 + ε(p² − q²)z is a factor of det A and of both numerators. The step exists
-        // where it is zero.
+        // The step exists where the common factor 1 + ε(p² − q²)z is zero.
         let point =
             Point { state: vec![q(1), q(2), q(-1)], parameters: vec![q(3), q(1)], eps: Rational::new(1, 8) };
         let next = Interpreter::new(&system).next(&Exact, &point);

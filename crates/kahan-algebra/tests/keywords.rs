@@ -1,8 +1,8 @@
-//! Tests synonyms of keywords. The intended keyword is suggested once, at the place of the synonym.
+//! Tests that synonyms of keywords lead to one suggestion.
 
 use kahan_algebra::{lexer, read};
 
-/// Returns the message, the help and the place of the only mistake in a block with this item.
+/// Returns the message, the help and the place of the only mistake.
 fn mistake(item: &str) -> (String, String, String) {
     let text = format!("xdot = y; ydot = -x; {item} integral Last = x^2 + y^2;");
     let lexed = lexer::lex(&text);

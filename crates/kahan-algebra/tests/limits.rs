@@ -1,4 +1,4 @@
-//! Compares limits in the language reference with the code, both at the limit and beyond it.
+//! Compares limits in the language reference with the code.
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
@@ -30,10 +30,10 @@ fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String 
 
 /// A way to test a limit.
 enum Tied {
-    /// Returns a block for a number. The block at the limit has no mistake; one beyond it has a
+    /// Makes a block for a number. The block at the limit is read, and the next block has a
     /// mistake.
     AtTheLimit(fn(usize) -> String),
-    /// A block far beyond the limit. The message about it contains the limit.
+    /// A block far beyond the limit, which the message states.
     InWords(String),
 }
 use Tied::{AtTheLimit, InWords};
@@ -78,7 +78,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
         ),
         ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
         ("digits of a number", AtTheLimit(|n| format!("xdot = {}*x;", "1".repeat(n)))),
-        // The number 3 has two bits. A power has the bits of its base multiplied by the exponent.
+        // A power has the bits of its base times the exponent.
         ("bits of the power of a number", AtTheLimit(|n| format!("xdot = 3^{}*x;", n.div_ceil(2)))),
         (
             "terms of an expansion",
@@ -143,7 +143,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
     assert_eq!(rows, [], "these rows have no test");
 }
 
-/// All expressions of a block share one budget, and long numbers cost more than short numbers.
+/// All expressions of a block share one budget. Long numbers cost more.
 #[test]
 fn many_large_expansions_are_one_mistake() {
     let only = |text: &str| {
@@ -153,8 +153,7 @@ fn many_large_expansions_are_one_mistake() {
     };
     let constants = listed(3_000, |k| format!("const c{} = 3/7*c{k} + 1/{};", k + 1, k + 2), " ");
     assert_eq!(only(&format!("const c0 = 5; {constants} xdot = c3000*x;")), Kind::TooLarge);
-    // The least common multiple of 1 to 20 000 has 28 860 bits. Adding all fractions would take
-    // seconds.
+    // The least common multiple of 1 to 20 000 has 28 860 bits.
     let sum = |count: usize| listed(count, |k| format!("x/{}", k + 1), " + ");
     assert_eq!(mistakes(&format!("xdot = {};", sum(500))), []);
     assert_eq!(only(&format!("xdot = {};", sum(20_000))), Kind::TooLarge);
@@ -162,8 +161,7 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
 }
 
-/// The equations may leave too little of the block's budget for the claims. One mistake reports
-/// this.
+/// Equations that leave too little of the budget for claims are one mistake.
 #[test]
 fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
     // The expansion takes about 170 000 products.
@@ -181,7 +179,7 @@ fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
     }
 }
 
-/// The limit applies to exponents after products and powers of powers are expanded.
+/// The limit applies to exponents after expansion.
 #[test]
 fn exponents_of_parameters_count_after_expansion() {
     for equation in ["a^40*a^24*x", "(a^8)^8*x", "a^64*a^36/a^40*x"] {

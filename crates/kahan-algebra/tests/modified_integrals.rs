@@ -1,5 +1,4 @@
-//! Checks exactly that the map preserves the integrals found by the polarisation and rotation
-//! rules.
+//! Checks that the map preserves the integrals by polarisation and rotation.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -41,8 +40,7 @@ fn small(random: &mut SplitMix64) -> Rational {
     Rational::new(random.below(13) as i64 - 6, 1 + random.below(5) as i64)
 }
 
-/// Returns whether the map preserves a function at three random points, each with random parameters
-/// and ε.
+/// Returns whether the map preserves a function at three random points.
 fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64) -> bool {
     let interpreter = Interpreter::new(system);
     let symbols = &system.field.symbols;
@@ -67,7 +65,7 @@ fn is_kept(system: &System, function: &RationalFunction, random: &mut SplitMix64
     true
 }
 
-/// Returns the integrals found for a text, after checks, in the form `rule: integral of the map`.
+/// Returns the checked integrals of a text in the form `rule: integral of the map`.
 fn found(text: &str) -> Vec<String> {
     let system = system(text);
     let symbols = &system.field.symbols;
@@ -85,8 +83,7 @@ fn found(text: &str) -> Vec<String> {
     found.iter().map(line).collect()
 }
 
-/// Checks that at ε = 0 the integral of the map equals the integral of the flow. Checks that the
-/// rules derive the integral of the map from the integral of the flow.
+/// Checks the integral of the map at ε = 0. Also derives it from the integral of the flow.
 fn check_limit(field: &Field, found: &ModifiedIntegral) {
     let eps = field.symbols.epsilon();
     let [above, below] = [found.of_map.numerator(), found.of_map.denominator()]
@@ -101,11 +98,11 @@ fn check(text: &str, expected: &[&str]) {
 
 #[test]
 fn lifted_fields_keep_relations_and_energies() {
-    // The relation w = x² yields an integral for any ẏ, including van der Pol's field.
+    // The relation w = x² yields an integral for any ẏ.
     let relation = "Polarisation: -w + x^2 - eps^2*y^2";
     check("xdot = y; ydot = x*w - 3*y^2 + y*w; wdot = 2*x*y;", &[relation]);
     check("xdot = y; ydot = mu*(y - w*y) - x; wdot = 2*x*y;", &[relation]);
-    // The fields are those of the pendulum: plain, with parameters, and with friction.
+    // Pendulums: plain, with parameters, and with friction.
     let turning = "Rotation: (s^2 + c^2)/(1 + eps^2*p^2)";
     check(
         "xdot = p; pdot = -s; sdot = c*p; cdot = -s*p;",
@@ -116,14 +113,12 @@ fn lifted_fields_keep_relations_and_energies() {
         &["Polarisation: (-2*g*l*c + l^2*p^2 - eps^2*g^2*s^2)/(l)", turning],
     );
     check("xdot = p; pdot = -s - k*p; sdot = c*p; cdot = -s*p;", &[turning]);
-    // The field has Morse's potential u² − 2u with u = exp(−x) and v = u².
+    // Morse's potential is u² − 2u with u = exp(−x) and v = u².
     check(
         "xdot = p; pdot = 2*v - 2*u; udot = -u*p; vdot = -2*v*p;",
         &["Polarisation: -4*u + 2*v + p^2 - 4*eps^2*u^2 + 8*eps^2*u*v - 4*eps^2*v^2"],
     );
-    // The map of a linear field preserves the integrals of the flow.
     check("xdot = w*y; ydot = -w*x;", &["Polarisation: x^2 + y^2"]);
-    // The integrals of Toda's chain are momentum and energy.
     check(
         "p1dot = -a; p2dot = a - b; p3dot = b; adot = a*(p1 - p2); bdot = b*(p2 - p3);",
         &[
@@ -131,7 +126,7 @@ fn lifted_fields_keep_relations_and_energies() {
             "Polarisation: 2*a + 2*b + p1^2 + p2^2 + p3^2 - 2*eps^2*a^2 + 2*eps^2*a*b - 2*eps^2*b^2",
         ],
     );
-    // The field is Kepler's problem with a = r⁻³, b = x·p/r², c = |p|²/r², F = ax and u = −1/r.
+    // Kepler's problem has a = r⁻³, b = x·p/r², c = |p|²/r², F = ax and u = −1/r.
     check(
         "xdot = p; ydot = q; pdot = -F; qdot = -G; adot = -3*a*b; bdot = c - 2*b^2 - a; \
          cdot = -2*b*(a + c); Fdot = a*p - 3*b*F; Gdot = a*q - 3*b*G; udot = F*p + G*q;",
@@ -159,7 +154,7 @@ fn pairs_that_turn_are_found_with_their_scales_and_centres() {
         &["Rotation: (13 - 6*s + 4*c + s^2 + c^2)/(1 + eps^2*m^2)"],
     );
     check("sdot = c*m; cdot = -s*m; mdot = 0;", &["Polarisation: m", "Rotation: s^2 + c^2"]);
-    // If two pairs have equal m, their products are also integrals.
+    // Products of two pairs with equal m are also integrals.
     let four =
         found("sdot = c*(m + 1); cdot = -s*(m + 1); udot = v*(m + 1); vdot = -u*(m + 1); mdot = s*u - m^2;");
     assert_eq!(four.len(), 4);
@@ -173,11 +168,11 @@ fn fields_that_nearly_fit_keep_nothing() {
         "xdot = y + x^2; ydot = x*w - 3*y^2; wdot = 2*x*y + x^2;",
         // The derivative dI/dt vanishes only on s² + c² = 1.
         "xdot = p; pdot = -s; sdot = 2*c*p; cdot = -s*p + c;",
-        // In the first field the exponents are not opposite. In the second field, a third variable
+        // In the first field, the exponents are not opposite. In the second field, another variable
         // couples to the pair.
         "sdot = s*m; wdot = -2*w*m; mdot = s*m + w^2 - 1;",
         "sdot = c*m; cdot = (m - s)*m; mdot = s*m + w^2 - 1; wdot = s^2 - w;",
-        // The flow preserves s² + c², but the factor that rotates the pair is not affine.
+        // The factor that rotates the pair is not affine.
         "sdot = c*m + s*c; cdot = -s*m - s^2 + 1; mdot = s*m + c^2 - 1;",
     ] {
         check(text, &[]);
@@ -195,8 +190,7 @@ fn fields_that_nearly_fit_keep_nothing() {
     assert!(modified_integral(&euler.field, &with_eps).is_none());
 }
 
-/// Returns a random polynomial in all states. The constant term of the polynomial contains a
-/// parameter.
+/// Returns a random polynomial in all states, with a parameter in the constant term.
 fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polynomial {
     let mut factors = vec![Polynomial::one()];
     factors.extend((0..symbols.dimension()).map(|i| Polynomial::variable(symbols.state(i))));
@@ -210,7 +204,7 @@ fn polynomial(symbols: &Symbols, degree: u32, random: &mut SplitMix64) -> Polyno
     sum
 }
 
-/// Returns the field after xᵢ was replaced by xᵢ + `by`.
+/// Replaces xᵢ by xᵢ + `by` in a field.
 fn sheared(symbols: &Symbols, components: &[Polynomial], i: usize, by: &Polynomial) -> Vec<Polynomial> {
     let slopes = by.gradient(|variable| symbols.is_state(variable));
     let moved = slopes.into_iter().fold(components[i].clone(), |sum, (variable, slope)| {
@@ -229,8 +223,8 @@ fn symbols(states: &[&str]) -> Symbols {
     Symbols { states: names(states), parameters: names(&["k"]) }
 }
 
-/// The integral is I = w + a·u + yᵀCy. The derivatives ẏ (affine) and u̇ (quadratic), and a and C,
-/// are random. Coordinates are changed.
+/// The integral is I = w + a·u + yᵀCy with random a, C, affine ẏ and quadratic u̇. Coordinates are
+/// changed.
 #[test]
 fn what_polarisation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(57);
@@ -261,14 +255,13 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let all = modified_integrals(&system.field);
         assert_eq!(all.len(), 1, "{components:?}: {all:?}");
         check_limit(&system.field, &all[0]);
-        // If one coefficient is changed, nothing is preserved.
+        // With one changed coefficient, nothing is preserved.
         components[0] = &components[0] + &(&state(1) * &state(2));
         assert!(modified_integrals(&system_of(&symbols, &components).field).is_empty(), "{components:?}");
     }
 }
 
-/// The pairs satisfy ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm with random m, ẋ and centres.
-/// Coordinates are mixed.
+/// Pairs satisfy ṡ = αcm, ċ = −βsm or ṡ = κsm, ċ = −κcm with random m, ẋ and centres.
 #[test]
 fn what_rotation_finds_is_kept_by_random_fields() {
     let random = &mut SplitMix64::new(58);

@@ -1,4 +1,4 @@
-//! Tests that plans compute the polynomials from which they were built.
+//! Tests that plans compute their polynomials.
 
 use kahan_algebra::arithmetic::{Exact, Modular};
 use kahan_algebra::plan::{Input, Operation, PlanBuilder};
@@ -72,7 +72,7 @@ fn what_is_common_is_computed_once() {
     let outputs = [&square, &(&x * &square), &(&y * &square)].map(|p| builder.polynomial(p));
     let plan = builder.finish(&outputs);
     let products = plan.operations.iter().filter(|step| matches!(step, Operation::Multiply(..))).count();
-    // The four products are x·x, y·y, x·s and y·s.
+    // The products are x·x, y·y, x·s and y·s.
     assert_eq!(products, 4, "{plan:?}");
 }
 

@@ -1,4 +1,4 @@
-//! Tests that both provers prove true claims, refute false claims by a counterexample, and agree.
+//! Tests that both provers agree on true and false claims.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
@@ -48,7 +48,7 @@ fn both_provers_agree_on_true_and_on_false_claims() {
         // Only the invariance of the last pair fails.
         (GROWING, "bracket F { {y,z} = y*z; }", true),
         (GROWING, "bracket F { {y,z} = 1; }", false),
-        // The state x is constant, and the claim is undefined at every small number x.
+        // The claim is undefined at every small number x.
         (
             GROWING,
             "integral F = 1/(x*(x^2 - 1)*(x^2 - 4)*(x^2 - 9)*(4*x^2 - 1)*(4*x^2 - 9)*(9*x^2 - 1)*(9*x^2 - 4));",
@@ -66,8 +66,7 @@ fn both_provers_agree_on_true_and_on_false_claims() {
 
 #[test]
 fn an_invariant_tensor_that_is_not_poisson_is_refused() {
-    // The map is the identity, so every bracket is invariant. But the Jacobi identity fails for
-    // this bracket.
+    // Every bracket is invariant under the identity, but this one violates the Jacobi identity.
     let text = "xdot = 0; ydot = 0; zdot = 0; bracket P { {x,y} = z; {y,z} = x; {z,x} = x*y; }";
     let reading = reading(text);
     let [diagnostic] = reading.diagnostics() else { panic!("one mistake") };
@@ -112,8 +111,8 @@ fn a_claim_that_divides_by_zero_identically_is_undefined() {
 
 #[test]
 fn multiples_of_large_primes_are_no_hiding_place() {
-    // The claim is zero modulo these primes of 60 and 61 bits, such as 2^61 − 1. A prover with one
-    // of them as its only prime would be deceived.
+    // The claim is zero modulo these primes of 60 and 61 bits. A prover with only one of them would
+    // be deceived.
     for prime in ["2305843009213693951", "2305843009213693921", "1152921504606846883"] {
         let text = format!("{E3} integral F = y/x + {prime}*z;");
         assert!(matches!(verdicts(&text)[..], [Verdict::Refuted(_)]), "{prime}");
@@ -122,16 +121,15 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // The error e of a point is (64 (b/60 + 1) + d) 2⁻⁶⁰ for b bits and degree d. Let u be 256 e,
-    // rounded up to a power of two. The result is the least k with u^k < 2⁻¹⁰⁰.
+    // The error e of a point is (64 (b/60 + 1) + d) 2⁻⁶⁰ for b bits and degree d.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
     assert_eq!(points_needed(1 << 36, 0), Some(7));
     assert_eq!(points_needed(u64::MAX, 0), None);
 }
 
-/// A false claim is proved if k of at most k + 15 steps pass. Each step is the first possible one
-/// of 16 draws.
+/// A false claim is proved if k of at most k + 15 steps pass. A step is the first possible one of
+/// 16 draws.
 #[test]
 fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
     for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {
@@ -165,7 +163,7 @@ fn conditions_specialise_the_map() {
 
 #[test]
 fn a_claim_where_there_is_no_map_says_so() {
-    // For this field, det A = 1 − ε.
+    // For this field, det A is 1 − ε.
     let text = "xdot = x; integral F = x when eps = 1;";
     assert_eq!(verdicts(text), [Verdict::NoMap]);
     assert!(reading(text).diagnostics()[0].message.contains("eps = 1"));

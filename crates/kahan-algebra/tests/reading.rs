@@ -1,5 +1,4 @@
-//! Tests reading of blocks: exact numbers, precedence and cancellation. Also prints blocks and
-//! reads them again.
+//! Tests reading of blocks, and prints blocks to read them again.
 
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
@@ -48,7 +47,7 @@ fn spellings_of_one_field_are_one_field() {
         ("xdot = x/(a*b)*a;", "xdot = x/b;"),
     ];
     for (spelling, canonical) in same {
-        // Parameters that cancel are still parameters, so compare only the equations.
+        // Parameters that cancel are still parameters, so only equations are compared.
         assert_eq!(equations(spelling), equations(canonical), "{spelling}");
     }
 }
@@ -137,7 +136,6 @@ fn blocks_of_more_names_and_claims_than_are_read_are_refused() {
         (format!("{} xdot = 1;", constants(9_000)), format!("{} xdot = 1;", constants(70_000))),
         (format!("xdot = 0; {}", claims(500)), format!("xdot = 0; {}", claims(501))),
         (
-            // The blocks have many variables or many terms.
             format!("{} integral H = x0;", listed(100, |k| format!("x{k}dot = 0*x{k};"), " ")),
             format!("{} integral H = x0;", listed(1_000, |k| format!("x{k}dot = 0*x{k};"), " ")),
         ),
@@ -209,21 +207,20 @@ fn places_point_at_the_token_to_change() {
     }
 }
 
-/// Each of the inputs has failed at some time in the past.
+/// Each input has failed in the past.
 #[test]
 fn what_once_went_wrong_stays_mended() {
-    // In these texts, a letter outside ASCII follows a number.
+    // A letter outside ASCII follows a number.
     for text in ["xdot = 2α*x;", "xdot = 1.5ü*x;", "xdot = x^2é;", "xdot = 0é;", "xdot = 1_é*x;"] {
         assert_eq!(reading(text).diagnostics().len(), 1, "{text}");
     }
-    // An unclosed comment once hid all later text silently.
+    // An unclosed comment once hid all later text.
     assert_eq!(reading("xdot = x; /* open; ydot = y;").diagnostics().len(), 1);
-    // An underscore in an exponent is also valid in Rust.
     assert_eq!(equations("xdot = 1e1_0*x;"), equations("xdot = 10000000000*x;"));
     // An underscore is not a name.
     assert_eq!(reading("xdot = _*x;").diagnostics().len(), 1);
     assert_eq!(reading("struct _; xdot = x;").diagnostics().len(), 1);
-    // A claim without any equation is one mistake, namely that the field is missing.
+    // Without equations, the only mistake is the missing field.
     assert_eq!(reading("integral H = x;").diagnostics().len(), 1);
     // The message must not call the missing text empty.
     let read = reading("xdot = @x;");
@@ -289,7 +286,7 @@ fn a_block_that_asks_for_a_lift_is_told_where_it_is_lifted() {
         assert_eq!(&*tokens[mistake.span.first].text, "lift");
         assert!(mistake.help.contains("kahan lift"), "{mistake}");
     }
-    // The name may be that of a state, a parameter or a claim.
+    // The name may be a state, a parameter or a claim.
     for text in [
         "liftdot = lift;",
         "struct S { lift } xdot = lift*x;",

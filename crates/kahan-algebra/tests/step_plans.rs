@@ -1,6 +1,5 @@
-//! Tests that the plan of a step solves Kahan's scheme (x̃ − x)/(2ε) = P(x, x̃) over ℚ, where P is
-//! the polarised field. The fields cover all paths of the planner: reduced and unreduced maps,
-//! blocks, independent sets, parameters, denominators, and steps without division.
+//! Tests that the plan of a step solves (x̃ − x)/(2ε) = P(x, x̃) over ℚ, where P is the polarised
+//! field. The fields cover all paths of the planner.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -70,7 +69,7 @@ impl Numbers {
     }
 }
 
-/// Runs the plan at a point, given by states, parameters and ε. Returns x̃; `None` at a pole.
+/// Runs the plan at a point of states, parameters and ε. Returns `None` at a pole.
 fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     let value = |variable: kahan_algebra::poly::Variable| Some(point[usize::from(variable.0)].clone());
     let constants = step.constants.evaluate(&Exact, |input| input.value(&[], value));
@@ -83,7 +82,7 @@ fn next(step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
     Some(point.iter().zip(step.kernel.factors(&results)).map(component).collect())
 }
 
-/// Returns (x̃ − x) − 2ε P(x, x̃). Each component is over the denominator of its equation.
+/// Returns (x̃ − x) − 2ε P(x, x̃), over the denominator of each equation.
 fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Rational> {
     let eps = &point[usize::from(field.symbols.epsilon().0)];
     let value = |variable| match field.symbols.symbol(variable) {
@@ -129,8 +128,7 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// The fields have four to seven states and few terms. The fields are too large to expand, and have
-/// one or several blocks.
+/// Fields with four to seven states and few terms are too large to expand.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -154,9 +152,7 @@ fn random_sparse_fields_are_stepped_by_their_structure() {
     }
 }
 
-/// The fields have one to three states, constants of either sign, parameters and divisors. The
-/// reduced maps of the fields have various factors and signs. If one equation drives another
-/// equation, the denominator is a product.
+/// Fields with one to three states have reduced maps with various factors and signs.
 #[test]
 fn random_small_fields_are_stepped_by_their_reduced_maps() {
     let mut numbers = Numbers(SplitMix64::new(43));
@@ -195,14 +191,14 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     let e1 = field(FIELDS[1].1);
     let step = StepPlan::of(&e1).expect("E1 is small");
     let at = |x: Rational| [x, Rational::from(2), Rational::from(3), Rational::new(1, 2)];
-    // The denominator is D = (1 − εx)(1 + 2εx); det A has the additional factor 1 + εx.
+    // The denominator is (1 − εx)(1 + 2εx). In det A, the factor 1 + εx comes in addition.
     assert!(next(&step, &at(Rational::from(2))).is_none());
     assert!(next(&step, &at(Rational::from(-1))).is_none());
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
-/// In a field with a single variable, the increment is a quotient if the divisor depends on the
-/// state. A constant divisor has a reciprocal that all states share.
+/// With one variable, the increment is a quotient if the divisor depends on the state. Other
+/// divisors have a shared reciprocal.
 #[test]
 fn a_single_variable_is_divided_at_once() {
     for (text, divisions, reciprocals) in [
@@ -233,9 +229,8 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// If each step waits for ε in the denominator, the step is divided by ε. E1, E3 and E5 then have
-/// no rounded constants except 1/(2ε) and its doubles, so they are exactly Kahan's map at a nearby
-/// ε. The form that serves any scalar does not divide by ε.
+/// If each step waits for ε in the denominator, the step is divided by ε. E1, E3 and E5 are then
+/// exactly Kahan's map at a nearby ε. The form for any scalar does not divide by ε.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

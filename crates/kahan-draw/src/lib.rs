@@ -1,9 +1,9 @@
 //! Pictures of answers, and pages about answers.
 //!
-//! In: answers of `kahan-study`, or points, numbers and formulas; and a description of how they
-//! look. Out: drawings, as SVG or files, and HTML pages. `plot` turns a [`Plot`], [`SpacePlot`] or
-//! [`Grid`] into a [`Drawing`]; [`picture`] builds these from answers; [`document`] and [`answer`]
-//! write pages. Commands and file access are deliberately absent.
+//! The input consists of answers of `kahan-study`, or of points, numbers and formulas. The output
+//! consists of drawings and HTML pages. `plot` turns a [`Plot`], [`SpacePlot`] or [`Grid`] into a
+//! [`Drawing`]. [`picture`] draws answers, and [`document`] and [`answer`] write pages. Commands
+//! and file access are deliberately absent.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

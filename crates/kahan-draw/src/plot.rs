@@ -1,8 +1,7 @@
 //! Drawings with axes: points in the plane, orbits in space, and grids of numbers.
 //!
-//! A description ([`Plot`], [`SpacePlot`] or [`Grid`]) becomes a [`Drawing`]: SVG within a page, or
-//! a file as SVG, PNG or PDF. Lengths are in units of the view box; a small view box keeps text
-//! legible on telephones.
+//! A [`Plot`], [`SpacePlot`] or [`Grid`] becomes a [`Drawing`]. Lengths are in units of the view
+//! box. A small view box keeps text legible on telephones.
 
 #[cfg(test)]
 mod colour_vision;
@@ -83,7 +82,6 @@ impl Mark {
         }
     }
 
-    /// Returns the width of lines in a colour. The sixth colour is for references.
     fn line(self, colour: usize) -> f64 {
         match self {
             Mark::Band => 7.0,
@@ -95,8 +93,7 @@ impl Mark {
         }
     }
 
-    /// Returns the dash pattern of lines (with round caps), by which colours can be told apart in
-    /// grey print.
+    /// Returns the dash pattern that distinguishes colours in grey print. Lines have round caps.
     fn dashes(self, colour: usize) -> Option<&'static str> {
         match (self, colour) {
             (Mark::Level, _) => Some("5 4"),
@@ -109,14 +106,13 @@ impl Mark {
 /// Points drawn in one style.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// The label in the legend; if empty, the legend omits the series.
+    /// The label in the legend. Series without a label are omitted there.
     pub label: String,
     /// The colour, 1 to 6.
     pub colour: usize,
     /// The style.
     pub mark: Mark,
-    /// The points (x, y) in units of the axes. Points outside of the axes are omitted, and lines
-    /// are clipped.
+    /// The points in units of the axes. Points outside the axes are omitted, and lines are clipped.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -152,9 +148,9 @@ pub struct Plot {
     pub x: NumberLine,
     /// The vertical axis.
     pub y: NumberLine,
-    /// The series, in drawing order. Later series cover earlier series.
+    /// The series in drawing order. Later series cover earlier series.
     pub series: Vec<Series>,
-    /// A note after the legend; may be empty.
+    /// A note after the legend. An empty note is omitted.
     pub note: String,
 }
 
@@ -251,8 +247,8 @@ const TOP: f64 = 12.0;
 const BOTTOM: f64 = 42.0;
 
 impl Frame {
-    /// Returns the largest frame that leaves room for labels, for a legend of height `above`, and
-    /// `beside` on the right.
+    /// Returns the largest frame that leaves room for labels. The legend has height `above`, and
+    /// the right margin has width `beside`.
     fn around(sheet: Canvas, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
         let (across, upwards) = sheet.view_box;
         let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
@@ -260,7 +256,7 @@ impl Frame {
             ticks.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max)
         };
         let left = 20.0 + 6.0 + widest(frame.up(y)) + 7.0;
-        // A label below the right end of an axis extends beyond it by half its width.
+        // Half of the last label may extend beyond the right end of the axis.
         let out = widest(Frame { left, ..frame }.along(x)) / 2.0 + 4.0;
         Frame { left, right: across - beside.max(out.max(14.0)), ..frame }
     }
@@ -287,7 +283,7 @@ impl Frame {
         )
     }
 
-    /// Returns the vertical range that names beside the frame may fill.
+    /// Returns the vertical range for names beside the frame.
     fn height(&self) -> [f64; 2] {
         [self.top - TOP, self.bottom + BOTTOM / 2.0]
     }
@@ -311,8 +307,8 @@ impl Frame {
     }
 }
 
-/// Draws the name of an axis. The name is centred at a position if the range from `from` to `to`
-/// permits this.
+/// Draws the name of an axis within the range from `from` to `to`. The name is centred at its
+/// position if possible.
 fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
     const FREE: f64 = 5.0;
     let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
@@ -322,9 +318,9 @@ fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &st
     Paint::NAMES.group(theme, &text(place, turn, "middle", size, &words))
 }
 
-/// Returns positions and labels of an axis's ticks; there are as many as fit without overlap.
+/// Returns positions and labels of ticks. Labels do not overlap.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
-    /// The height of a line of labels; also the smallest gap between labels.
+    /// The height of a line of labels, and the smallest gap between labels.
     const LINE: f64 = 14.0;
     const FREE: f64 = 7.0;
 

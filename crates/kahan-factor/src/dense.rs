@@ -6,8 +6,8 @@ use kahan_algebra::prime_field::PrimeField;
 /// The coefficients of a polynomial, ordered by exponent from 0 on.
 pub type Dense = Vec<u64>;
 
-/// The bound at which a sum of products is reduced modulo the prime. Residues are below 2^62, so no
-/// sum overflows before it is reduced.
+/// Sums of products are reduced modulo the prime at this size. Products are below 2^124, so no sum
+/// overflows.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Removes the zeros at the end of the vector.
@@ -19,8 +19,8 @@ pub fn trimmed(mut a: Dense) -> Dense {
     a
 }
 
-/// Adds the first `sums.len()` coefficients of the product a·b to `sums`. The caller must reduce
-/// `sums` modulo the prime afterwards.
+/// Adds the first `sums.len()` coefficients of a·b to `sums`, without the last reduction modulo the
+/// prime.
 pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
     for (shift, &left) in a.iter().enumerate().take(sums.len()) {
         for (sum, &right) in sums[shift..].iter_mut().zip(b) {
@@ -36,7 +36,7 @@ pub(super) fn reduced(field: PrimeField, sums: &[u128]) -> Dense {
     sums.iter().map(|sum| (sum % u128::from(field.prime())) as u64).collect()
 }
 
-/// Returns the first `len` coefficients of the product a·b, and keeps zeros at the end.
+/// Returns the first `len` coefficients of a·b. Zeros at the end are kept.
 pub(super) fn product_to(field: PrimeField, a: &[u64], b: &[u64], len: usize) -> Dense {
     let mut sums = vec![0; len];
     add_product(field, &mut sums, a, b);
@@ -66,7 +66,7 @@ pub(super) fn difference(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     trimmed((0..a.len().max(b.len())).map(|index| field.sub(at(a, index), at(b, index))).collect())
 }
 
-/// Divides a polynomial by its leading coefficient. The polynomial 0 stays 0.
+/// Divides a polynomial by its leading coefficient. Maps 0 to 0.
 pub(super) fn monic(field: PrimeField, a: &[u64]) -> Dense {
     let inverse = a.last().and_then(|&lead| field.inverse(lead)).unwrap_or(0);
     a.iter().map(|&coefficient| field.mul(coefficient, inverse)).collect()
@@ -109,7 +109,7 @@ pub fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
     monic(field, &a)
 }
 
-/// Returns the inverse of a modulo `modulus`; `None` unless both are coprime.
+/// Returns the inverse of a modulo `modulus`. Returns `None` if both have a common divisor.
 pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<Dense> {
     // Each pair (r, s) satisfies r = s·a modulo `modulus`.
     let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (rest(field, a, modulus), vec![1]));
@@ -141,8 +141,8 @@ pub fn derivative(field: PrimeField, a: &[u64]) -> Dense {
     trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
 }
 
-/// Returns the numerators sᵢ of the partial fractions 1/∏fᵢ = Σ sᵢ/fᵢ of the given factors fᵢ,
-/// where deg sᵢ < deg fᵢ. Returns `None` if two factors are not coprime.
+/// Returns polynomials sᵢ with 1/∏fᵢ = Σ sᵢ/fᵢ and deg sᵢ < deg fᵢ for given factors fᵢ. Returns
+/// `None` if two factors have a common divisor.
 pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
     let cofactor = |skipped: usize, modulus: &Dense| {
         let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);

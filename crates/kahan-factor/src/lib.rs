@@ -1,14 +1,10 @@
 //! Factors multivariate polynomials over ℚ into powers of irreducible primitive polynomials.
 //!
-//! First the common factors of all terms, and those of all coefficients in a main variable, are
-//! divided out. Then an image in one variable is factored (`univariate`), and its factors are
-//! lifted to the other variables (`multivariate`, `sparse`, `series`). A division proves that a
-//! factor is right; an irreducible image proves that a factor is irreducible. Seeded random points
-//! affect only the speed, and a budget of work, never a clock, ends the search.
-//!
-//! Factors of a multivariate polynomial are not recombined, because almost all points give
-//! irreducible images of irreducible polynomials (Hilbert's irreducibility theorem). The crate must
-//! know neither vector fields nor names of variables.
+//! First the common factors of all terms, and of all coefficients in a main variable, are divided
+//! out. Then an image in one variable is factored (`univariate`). Its factors are lifted to the
+//! other variables (`multivariate`, `sparse`, `series`). Divisions prove that factors are right.
+//! Irreducible images prove that factors are irreducible. Seeded random points affect only the
+//! speed, and a budget of work ends the search.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -34,30 +30,28 @@ use kahan_algebra::rational::Rational;
 /// A polynomial, written as content · ∏ factor^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Factors {
-    /// The rational factor, which carries the sign. The polynomial 0 has content 0.
+    /// The rational factor with the sign. The polynomial 0 has content 0.
     pub content: Rational,
     /// The factors and their exponents, sorted by degree, then by number of terms. Factors are
-    /// pairwise coprime; each has coprime integer coefficients and a positive leading coefficient.
+    /// pairwise coprime. Each factor has coprime integer coefficients and a positive leading
+    /// coefficient.
     pub factors: Vec<(Polynomial, u32)>,
     /// Whether every factor is proved irreducible.
     pub is_complete: bool,
 }
 
-/// The most terms of a polynomial that is still decomposed into square-free factors after the
-/// budget ran out.
+/// Longer polynomials are not decomposed into square-free factors after the budget ran out.
 const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
-/// Returns the irreducible factors over ℚ by the methods of Zassenhaus (1969) and, for several
-/// variables, Wang (1978).
+/// Returns the irreducible factors over ℚ by the methods of Zassenhaus (1969) and Wang (1978).
 ///
-/// If the budget runs out, `is_complete` is false, but the product is still the polynomial. The
-/// part without known factors is then decomposed into square-free factors, or left whole if the
-/// gcds are too expensive.
+/// If the budget runs out, `is_complete` is false. The factors are then only square-free, or not
+/// even that if the gcds are too expensive. Their product is the polynomial in every case.
 ///
 /// An irreducible polynomial costs one pass over its terms for each variable and one univariate
-/// factorisation. Factors with t terms in n variables cost about n·t lifts in two variables. A
-/// budget of ten million lasts a few seconds at most.
+/// factorisation. Products of factors with t terms in n variables cost about n·t lifts in two
+/// variables. A budget of ten million lasts a few seconds at most.
 pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
     if polynomial.is_zero() {
         return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
@@ -88,8 +82,7 @@ impl Factors {
 
 type Powers = Vec<(Polynomial, u32)>;
 
-/// Splits a polynomial into powers of variables and a primitive polynomial that no variable
-/// divides.
+/// Splits off the powers of variables that divide the polynomial. The rest is primitive.
 fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     let monomial = polynomial.monomial_content();
     let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
@@ -97,8 +90,8 @@ fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
     (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
 }
 
-/// Returns the irreducible factors of a primitive polynomial that no variable divides; `None` if
-/// they are not found.
+/// Factors a primitive polynomial that no variable divides. Returns `None` if the factors are not
+/// found.
 fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
     let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
     let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
@@ -111,8 +104,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
     Ok(Some(factors))
 }
 
-/// Chooses the main variable: one of degree 1 if possible, otherwise one of low degree whose
-/// leading coefficient has few terms.
+/// Prefers a variable of degree 1, then a low degree and a short leading coefficient.
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);
@@ -120,8 +112,8 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// Splits off the factors that do not contain `main`; returns `None` if the search fails. Such
-/// factors divide every coefficient, so it suffices to factor the shortest coefficient.
+/// Splits off the factors without the variable `main`. Factors without `main` divide every
+/// coefficient, so only the shortest coefficient is factored.
 fn content(
     polynomial: &Polynomial,
     main: Variable,

@@ -1,5 +1,4 @@
-//! Lifts factors modulo a prime p to factors modulo a power of p (Hensel's lemma), one power at a
-//! time.
+//! Lifts factors modulo a prime p to factors modulo a power of p (Hensel's lemma).
 
 use kahan_algebra::poly::{Budget, OverBudget};
 use kahan_algebra::prime_field::PrimeField;
@@ -11,7 +10,7 @@ use num_traits::{One, Zero};
 use super::dense::{self, Dense};
 use super::univariate::Integers;
 
-/// Monic polynomials whose product, multiplied by a unit, is a given polynomial modulo `modulus`.
+/// Monic polynomials whose product is a given polynomial modulo `modulus`, up to a constant factor.
 pub(super) struct Lifted {
     pub(super) modulus: BigInt,
     pub(super) factors: Vec<Integers>,

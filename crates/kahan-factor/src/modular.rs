@@ -1,14 +1,13 @@
 //! Irreducible factors of a square-free polynomial in one variable over a small prime field.
 //!
-//! The factors are separated by degree first. Then the product of factors of equal degree is split
-//! by the method of Cantor and Zassenhaus ("A new algorithm for factoring polynomials over finite
-//! fields", Math. Comp. 36, 1981). Seeded random choices affect only the running time.
+//! The method is that of Cantor and Zassenhaus ("A new algorithm for factoring polynomials over
+//! finite fields", Math. Comp. 36, 1981). Seeded random choices affect only the running time.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 
 use super::dense::{self, Dense};
 
-/// The product of all irreducible factors that have the same degree.
+/// The product of all irreducible factors of one degree.
 pub(super) struct EqualDegree {
     pub(super) product: Dense,
     pub(super) degree: usize,
@@ -20,11 +19,10 @@ impl EqualDegree {
     }
 }
 
-/// Splits a monic square-free polynomial into the products of its irreducible factors of each
-/// degree.
+/// Splits a monic square-free polynomial into products of irreducible factors of equal degree.
 ///
-/// The method uses that x^(p^d) − x, over the field with p elements, is the product of all monic
-/// irreducible polynomials whose degree divides d.
+/// Over the field with p elements, x^(p^d) − x is the product of all monic irreducible polynomials
+/// whose degree divides d.
 pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegree> {
     let mut rest = polynomial.to_vec();
     let mut frobenius = vec![0, 1];
@@ -47,7 +45,7 @@ pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegre
     parts
 }
 
-/// Returns the monic irreducible factors of the product `part`. The prime of the field must be odd.
+/// Returns the monic irreducible factors of a product. The prime of the field must be odd.
 pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitMix64) -> Vec<Dense> {
     let mut factors = Vec::new();
     let mut waiting = vec![part.product];
@@ -57,8 +55,8 @@ pub(super) fn irreducible(field: PrimeField, part: EqualDegree, rng: &mut SplitM
             continue;
         }
         let draw = dense::trimmed((1..product.len()).map(|_| field.sample(rng)).collect());
-        // With p elements in the field and factors of degree d, draw^((p^d − 1)/2) is 1 modulo
-        // about half of the factors, and −1 modulo the others.
+        // For p elements and factors of degree d, draw^((p^d − 1)/2) is 1 modulo about half of the
+        // factors, and −1 modulo the others.
         let (mut conjugate, mut norm) = (draw.clone(), draw);
         for _ in 1..part.degree {
             conjugate = dense::power(field, &conjugate, field.prime(), &product);

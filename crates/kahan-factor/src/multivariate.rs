@@ -1,10 +1,10 @@
 //! Factors a polynomial that is primitive in its main variable.
 //!
-//! All variables except the main one are set to small integers. If the resulting image keeps the
-//! degree and is irreducible, the polynomial is irreducible too. Otherwise the factors of the image
-//! are lifted modulo large primes until their product is the polynomial (Wang, "An improved
-//! multivariate polynomial factoring algorithm", Math. Comp. 32, 1978). The lifted factors are
-//! irreducible because their images are.
+//! All variables except the main one are set to small integers. An irreducible image of full degree
+//! proves that the polynomial is irreducible. Otherwise the factors of the image are lifted modulo
+//! large primes until their product is the polynomial (Wang, "An improved multivariate polynomial
+//! factoring algorithm", Math. Comp. 32, 1978). Lifted factors are irreducible because their images
+//! are.
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
@@ -14,12 +14,12 @@ use super::crt_factors::CrtFactors;
 use super::sparse::{self, SparseLiftingProblem};
 use super::{Powers, irreducible, univariate, without_monomial};
 
-/// The most attempts with new points. Each attempt draws its points from a larger range.
+/// Limits the attempts with new points. Each attempt draws its points from a larger range.
 const ROUNDS: u32 = 8;
-/// The number of images to compare in one attempt. The image with the fewest factors is lifted.
+/// Each attempt compares this many images and lifts the one with the fewest factors.
 const IMAGES: usize = 2;
 
-/// Returns the irreducible factors with their exponents; `None` if no image can be lifted.
+/// Returns the irreducible factors with their exponents. Returns `None` if no image can be lifted.
 pub(super) fn factors(
     whole: &Polynomial,
     main: Variable,
@@ -55,16 +55,15 @@ pub(super) fn factors(
     Ok(None)
 }
 
-/// The factors of the polynomial after all variables except the main one were set to the integers
-/// `points`.
+/// The factors of the polynomial with all variables except the main one set to `points`.
 struct Image {
     points: Vec<i64>,
     factors: Powers,
 }
 
 impl Image {
-    /// Factors the image at random integer points of absolute value below `size` + 2. Returns
-    /// `None` if the image has a smaller degree than the polynomial.
+    /// Factors the image at random integers of absolute value below `size` + 2. Returns `None` if
+    /// the image has a smaller degree.
     fn at(
         whole: &Polynomial,
         order: &[Variable],
@@ -97,13 +96,13 @@ impl Image {
         matches!(self.factors.as_slice(), [(_, 1)])
     }
 
-    /// Returns a sort key: images with fewer repeated factors come first, then images with fewer
-    /// factors.
+    /// Returns a sort key that prefers images with few repeated factors, then few factors.
     fn key(&self) -> (i64, usize) {
         (-self.factors.iter().map(|(factor, _)| i64::from(factor.degree())).sum::<i64>(), self.factors.len())
     }
 
-    /// Lifts the factors of this image to factors of the polynomial; `None` if the lift fails.
+    /// Lifts the factors of this image to factors of the polynomial. Returns `None` if the lift
+    /// fails.
     fn lifted(
         &self,
         whole: &Polynomial,
@@ -135,8 +134,8 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.without_multiplier(candidate, budget)?, *exponent));
                 }
-                // If every factor has the degree of its image and the product is the polynomial,
-                // then each factor belongs to its image.
+                // Factors with the degrees of their images and the right product belong to these
+                // images.
                 let degrees = factors.iter().zip(&self.factors);
                 let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
                     factor.degree_in(order[0]) == image.degree()
@@ -152,8 +151,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Tests at one point modulo a prime whether lead·∏ candidate^k = whole·∏ multiplier^k, where k
-    /// is the exponent of each factor.
+    /// Tests lead·∏ candidate^k = whole·∏ multiplier^k at one point modulo a prime, where k are the
+    /// exponents.
     fn agree(
         &self,
         whole: &Polynomial,
@@ -200,7 +199,6 @@ fn is_product(
     Ok(rest.is_one())
 }
 
-/// The leading coefficient in the main variable, together with its factors.
 struct LeadingCoefficient {
     whole: Polynomial,
     content: Rational,
@@ -216,8 +214,7 @@ impl LeadingCoefficient {
         Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
-    /// Returns a common multiple of the leading coefficients of all factors that have this
-    /// exponent.
+    /// Returns a common multiple of the leading coefficients of all factors with this exponent.
     fn multiplier(&self, exponent: u32, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
         let mut product = Polynomial::constant(self.content.clone());
         for (factor, own) in &self.factors {
@@ -226,8 +223,7 @@ impl LeadingCoefficient {
         Ok(product)
     }
 
-    /// Divides out the factors of the leading coefficient that the multiplier added, and returns
-    /// the primitive part.
+    /// Divides out the factors that the multiplier added, and returns the primitive part.
     fn without_multiplier(
         &self,
         polynomial: Polynomial,

@@ -1,34 +1,30 @@
-//! Lifts factors at y = point to factors in x and y (Hensel's lemma), as power series in t = y −
-//! point.
+//! Lifts factors at y = point to factors in x and y (Hensel's lemma).
 //!
-//! The lift works with monic polynomials whose coefficients are power series. At the end each
-//! factor is multiplied by a multiple of its leading coefficient, which turns the series into
-//! polynomials in t (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, section
-//! 6.6). The polynomial need not be square-free: a power of a factor is lifted as a whole, and its
-//! root is taken at the end.
+//! The lift works with monic polynomials in x whose coefficients are power series in t = y − point.
+//! At the end each factor is multiplied by a multiple of its leading coefficient. The series then
+//! become polynomials (Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, section
+//! 6.6). Powers of factors are lifted as a whole, and roots are taken at the end.
 
 use kahan_algebra::prime_field::PrimeField;
 
 use super::dense::{self, Dense};
 
-/// The coefficients of a polynomial in x and y: row i holds the coefficients of xⁱ, ordered by
-/// powers of y. Some functions use t = y − point instead of y.
+/// The coefficients of a polynomial in x and y. Row i holds the coefficients of xⁱ by powers of y
+/// or of t.
 pub(super) type BivariateCoefficients = Vec<Vec<u64>>;
 
 pub(super) struct LiftingProblem<'a> {
-    /// The polynomial to factor, up to a divisor that does not contain x. All rows have equal
-    /// length.
+    /// The polynomial to factor, up to a divisor without x. All rows have equal length.
     pub(super) whole: &'a BivariateCoefficients,
     pub(super) factors: &'a [(Dense, u32)],
-    /// For each factor a multiple of its leading coefficient. The coefficients of a multiple are
-    /// ordered by powers of y. Their number is that of a row of `whole`.
+    /// A multiple of the leading coefficient of each factor, by powers of y. Each multiple has the
+    /// length of a row of `whole`.
     pub(super) multipliers: &'a [Dense],
     pub(super) point: u64,
 }
 
-/// Lifts each factor and multiplies it by its multiplier divided by its leading coefficient.
-/// Returns `None` if the leading coefficient of `whole` vanishes at the point, or if two factors
-/// have a common root there.
+/// Lifts each factor to a polynomial with the multiplier as leading coefficient. Returns `None` if
+/// the leading coefficient of `whole` is 0 at the point, or if two factors share a root there.
 pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<Vec<BivariateCoefficients>> {
     let LiftingProblem { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
@@ -54,8 +50,8 @@ pub(super) fn lift(field: PrimeField, question: &LiftingProblem<'_>) -> Option<V
     Some(results)
 }
 
-/// Lifts monic factors from t = 0. Returns for each factor its coefficients of t⁰, t¹, …, which are
-/// polynomials in x.
+/// Lifts monic factors from t = 0. Returns the coefficients of each factor by powers of t. The
+/// coefficients are polynomials in x.
 fn lift_monic(
     field: PrimeField,
     whole: &BivariateCoefficients,
@@ -75,7 +71,6 @@ fn lift_monic(
     }
     let mut lifted: Vec<Vec<Dense>> = factors.into_iter().map(|factor| vec![factor]).collect();
     for step in 1..by_t.len() {
-        // First update the products without the new coefficients of the factors.
         for index in 0..lifted.len() {
             let mut sums = vec![0; whole.len()];
             if index > 0 {
@@ -87,7 +82,6 @@ fn lift_monic(
             products[index].push(dense::reduced(field, &sums));
         }
         let error = dense::difference(field, &by_t[step], &products[lifted.len() - 1][step]);
-        // Then add the new coefficients.
         let mut before: Dense = Vec::new();
         for index in 0..lifted.len() {
             let image = lifted[index][0].clone();
@@ -114,11 +108,9 @@ fn transposed(rows: &[Dense], columns: usize) -> BivariateCoefficients {
 }
 
 /// Returns the monic polynomial in x whose k-th power is `power`, where k is `exponent`.
-/// Coefficients are power series in t.
 ///
-/// Write the power as h(1/x)·x^(kd), where d is the degree of the root, and let α = 1/k. The
-/// coefficients rₘ of the series h^α follow from h·(h^α)′ = α·h′·h^α (Knuth, The Art of Computer
-/// Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
+/// For a root of degree d, the power is h(1/x)·x^(kd). The power series h^(1/k) has coefficients rₘ
+/// with m·rₘ = Σ_{l=1..m} (l/k − (m − l))·hₗ·r_{m−l} (Knuth, The Art of Computer Programming 4.7).
 fn root(
     field: PrimeField,
     power: BivariateCoefficients,
@@ -149,7 +141,7 @@ fn scaled(field: PrimeField, row: &[u64], factor: u64) -> Dense {
     row.iter().map(|&value| field.mul(value, factor)).collect()
 }
 
-/// Returns the coefficients of the shifted polynomial a(y + by).
+/// Returns the coefficients of a(y + by).
 fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     let mut shifted = a.to_vec();
     for done in 0..a.len() {
@@ -160,7 +152,7 @@ fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
     shifted
 }
 
-/// Returns as many coefficients of the power series 1/a as a has; `None` if a(0) = 0.
+/// Returns the first `a.len()` coefficients of the power series 1/a. Returns `None` if a(0) = 0.
 fn reciprocal(field: PrimeField, a: &[u64]) -> Option<Dense> {
     let unit = field.inverse(*a.first()?)?;
     let mut inverse = vec![unit];

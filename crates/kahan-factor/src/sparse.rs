@@ -1,11 +1,10 @@
 //! Lifts factors modulo a large prime, one variable at a time.
 //!
-//! Each step frees one variable y. It sets the variables freed earlier to several values, lifts the
-//! factors in y at each value ([`series`](super::series)), and interpolates on the known monomials
-//! of each factor (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The
-//! values are powers of one point, so the matrices of the linear systems are Vandermonde matrices
-//! (Monagan and Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A step misses a monomial if its
-//! coefficient vanishes at the points; the final division detects such an error.
+//! Each step frees one variable and sets the variables freed earlier to several values. The factors
+//! are lifted at each value ([`series`](super::series)) and interpolated on their known monomials
+//! (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM 1979). The values are powers
+//! of one point, so the linear systems have Vandermonde matrices (Monagan and Tuncer, CASC 2016;
+//! Chen and Monagan, CASC 2020). The final division detects missed monomials.
 
 use std::collections::BTreeMap;
 
@@ -17,24 +16,23 @@ use super::dense::{self, Dense};
 use super::series::{self, BivariateCoefficients, LiftingProblem};
 use super::vandermonde;
 
-/// The coefficients of a polynomial over a prime field, by the exponents of its variables. The
-/// exponent of the main variable comes first.
+/// The coefficients of a polynomial over a prime field by exponents. The main variable comes first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
 
-/// A polynomial to factor, with the factors of one of its images in the main variable.
+/// A polynomial to factor, and the factors of an image in the main variable.
 pub(super) struct SparseLiftingProblem<'a> {
     pub(super) whole: &'a Polynomial,
-    /// The variables of the polynomial; the main variable comes first.
+    /// The main variable comes first.
     pub(super) order: &'a [Variable],
     /// The values of all variables except the main one.
     pub(super) points: &'a [i64],
     pub(super) images: &'a [(Polynomial, u32)],
-    /// For each factor a multiple of its leading coefficient in the main variable.
+    /// A multiple of the leading coefficient of each factor in the main variable.
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// Lifts each factor modulo the prime and multiplies it by its multiplier divided by its leading
-/// coefficient. Returns `None` if the points do not allow the lift.
+/// Lifts each factor to a polynomial with the multiplier as leading coefficient. Returns `None` if
+/// the points do not allow the lift.
 pub(super) fn lift(
     field: PrimeField,
     problem: &SparseLiftingProblem<'_>,
@@ -67,8 +65,8 @@ pub(super) fn lift(
     Ok(Some(factors.into_iter().map(|(factor, _)| factor).collect()))
 }
 
-/// Returns the polynomial at several stages: stage k keeps the first k + 1 variables and sets all
-/// others to the points.
+/// Returns a list of polynomials. Entry k keeps the first k + 1 variables and sets the others to
+/// the points.
 fn stages(field: PrimeField, polynomial: &Polynomial, order: &[Variable], points: &[u64]) -> Vec<Residues> {
     let mut stages = vec![residues(field, polynomial, order)];
     for &point in points.iter().rev() {
@@ -95,7 +93,6 @@ fn residues(field: PrimeField, polynomial: &Polynomial, order: &[Variable]) -> R
         .collect()
 }
 
-/// A lifting step, which frees one more variable.
 struct Step<'a> {
     field: PrimeField,
     whole: &'a Residues,
@@ -158,23 +155,22 @@ fn column(rows: &BivariateCoefficients) -> Dense {
     dense::trimmed(rows.iter().map(|row| row[0]).collect())
 }
 
-/// Returns the value at `base` of a monomial without its main variable.
+/// Returns the value of a monomial without its main variable.
 fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
     let powers = exponents[1..].iter().zip(base);
     powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
 }
 
-/// A polynomial that is evaluated at successive powers of a point, while one or two variables stay
-/// free.
+/// A polynomial evaluated at successive powers of a point. One or two variables stay free.
 struct PowerEvaluation {
-    /// For each term: the exponents of the two free variables, the current value of the rest, and
-    /// the ratio of the next value to the current one.
+    /// For each term: the exponents of the free variables, the value, and the ratio of the next
+    /// value to the current one.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
 impl PowerEvaluation {
-    /// Starts at power 0 of the point `base`. The main variable stays free, and so does the
-    /// variable with index `second` if given.
+    /// Starts at power 0 of the point `base`. Besides the main variable, the variable with index
+    /// `second` stays free.
     fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
         let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
             let other = second.map_or(0, |place| exponents[place] as usize);
@@ -183,8 +179,8 @@ impl PowerEvaluation {
         Self { terms: polynomial.iter().map(term).collect() }
     }
 
-    /// Goes to the next power of the point. Returns the coefficients by powers of the main variable
-    /// (rows) and of the second variable (columns).
+    /// Goes to the next power of the point. Rows belong to powers of the main variable, columns to
+    /// powers of the second.
     fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> BivariateCoefficients {
         let mut values = vec![vec![0; columns]; rows];
         for (row, column, value, ratio) in &mut self.terms {
@@ -196,7 +192,7 @@ impl PowerEvaluation {
     }
 }
 
-/// The monomials of a factor and their values, grouped by the power of the main variable.
+/// The monomials of a factor and their values, by the power of the main variable.
 struct FactorSupport {
     groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }

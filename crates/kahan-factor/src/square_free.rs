@@ -3,8 +3,7 @@
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 
-/// Decomposes a primitive polynomial. If the budget runs out, a returned factor may itself have
-/// repeated factors.
+/// Decomposes a primitive polynomial. A short budget may leave factors that are not square-free.
 pub(super) fn square_free(polynomial: &Polynomial, budget: &mut Budget) -> Vec<(Polynomial, u32)> {
     let Some(main) = polynomial.variables().into_iter().min_by_key(|v| polynomial.degree_in(*v)) else {
         return Vec::new();
@@ -40,8 +39,7 @@ pub(super) fn yun(
     let quotient = |a: &Polynomial, b: &Polynomial, budget: &mut Budget| {
         Ok(a.div_within(b, budget)?.expect("a common divisor divides"))
     };
-    // Let fₖ be the square-free factor with exponent k. In step k, left = ∏_{i≥k} fᵢ and slope = Σ
-    // (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
+    // In step k, left = ∏_{i≥k} fᵢ and slope = Σ (i − k + 1)·fᵢ′·∏_{j≠i} fⱼ.
     let mut left = quotient(polynomial, &repeated, budget)?;
     let mut slope = quotient(&derivative, &repeated, budget)?;
     let mut factors = Vec::new();

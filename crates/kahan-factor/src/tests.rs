@@ -89,7 +89,7 @@ fn irreducible_ones_stay() {
         "x^4 + 1",
         "x^4 - 10*x^2 + 1",
         "x^4 - 10*x^2*y^2 + y^4",
-        // The polynomial becomes reducible whenever y is a square.
+        // The polynomial is reducible at every square y.
         "x^2 - y",
         "x^4 - y",
         "x^2 + y^2",
@@ -146,15 +146,12 @@ fn leading_coefficients_may_have_several_variables() {
     assert_found(&[("a*x^2 + b", 1), ("c*x^2 + d", 2), ("a*b*x^2 + b^2*c + 1", 1)]);
     assert_found(&[("a*x^2 + a*b + 1", 3), ("6*a^2*x^2 + 5*b^2 + 1", 1), ("10*b*x^2 + a^2", 2)]);
     assert_found(&[("x^2*y^2*z - 1", 1), ("x^2*z^2*y + x + t", 1), ("t^2*x^2 + y^2*z^2 + 7", 1)]);
-    // The leading coefficient is long in every main variable.
     assert_found(&[
         ("x^2*y^2*z^2 + x^2*y^2 + y^2*z^2 + x^2*z^2 + x^2 + 3", 1),
         ("x^2*y^2*z^2 - 2*x^2*y^2 + y^2*z^2 - x^2*z^2 + z^2 + 5*x*y*z", 2),
     ]);
 }
 
-/// Points near the origin are tried first. There, leading coefficients vanish or factors have
-/// common roots.
 #[test]
 fn bad_points_are_no_matter() {
     let zeros = (-9..10).fold(Polynomial::one(), |product, root| &product * &p(&format!("y + {root}")));

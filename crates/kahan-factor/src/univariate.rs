@@ -1,10 +1,9 @@
 //! Factors a polynomial in one variable over ℤ.
 //!
 //! The method is that of Zassenhaus ("On Hensel factorization I", J. Number Theory 1, 1969).
-//! Factors modulo a small prime p are lifted to a power of p above twice the coefficients of any
-//! true factor. Then products of a few lifted factors are tried as true factors. Before any lift,
-//! the degrees of factors modulo several primes prove that most irreducible polynomials are
-//! irreducible.
+//! Factors modulo a small prime are lifted to a power of the prime. Products of a few lifted
+//! factors are then tried as true factors. Before any lift, the degrees of factors modulo several
+//! primes prove most irreducible polynomials irreducible.
 
 use kahan_algebra::poly::{Budget, Monomial, OverBudget, Polynomial, RESIDUES_PER_TERM, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64, is_prime_u64};
@@ -17,16 +16,15 @@ use super::dense::{self, Dense};
 use super::lifted::{self, Lifted};
 use super::{modular, square_free};
 
-/// The coefficients of a polynomial, ordered by exponent. The last one is positive.
+/// The coefficients of a polynomial, ordered by exponent. The last coefficient is positive.
 pub(super) type Integers = Vec<BigInt>;
 
-/// The number of primes to compare. The factors modulo the prime with the fewest factors are
-/// lifted.
+/// This many primes are compared. The prime with the fewest factors is used for the lift.
 const PRIMES: usize = 5;
-/// The first prime to try. Two factors rarely have a common root modulo a prime this large.
+/// The search begins here. Two factors rarely have a common root modulo a prime this large.
 const FIRST_PRIME: u64 = 1009;
 
-/// Returns the irreducible factors of a primitive polynomial in `main`, with their exponents.
+/// Factors a primitive polynomial in `main`.
 pub(super) fn factors(
     polynomial: &Polynomial,
     main: Variable,
@@ -46,8 +44,7 @@ pub(super) fn factors(
     Ok(all)
 }
 
-/// Returns the irreducible factors of a primitive square-free polynomial with positive leading
-/// coefficient.
+/// Factors a primitive square-free polynomial with positive leading coefficient.
 fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let degree = polynomial.len() - 1;
     if degree < 2 {
@@ -86,8 +83,8 @@ fn effort(degree: usize) -> u64 {
     (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
 }
 
-/// Returns the field of the prime and the monic image of the polynomial modulo the prime. Returns
-/// `None` if the image has a smaller degree or is not square-free.
+/// Returns the monic image modulo the prime. Returns `None` if the image has a smaller degree or
+/// repeated factors.
 fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> {
     let field = PrimeField::new(prime)?;
     let image: Dense =
@@ -129,15 +126,14 @@ impl DegreeSet {
     }
 }
 
-/// Returns a bound on the coefficients of lc(f)/lc(g)·g for all factors g of f, where lc is the
-/// leading coefficient: |lc(f)|·2^n·‖f‖₂ with n = deg f (Mignotte, Math. Comp. 28, 1974).
+/// Bounds the coefficients of lc(f)/lc(g)·g for all factors g of f, where lc is the leading
+/// coefficient. The bound is |lc(f)|·2^n·‖f‖₂ with n = deg f (Mignotte, Math. Comp. 28, 1974).
 fn coefficient_bound(polynomial: &Integers) -> BigInt {
     let squares: BigInt = polynomial.iter().map(|c| c * c).sum();
     ((squares.sqrt() + 1_u32) << (polynomial.len() - 1)) * polynomial[polynomial.len() - 1].abs()
 }
 
-/// Finds the true factors as products of factors modulo a prime power. Products of fewer factors
-/// are tried first.
+/// Finds the true factors as products of lifted factors. Products of few factors are tried first.
 fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let Lifted { modulus, mut factors } = lifted;
     let words = modulus.bits() / 64 + 1;
@@ -164,8 +160,7 @@ fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result
     Ok(found)
 }
 
-/// Advances to the next subset of equal size in lexicographic order. Returns `false` after the last
-/// subset.
+/// Advances to the next subset of equal size. Returns `false` after the last subset.
 fn advance(chosen: &mut [usize], count: usize) -> bool {
     let size = chosen.len();
     let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else {
@@ -178,8 +173,8 @@ fn advance(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// Multiplies the chosen factors and the leading coefficient of `whole`, takes residues of least
-/// absolute value modulo `modulus`, and returns the primitive part.
+/// Returns the primitive part of the product of the chosen factors and the leading coefficient of
+/// `whole`. Coefficients are residues of least absolute value modulo `modulus`.
 fn candidate<'a>(
     whole: &Integers,
     factors: impl Iterator<Item = &'a Integers>,

@@ -1,8 +1,8 @@
 //! Finds the candidates among which a lift is chosen.
 //!
-//! The input consists of checked equations and a limit for the search. The output consists of sets
-//! of new variables that make the equations quadratic. Each set comes with several quadratic
-//! fields, and with the relations of its variables.
+//! The input consists of checked equations and limits of the search. The output consists of sets of
+//! new variables that make the equations quadratic. Each set comes with alternative quadratic
+//! fields and with relations.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -20,35 +20,33 @@ use crate::quadratic::{Products, Quadratic, component, times};
 use crate::ring::Ring;
 use crate::search::{MOST_VARIABLES, Problem, founded, search};
 
-/// The largest number of sets of one size that become candidates.
+/// At most this many sets of one size become candidates.
 const MOST_SETS: usize = 8;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SearchEffort {
     pub(crate) nodes: usize,
-    /// Whether the search also finds sets with one more variable, and sets in which each variable
-    /// has a defining relation.
+    /// Whether the search also returns sets with one more variable, and sets with a relation for
+    /// each variable.
     pub(crate) surplus: bool,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Rc<Ring>,
-    /// The new variables as functions of the states. If a new variable is the mechanical work done
-    /// since the start, its function is replaced by 0.
+    /// The new variables as functions of the states. The work done since the start is represented
+    /// by 0.
     pub(crate) new: Vec<Laurent>,
-    /// Alternative quadratic fields. The preferred field comes first.
+    /// Alternative quadratic fields, with the preferred field first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
-    /// Polynomials in the lifted variables that vanish if the new variables have the values of
-    /// their functions.
+    /// Polynomials in the variables that vanish for the values of the functions.
     pub(crate) relations: Vec<Quadratic>,
     pub(crate) is_optimal: bool,
-    /// The energy of the flow. The map preserves a modification of it.
+    /// The energy of the flow. The map preserves a modified energy.
     pub(crate) energy: Option<Quadratic>,
 }
 
-/// Returns the lifts with the fewest new variables that the search finds, and lifts with one more
-/// variable.
+/// Returns the lifts with the fewest new variables, and lifts with one more variable.
 pub(crate) fn ordinary_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let surplus = usize::from(effort.surplus);
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
@@ -86,8 +84,7 @@ fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Cand
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
 
-/// Returns the lifts of a mechanical system whose map preserves an energy. The list is empty for
-/// other systems.
+/// Returns the lifts of a mechanical system whose map preserves an energy.
 pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let lifts = |ring: &Ring, least: usize| {
@@ -95,8 +92,8 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
         let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
-    // If sums are coordinates, sets are small. The size of these small sets limits the search
-    // without sums as coordinates.
+    // Sums as coordinates give small sets. Their size limits the search without sums as
+    // coordinates.
     let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
     let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
     let mut candidates = lifts(&equations.ring, least);
@@ -105,9 +102,9 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: SearchEffort) -> 
     candidates
 }
 
-/// Returns the energy lifts in which the nonlinear terms of the forces are variables. If `as_sums`,
-/// each force has one variable for the sum of its terms; otherwise each monomial is a variable.
-/// `least` is the size of a known lift.
+/// Returns energy lifts in which the nonlinear terms of forces are variables. With `as_sums`, one
+/// variable stands for the sum of all nonlinear terms of a force. Otherwise each monomial is a
+/// variable. `least` is the size of a known lift.
 fn energy_lifts(
     equations: &Equations,
     ring: &Rc<Ring>,
@@ -148,7 +145,7 @@ fn energy_lifts(
     let least = found.sets[0].len();
     let lift = |set: &Vec<Laurent>| {
         let mut new = [&forces[..], set].concat();
-        // A sum that is affine in the other variables needs no variable of its own.
+        // A sum that is affine in the other variables is omitted.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
@@ -166,7 +163,8 @@ fn energy_lifts(
     of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
-/// Adds a variable for the potential if needed, and fixes the equations that preserve the energy.
+/// Adds a variable for the potential if needed, and prescribes the equations that preserve the
+/// energy.
 fn with_potential(
     ring: &Rc<Ring>,
     mechanical: &Mechanical,
@@ -179,7 +177,6 @@ fn with_potential(
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {
         let force = &ring.field[momentum];
-        // Find the variable that stands for the nonlinear terms of the force.
         let sum = new.iter().position(|one| {
             one.len() > 1 && {
                 let curved = force.filtered(|monomial| one.coefficient(monomial) != RationalFunction::zero());
@@ -198,7 +195,7 @@ fn with_potential(
         })?;
         fixed.insert(momentum, equation);
     }
-    // The energy is ½ pᵀSp, plus the terms of the potential V that are quadratic in the positions.
+    // The energy is ½ pᵀSp plus the quadratic terms of the potential.
     let half = RationalFunction::constant(Rational::new(1, 2));
     let mut energy = Quadratic::default();
     let mut power = Quadratic::default();
@@ -213,7 +210,7 @@ fn with_potential(
     if let Some(potential) = &potential {
         let plain = potential.filtered(is_quadratic);
         energy.add_scaled(&plain, &RationalFunction::one());
-        // Use d(x y)/dt = x′y + x y′.
+        // The product rule is d(x y)/dt = x′y + x y′.
         for state in 0..states {
             let velocity = products.affine(&ring.field[state]);
             for (monomial, factor) in plain.partial(state).terms() {
@@ -242,8 +239,7 @@ fn with_potential(
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: Some(energy) })
 }
 
-/// Returns the modified integral that Kahan's map preserves. The modified integral corresponds to a
-/// quadratic integral of the field.
+/// Returns the modified integral that Kahan's map preserves, for a quadratic integral of the field.
 pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
     let integral = component(integral, field.dimension());
     modified_integral(field, integral.numerator())

@@ -15,14 +15,13 @@ use crate::stability::{ErrorGrowth, Orbit};
 /// The criterion by which a lift is chosen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LiftCriterion {
-    /// The first lift in this order that exists: an energy lift; a lift whose relations the map
-    /// preserves exactly; a lift whose relation errors do not grow along the orbit; a lift with the
-    /// fewest new variables.
+    /// The first lift of this list that exists: an energy lift, a lift whose relations the map
+    /// preserves, a lift whose relation errors do not grow, the smallest lift.
     #[default]
     Automatic,
     /// An energy lift of a mechanical system.
     Energy,
-    /// A lift with the largest number of relations that the map preserves exactly.
+    /// A lift with the most relations that the map preserves exactly.
     Relations,
     /// A lift whose relation errors do not grow along the orbit.
     Stable,
@@ -31,7 +30,7 @@ pub enum LiftCriterion {
 }
 
 impl LiftCriterion {
-    /// All criteria by which a lift may be chosen.
+    /// All criteria.
     pub const ALL: [LiftCriterion; 5] = [
         LiftCriterion::Automatic,
         LiftCriterion::Energy,
@@ -40,7 +39,7 @@ impl LiftCriterion {
         LiftCriterion::Smallest,
     ];
 
-    /// Returns the name of the criterion, as in `--lift=NAME`.
+    /// Returns the name of the criterion in `--lift=NAME`.
     #[must_use]
     pub fn name(self) -> &'static str {
         ["automatic", "energy", "relations", "stable", "smallest"][self as usize]
@@ -59,11 +58,10 @@ impl LiftCriterion {
     }
 }
 
-/// The largest number of quadratic fields that are evaluated, for all candidates together.
+/// At most this many quadratic fields are evaluated.
 const MOST_FOLLOWED: usize = 32;
 
-/// A candidate with one of its quadratic fields, the relations that the map preserves, and the
-/// growth of errors.
+/// A candidate with one of its quadratic fields. The map preserves the relations `kept`.
 #[derive(Debug)]
 pub(crate) struct RatedCandidate<'a> {
     pub(crate) candidate: &'a Candidate,
@@ -79,7 +77,7 @@ pub(crate) fn choose<'a>(
     orbit: Option<&Orbit>,
 ) -> Option<(RatedCandidate<'a>, String)> {
     let mut judged: Vec<RatedCandidate<'_>> = Vec::new();
-    // If there are too many fields, the least preferred fields are dropped.
+    // The least preferred fields are dropped beyond the limit.
     let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
     for place in 0..most {
         for candidate in candidates {
@@ -90,7 +88,7 @@ pub(crate) fn choose<'a>(
         }
     }
     let exponent = |one: &RatedCandidate<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    // Prefer functions of fewer variables, such as x² instead of x·p.
+    // Functions of fewer variables are preferred, such as x² to x·p.
     let spread = |one: &RatedCandidate<'_>| {
         let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
@@ -153,8 +151,8 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
-/// Computes the growth of errors along the orbit, in the order of the number of new variables.
-/// Stops after the first number with a stable lift, and drops the lifts with more variables.
+/// Computes the growth of errors in the order of the number of new variables. Lifts with more
+/// variables than a stable lift are dropped.
 fn followed<'a>(judged: Vec<RatedCandidate<'a>>, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(RatedCandidate::order).collect();
@@ -182,7 +180,7 @@ impl<'a> RatedCandidate<'a> {
 
     pub(crate) fn follow(&mut self, orbit: &Orbit) {
         let Candidate { ring, new, .. } = self.candidate;
-        // The final variable may be the work done since the start, which has no relation.
+        // The final variable may be the work done since the start, without a relation.
         let known = new.iter().filter(|value| !value.is_zero()).count();
         self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
     }
@@ -195,10 +193,10 @@ impl<'a> RatedCandidate<'a> {
         self.growth.is_some_and(|growth| growth.is_stable())
     }
 
-    /// Returns fields with damping. In the equation of a new variable w, w′ is reduced by κ R, for
-    /// a relation R that is linear in w.
+    /// Returns fields with damping, which makes errors decay.
     ///
-    /// The factor κ exceeds the rate at which errors grow, so that errors should decay.
+    /// For a relation R that is linear in a new variable w, the derivative of w is reduced by κ R.
+    /// The factor κ exceeds the growth rate of errors.
     fn damped(&self, orbit: Option<&Orbit>) -> Vec<RatedCandidate<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
@@ -212,7 +210,7 @@ impl<'a> RatedCandidate<'a> {
                     relation.terms().filter(|(monomial, _)| monomial.powers().any(new)).count()
                 };
                 let relations = self.candidate.relations.iter().filter(|one| one.contains(&own));
-                // A function without an algebraic relation keeps its equation.
+                // Variables without an algebraic relation keep their equations.
                 let Some(relation) = relations.min_by_key(|relation| others(relation)) else { continue };
                 let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
@@ -225,7 +223,7 @@ impl<'a> RatedCandidate<'a> {
     }
 
     /// Returns whether the map preserves one relation for each new variable. A sine and its cosine
-    /// share one relation.
+    /// share a relation.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
         let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);

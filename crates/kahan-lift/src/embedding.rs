@@ -1,8 +1,8 @@
 //! A program without branches that computes the initial values of new variables.
 //!
-//! `Lift::embed` runs the program in `f64`, and generated code is written from it, so both have
-//! equal bits. An operation is correctly rounded, or is an integer power by repeated squaring, or
-//! calls a function of `libm`.
+//! `Lift::embed` runs the program in `f64`. Generated code performs the same operations, so the
+//! results have equal bits. Operations are correctly rounded operations, repeated squaring, or
+//! calls of `libm`.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::poly::Polynomial;
@@ -16,17 +16,16 @@ use crate::ring::{CoordinateDefinition, Function, Ring};
 /// An input of the program, which is a state or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// A state, given by its index in a point. If the time is a state of the lifted field, the time
-    /// has the highest index.
+    /// A state by its index in a point. The time, if present, has the highest index.
     State(usize),
-    /// A parameter, given by its index.
+    /// A parameter by its index.
     Parameter(usize),
 }
 
 /// A function that the program calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CalledFunction {
-    /// The power aⁿ by repeated squaring. For negative n it is 1/a⁻ⁿ.
+    /// The power aⁿ by repeated squaring. For negative n, the reciprocal of a⁻ⁿ is returned.
     Power(i32),
     /// The power a^b by `libm::pow`.
     RealPower,
@@ -39,8 +38,8 @@ pub enum CalledFunction {
 }
 
 impl CalledFunction {
-    /// Returns the name of the function in generated code. All names but `power` are those of
-    /// functions in `libm`.
+    /// Returns the name of the function in generated code. All names but `power` are names in
+    /// `libm`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -89,9 +88,9 @@ impl Calls<CalledFunction> for Exact {
 /// The new variables as functions of the states and the parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Embedding {
-    /// The program. The outputs of the program are the values of the new variables.
+    /// The program. The outputs are the values of the new variables.
     pub program: Program<Vec<Operation>>,
-    /// One register for each instruction. The registers of constants already hold their values.
+    /// The initial registers of the program, which hold the constants.
     constants: Vec<f64>,
 }
 
@@ -102,15 +101,15 @@ impl Embedding {
         Embedding { program, constants }
     }
 
-    /// Returns the new variables at a point.
+    /// Returns the new variables at a point, computed in floats.
     #[must_use]
     pub fn values(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         let found = self.run(states, parameters);
         self.program.outputs.iter().map(|value| found[value.0]).collect()
     }
 
-    /// Returns the new variables at a point. Rational functions of the states are computed exactly,
-    /// and other functions in floats by `libm`. Returns `None` if a value is infinite.
+    /// Returns the new variables at a point. Rational functions are computed exactly, and other
+    /// functions in floats. Returns `None` if a value is infinite.
     pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         let [floats, of] =
             [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());
@@ -174,8 +173,7 @@ impl<'a> Builder<'a> {
         if exponent == 1 { base } else { self.call(CalledFunction::Power(exponent), base) }
     }
 
-    /// Returns the product of `number` and `factors`, multiplied from left to right. A number ±1 is
-    /// omitted.
+    /// Multiplies a number and factors from left to right. A number ±1 is omitted.
     fn product(&mut self, number: &Rational, factors: Vec<Node>) -> Node {
         let mut factors = factors.into_iter();
         let first = if number.abs().is_one() { factors.next() } else { None };
@@ -204,8 +202,7 @@ impl<'a> Builder<'a> {
         self.sum(terms)
     }
 
-    /// Returns a coefficient as a rational number and, if the coefficient depends on parameters, a
-    /// further factor.
+    /// Splits a coefficient into a rational number and a factor that depends on parameters.
     fn coefficient(&mut self, value: &RationalFunction) -> (Rational, Option<Node>) {
         if let Some(number) = value.as_polynomial().and_then(Polynomial::as_constant) {
             return (number, None);

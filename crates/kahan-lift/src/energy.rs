@@ -1,8 +1,8 @@
-//! Recognises mechanical systems: x′ = A p, p′ = G(x) with positions x, momenta p, and a potential.
+//! Recognises mechanical systems x′ = A p, p′ = G(x) with positions x, momenta p and a potential.
 //!
-//! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is
-//! constant along solutions. Let the components of G be affine in the variables of a lift, and let
-//! W stand for V with W′ = −pᵀS G. By polarisation with y = p, Kahan's map then preserves
+//! Let S be a constant symmetric matrix and V a function with ∇V = −A⁻ᵀ S G. Then ½ pᵀSp + V is an
+//! integral. If G is affine in the variables of a lift and W′ = −pᵀS G for a variable W, Kahan's
+//! map preserves
 //!
 //!   ½ pᵀSp + W − ε² GᵀSG/2
 
@@ -21,15 +21,15 @@ pub(crate) struct Mechanical {
     pub momenta: Vec<usize>,
     /// The symmetric matrix S of the kinetic energy ½ pᵀSp.
     pub kinetic: Vec<Vec<RationalFunction>>,
-    /// The potential V, if an antiderivative was found.
+    /// The potential V if an antiderivative was found.
     pub potential: Option<Laurent>,
 }
 
 const MOST_CANDIDATES: usize = 120;
 
 impl Mechanical {
-    /// Recognises a mechanical system. The forces must have a potential; this is tested exactly, by
-    /// partial derivatives.
+    /// Recognises a mechanical system. Exact partial derivatives prove that the forces have a
+    /// potential.
     pub(crate) fn recognise(ring: &Ring) -> Option<Self> {
         let [positions, momenta] = positions_and_momenta(ring)?;
         // A partial derivative is the derivative along a constant field.
@@ -63,7 +63,7 @@ type Matrix = Vec<Vec<RationalFunction>>;
 fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     let n = matrix.len();
     let rows = |i: usize| {
-        // A row b of A⁻ᵀ solves the linear system A b = e_i with the unit vector e_i.
+        // A row b of A⁻ᵀ solves A b = e for a unit vector e.
         let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
         let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
         let mut solutions = null_space(rows, n + 1);
@@ -74,7 +74,6 @@ fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
     (0..n).map(rows).collect()
 }
 
-/// Collects the states on which a polynomial depends, directly or through functions.
 fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     for (monomial, _) in polynomial.terms() {
         for (coordinate, _) in monomial.powers() {
@@ -88,8 +87,8 @@ fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     }
 }
 
-/// Splits the states into positions and equally many momenta. The derivatives of positions are
-/// linear in momenta, and those of momenta depend only on positions.
+/// Splits the states into positions and momenta of equal number. Derivatives of positions are
+/// linear in momenta. Derivatives of momenta depend on positions only.
 fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     let states = ring.field.len();
     let uses = |state: usize| {
@@ -103,7 +102,7 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
         });
         terms.rev().collect::<Option<Vec<usize>>>().filter(|by| !by.is_empty())
     };
-    // A state whose derivative is linear is a position, unless it is a momentum already.
+    // A state with a linear derivative is a position unless it is a momentum already.
     let mut positions: Vec<usize> = Vec::new();
     let mut momenta: Vec<usize> = Vec::new();
     for state in 0..states {
@@ -129,8 +128,7 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// Returns the partial derivatives of each polynomial with respect to the first `states`
-/// coordinates.
+/// Returns the partial derivatives with respect to the first `states` coordinates.
 pub(crate) fn slopes<'a>(
     ring: &Ring,
     states: usize,
@@ -140,9 +138,8 @@ pub(crate) fn slopes<'a>(
     polynomials.flat_map(|one| partials.iter().map(move |along| along.derivative(one))).collect()
 }
 
-/// Returns a symmetric matrix S without zeros on the diagonal for which −A⁻ᵀSG is a gradient. Here
-/// x′ = A p and p′ = G(x). The matrix A is preferred if it is symmetric, then a diagonal matrix,
-/// then any other matrix.
+/// Returns a symmetric matrix S for which −A⁻ᵀSG is a gradient, for x′ = A p and p′ = G(x). No
+/// diagonal entry of S is 0. A symmetric matrix A is preferred, then a diagonal matrix.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],
@@ -202,7 +199,6 @@ fn kinetic_energy(
     None
 }
 
-/// Returns one row of coefficients for each monomial that occurs in a column.
 fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     let monomials: BTreeSet<&Monomial> =
         columns.iter().flat_map(|column| column.terms().map(|(monomial, _)| monomial)).collect();
@@ -210,7 +206,8 @@ fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     monomials.into_iter().map(row).collect()
 }
 
-/// Returns a potential V with these partial derivatives, as a combination of related monomials.
+/// Returns a potential with these partial derivatives. The potential is a combination of related
+/// monomials.
 fn antiderivative(
     ring: &Ring,
     partials: &[Ring],

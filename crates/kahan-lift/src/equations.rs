@@ -1,4 +1,4 @@
-//! The equations of a block that is lifted, checked and written in coordinates.
+//! The equations of a lifted block, checked and written in coordinates.
 
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::parse::parse_lifted;
@@ -12,29 +12,27 @@ use crate::search::Problem;
 
 #[derive(Debug)]
 pub(crate) struct Equations {
-    /// The header of the block, if the block has one.
     pub header: Option<Header>,
     pub stated: EquationNames,
     pub ring: Ring,
 }
 
-/// The names in the equations of a block that is lifted.
+/// The names in the equations of a lifted block.
 #[derive(Clone, Debug)]
 pub struct EquationNames {
-    /// The names of the states in the order of their equations, then `t` if the time occurs.
+    /// The names of the states in the order of their equations. The time `t` comes last.
     pub states: Vec<String>,
-    /// The names of the parameters in the order of the header. Without a header, they are in the
-    /// order in which they occur.
+    /// The names of the parameters in the order of the header, or in the order in which they occur.
     pub parameters: Vec<String>,
     /// Whether the final state is the time.
     pub has_time: bool,
 }
 
-/// Reads the names in a block that is lifted. [`Options::orbit`](crate::Options::orbit) takes
-/// initial values and parameters in the order of these names.
+/// Reads the names in a lifted block. Values in [`Options::orbit`](crate::Options::orbit) have the
+/// order of these names.
 ///
 /// # Errors
-/// Returns all mistakes, each with its place and a remedy.
+/// Returns all mistakes, each with a place and a remedy.
 pub fn stated(tokens: &[Token]) -> Result<EquationNames, Vec<Diagnostic>> {
     Ok(Equations::read(tokens)?.stated)
 }
@@ -49,14 +47,13 @@ impl Equations {
         equations.filter(|_| diagnostics.is_empty()).ok_or(diagnostics)
     }
 
-    /// Returns the search problem for monomials in a ring that make the equations quadratic.
+    /// Returns the search problem for monomials that make the equations quadratic.
     pub(crate) fn problem_in(&self, ring: &Ring) -> Problem {
         let given: Vec<Monomial> =
             (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
             ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
-        // Negative powers occur in the equations, and in derivatives of functions such as (log u)′
-        // = u′/u.
+        // Negative powers occur in equations and in derivatives such as (log u)′ = u′/u.
         let slopes = ring.coordinates.iter().flat_map(|one| one.slope.terms()).map(|(one, _)| one);
         let negative = required
             .iter()

@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
-/// A product of powers of coordinates, as a list of exponents without trailing zeros. Exponents may
-/// be negative.
+/// A product of powers of coordinates with integer exponents. Trailing zeros are removed.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Monomial(Vec<i16>);
 
@@ -67,13 +66,12 @@ impl Monomial {
         is_square.then(|| Monomial(self.0.iter().map(|exponent| exponent / 2).collect()))
     }
 
-    /// Returns whether only states occur, which are the first coordinates, and only with positive
-    /// exponents.
+    /// Returns whether the monomial is a product of states. The states are the first coordinates.
     pub(crate) fn is_in(&self, states: usize) -> bool {
         self.powers().all(|(coordinate, exponent)| coordinate < states && exponent > 0)
     }
 
-    /// Returns whether each exponent of `divisor` lies between 0 and the exponent in this monomial.
+    /// Returns whether each exponent of `divisor` lies between 0 and the exponent of this monomial.
     pub(crate) fn is_multiple_of(&self, divisor: &Self) -> bool {
         divisor.powers().all(|(coordinate, exponent)| match self.exponent(coordinate) {
             own if exponent < 0 => own <= exponent,
@@ -136,14 +134,13 @@ impl Laurent {
         self.as_constant()?.as_polynomial()?.as_constant()
     }
 
-    /// Returns the monomial, if the polynomial is a single monomial with coefficient 1.
+    /// Returns the monomial of a polynomial with one term and coefficient 1.
     pub(crate) fn as_monomial(&self) -> Option<&Monomial> {
         let (monomial, coefficient) = self.0.first_key_value().filter(|_| self.len() == 1)?;
         (*coefficient == RationalFunction::one()).then_some(monomial)
     }
 
-    /// Returns the term with the largest monomial. Monomials are compared by size, then by
-    /// exponents.
+    /// Returns the term with the largest monomial. The size of monomials is compared first.
     pub(crate) fn leading_term(&self) -> Option<(&Monomial, &RationalFunction)> {
         self.terms().max_by_key(|&(monomial, _)| (monomial.size(), monomial))
     }
@@ -178,8 +175,7 @@ impl Laurent {
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
     }
 
-    /// Returns the partial derivative with respect to a coordinate on which no other coordinate
-    /// depends.
+    /// Returns the partial derivative with respect to a coordinate without dependent coordinates.
     pub(crate) fn partial(&self, coordinate: usize) -> Self {
         let one = Monomial::power(coordinate, 1);
         let mut derivative = Self::zero();
@@ -190,17 +186,16 @@ impl Laurent {
         derivative
     }
 
-    /// Returns the monomial that has the smallest exponent of each coordinate. The returned
-    /// monomial is a common factor of all terms.
+    /// Returns the greatest monomial that divides all terms.
     pub(crate) fn monomial_content(&self) -> Monomial {
         let least = |content: Monomial, next: &Monomial| content.zip(next, i16::min);
         let first = self.0.keys().next().cloned().unwrap_or_default();
         self.0.keys().skip(1).fold(first, least)
     }
 
-    /// Writes the polynomial as ρ·p with a rational number ρ, and returns ρ and p. The coefficients
-    /// of p are integers without a common factor, and the leading number of its first coefficient
-    /// is positive.
+    /// Writes the polynomial as ρ·p with a rational number ρ, and returns both. The coefficients of
+    /// p are integers without a common factor. The leading number of the first coefficient is
+    /// positive.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);

@@ -1,15 +1,14 @@
 //! Lifting turns an analytic ordinary differential equation into an equivalent quadratic one.
 //!
 //! The input is a block of equations with functions, quotients and powers. The output is a
-//! [`Lift`], which is a quadratic field in the states and in new variables. The new variables stand
-//! for functions of the states. Formulas are exact; floats serve only to choose a lift and to
-//! compute initial values. The crate must not know Kahan's map: rules of `kahan-algebra` tell which
-//! functions a map preserves.
+//! [`Lift`], a quadratic field in the states and in new variables. Each new variable stands for a
+//! function of the states. Formulas are exact. Floats serve only to choose a lift and to compute
+//! initial values. The crate must not know Kahan's map, so `kahan-algebra` tells what a map
+//! preserves.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-// The modules are listed from bottom to top. Each uses only modules above it in this list, as a
-// test checks.
+// Each module uses only modules above it. A test checks this.
 mod laurent;
 
 mod ring;

@@ -24,15 +24,14 @@ use crate::quadratic::component;
 use crate::ring::{CoordinateDefinition, Function, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
-/// The settings by which a lift is chosen: a criterion, an orbit, and a budget.
+/// The settings by which a lift is chosen.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The criterion by which the lift is chosen.
+    /// The criterion of the choice.
     pub which: LiftCriterion,
-    /// The initial values and parameters of an orbit, in the order of [`EquationNames`]. If `None`,
-    /// the choice uses no orbit.
+    /// The initial values and parameters of an orbit, in the order of [`EquationNames`].
     pub orbit: Option<(Vec<f64>, Vec<f64>)>,
-    /// The largest number of nodes of a search. The value 0 means 20 000.
+    /// The largest number of search nodes. The value 0 means 20 000.
     pub budget: usize,
 }
 
@@ -43,10 +42,9 @@ const NODES: usize = 20_000;
 pub struct NewVariable {
     /// The name of the variable.
     pub name: String,
-    /// The function of the states that the variable stands for, as text. `None` for the work done
-    /// since the start, whose initial value is 0.
+    /// The function of the states as text. `None` for the work done since the start, with initial
+    /// value 0.
     pub expression: Option<String>,
-    /// The function of the states, or 0 for the work done since the start.
     value: Laurent,
 }
 
@@ -55,38 +53,38 @@ pub struct NewVariable {
 pub enum RelationBehaviour {
     /// The map preserves a modified relation exactly.
     Kept,
-    /// The error of the relation stays bounded.
+    /// The error stays bounded.
     Bounded,
-    /// The error of the relation decays, up to the contribution of each step.
+    /// The error decays, up to the contribution of each step.
     Decays,
-    /// The error of the relation grows in proportion to time.
+    /// The error grows in proportion to time.
     Drifts,
-    /// The error of the relation grows exponentially.
+    /// The error grows exponentially.
     Grows,
 }
 
 /// A relation between the variables of a lift.
 #[derive(Clone, Debug)]
 pub struct Relation {
-    /// The function that vanishes where the relation holds, as text.
+    /// The function that vanishes where the relation holds.
     pub text: String,
-    /// The behaviour along the given orbit. Without an orbit, the value is `Kept` or `None`.
+    /// The behaviour along the given orbit. Without an orbit, only `Kept` is known.
     pub along: Option<RelationBehaviour>,
-    /// The modified function that the map preserves exactly, as text.
+    /// The modified function that the map preserves exactly.
     pub formula: Option<String>,
-    /// The largest growth exponent of the linearised errors of all relations, per unit of time.
+    /// The largest growth rate of errors among all relations, per unit of time.
     pub rate: Option<f64>,
-    /// The index of the new variable that the relation defines. `None` if it defines none.
+    /// The index of the new variable that the relation defines.
     pub defines: Option<usize>,
 }
 
-/// A quadratic field that is equivalent to the original equations, if each new variable starts at
+/// A quadratic field that is equivalent to the original equations. Each new variable must start at
 /// the value of its expression.
 #[derive(Clone, Debug)]
 pub struct Lift {
-    /// The header, if the block has one.
+    /// The header of the block.
     pub header: Option<Header>,
-    /// The names of the states as written, then `t` if the time occurs.
+    /// The names of the states. The time `t` comes last.
     pub states: Vec<String>,
     /// Whether the final state is the time.
     pub has_time: bool,
@@ -96,17 +94,17 @@ pub struct Lift {
     pub new: Vec<NewVariable>,
     /// The quadratic field in the states and the new variables.
     pub field: Field,
-    /// Whether a complete search proved the number of monomials to be minimal. The search covers
+    /// Whether a complete search proved that no smaller set of monomials exists. The search covers
     /// sets in which each missing monomial is a product of two variables.
     pub is_optimal: bool,
     /// The reason why this lift was chosen.
     pub chosen: String,
     /// The relations between the variables of the lift.
     pub relations: Vec<Relation>,
-    /// The energy that the map preserves exactly, if there is one.
+    /// The energy that the map preserves exactly.
     pub energy: Option<String>,
-    /// Warnings about two problems: points where a new variable is infinite though the equations
-    /// are finite, and phase errors of periodic forces.
+    /// Warnings about points where only a new variable is infinite, and about phase errors of
+    /// periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
     embedding: Embedding,
@@ -115,7 +113,7 @@ pub struct Lift {
 /// Finds a quadratic lift of the equations of a block.
 ///
 /// # Errors
-/// Returns mistakes in the text, functions that cannot be lifted, or the failure to find a lift
+/// Returns mistakes in the text and functions that cannot be lifted. Fails if no lift is found
 /// within the budget.
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
@@ -159,8 +157,8 @@ fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
     Some(Orbit::new(&equations.ring, start, parameters))
 }
 
-/// Returns all lifts and quadratic fields among which [`lift`] chooses with its default budget. Of
-/// `options`, only the orbit is used.
+/// Returns all lifts among which [`lift`] chooses with its default budget. Only the orbit of
+/// `options` is used.
 ///
 /// # Errors
 /// Returns mistakes in the text, and functions that cannot be lifted.
@@ -261,7 +259,7 @@ fn described(equations: &Equations, judged: &RatedCandidate<'_>, chosen: String)
     }
 }
 
-/// Returns the point at which an affine function of one state vanishes, such as `v = -40`.
+/// Returns the zero of an affine function of one state, such as `v = -40`.
 fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
     let mut linear = argument.terms().filter(|(monomial, _)| !monomial.is_one());
     let (monomial, slope) = linear.next().filter(|_| argument.len() <= 2)?;
@@ -279,8 +277,7 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
-            // At u = 0, 1/(1 − exp u) is infinite, while the equations may contain the finite u/(1
-            // − exp u).
+            // At u = 0, the variable 1/(1 − exp u) is infinite, but u/(1 − exp u) is finite.
             CoordinateDefinition::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
                 let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
                 let Some((monomial, value)) = slope else { continue };
@@ -315,14 +312,13 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
 }
 
 impl Lift {
-    /// Returns the number of new variables. The time `t` is not counted.
+    /// Returns the number of new variables without the time.
     #[must_use]
     pub fn order(&self) -> usize {
         self.new.len()
     }
 
-    /// Returns a warning if errors of the relations grow along the orbit, since orbits are then
-    /// wrong.
+    /// Returns a warning if errors of the relations grow along the orbit.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
         let growing = |relation: &&Relation| relation.along == Some(RelationBehaviour::Grows);
@@ -339,13 +335,14 @@ impl Lift {
         &self.field.symbols.states
     }
 
-    /// Returns the quadratic equations in the language of `kahan!`, one on each line.
+    /// Returns the quadratic equations in the language of `kahan!`, one for each line.
     #[must_use]
     pub fn text(&self) -> String {
         equation_lines(&self.field).collect::<Vec<_>>().join("\n")
     }
 
-    /// Returns the expressions of the new variables. `None` for the work done since the start.
+    /// Returns the expressions of the new variables. The work done since the start has no
+    /// expression.
     #[must_use]
     pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
         let writer = Writer::new(&self.ring, &self.states, &self.parameters);
@@ -368,18 +365,18 @@ impl Lift {
         &self.embedding
     }
 
-    /// Returns the program that computes the derivatives of the new variables with respect to the
-    /// states except `t`, variable by variable. The derivatives of the work done since the start
-    /// are 0.
+    /// Returns the program that computes the derivatives of the new variables. The derivatives are
+    /// with respect to all states except `t`, variable by variable. The derivatives of the work
+    /// done since the start are 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);
         Builder::embedding(&self.ring, &slopes(&self.ring, states, self.new.iter().map(|one| &one.value)))
     }
 
-    /// Returns the values of the new variables at a point. Rational functions of the states are
-    /// computed exactly. For other functions, the values are the floats of [`embed`](Self::embed).
-    /// Returns `None` if a value is infinite.
+    /// Returns the values of the new variables at a point. Rational functions are computed exactly.
+    /// Other functions have the floats of [`embed`](Self::embed). Returns `None` if a value is
+    /// infinite.
     ///
     /// # Panics
     /// If there are fewer values than states or parameters.

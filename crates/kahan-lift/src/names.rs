@@ -13,7 +13,6 @@ use crate::ring::{CoordinateDefinition, Function, Ring};
 pub(crate) struct Writer<'a> {
     ring: &'a Ring,
     pub(crate) states: &'a [String],
-    /// The names of the parameters, without states.
     parameters: Symbols,
 }
 
@@ -32,8 +31,7 @@ impl<'a> Writer<'a> {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// Writes coefficient·monomial. Negative powers are in the denominator, and all exponentials
-    /// are joined into one.
+    /// Writes a term. Negative powers are in the denominator, and all exponentials are joined.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
         let mut below = self.factors(coefficient.denominator(), notation);
@@ -51,7 +49,7 @@ impl<'a> Writer<'a> {
         if below.is_empty() {
             return notation.product(&above);
         }
-        // A quotient adds its own parentheses around a sum.
+        // A quotient encloses sums in parentheses itself.
         let side = |factors: &[String]| match factors {
             [sum] if sum.starts_with('(') && sum.find(')') == Some(sum.len() - 1) => {
                 sum[1..sum.len() - 1].to_owned()
@@ -61,8 +59,7 @@ impl<'a> Writer<'a> {
         notation.quotient(&side(&above), &side(&below))
     }
 
-    /// Returns the exponent of the product of all exponentials, and the powers of the other
-    /// coordinates.
+    /// Splits off the exponent of the product of all exponentials.
     fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
         let mut sum = Laurent::zero();
         let mut rest = Vec::new();
@@ -113,7 +110,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Returns a name for a new variable, for example `x2`, `sin_x`, `inv_P` or `x_y`.
+    /// Returns a name for a new variable, such as `x2`, `sin_x`, `inv_P` or `x_y`.
     pub(crate) fn name(&self, monomial: &Monomial) -> String {
         let mut above = Vec::new();
         let mut below = Vec::new();

@@ -1,8 +1,8 @@
 //! Writes derivatives as quadratic polynomials in the lifted variables.
 //!
-//! A monomial may have several representations: x² is x·x, or the variable that stands for it. The
-//! representations agree where the relations hold, but give different fields elsewhere. All
-//! representations are listed, up to a limit.
+//! A monomial may have several representations. For example, x² is x·x, or the variable for x².
+//! Different representations give different fields where the relations do not hold. Representations
+//! are listed up to a limit.
 
 use std::collections::BTreeMap;
 
@@ -12,18 +12,17 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
-/// A polynomial of degree at most 2 in the lifted variables, which are the states and then the new
+/// A polynomial of degree at most 2 in the lifted variables. The states come before the new
 /// variables.
 pub(crate) type Quadratic = Laurent;
 
-/// Multiplies an affine polynomial by a variable. `None` if the polynomial is not affine.
+/// Multiplies an affine polynomial by a variable. Returns `None` for other polynomials.
 pub(crate) fn times(affine: &Quadratic, variable: usize) -> Option<Quadratic> {
     let is_affine = affine.terms().all(|(monomial, _)| monomial.size() <= 1);
     is_affine.then(|| affine.shifted(&Monomial::power(variable, 1)))
 }
 
-/// Returns the polynomial over a common denominator. Variable i of the lift becomes `Variable(i)`,
-/// and parameter k becomes `Variable(variables + k)`.
+/// Returns a rational function in which parameters follow the variables of the lift.
 pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFunction {
     let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
     let shift = |polynomial: &Polynomial| {
@@ -40,24 +39,21 @@ pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFun
     sum
 }
 
-/// The products of at most two variables. The keys are the monomials in coordinates that the
-/// products equal.
+/// All products of at most two variables, as polynomials in coordinates.
 #[derive(Debug)]
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
-    /// The functions that the variables stand for: the states, then the functions of the new
-    /// variables.
+    /// The states, then the functions of the new variables.
     variables: Vec<Laurent>,
-    /// The products that are a single monomial. The order of products determines the numbers of
-    /// relations in answers.
+    /// Products that are a single monomial. The order of products determines the order of relations
+    /// in answers.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
-    /// Polynomials in the variables that vanish identically as functions of the states.
+    /// Polynomials in the variables that vanish as functions of the states.
     pub relations: Vec<Quadratic>,
 }
 
 impl<'a> Products<'a> {
-    /// Forms all products of at most two variables.
     pub(crate) fn new(ring: &'a Ring, new: &[Laurent]) -> Self {
         let states = (0..ring.field.len()).map(Laurent::coordinate);
         let variables: Vec<Laurent> = states.chain(new.iter().cloned()).collect();
@@ -82,8 +78,8 @@ impl<'a> Products<'a> {
         products
     }
 
-    /// Solves products with one unknown monomial for that monomial, repeatedly. Products without an
-    /// unknown monomial are relations.
+    /// Solves products for their only unknown monomial, repeatedly. Products without unknown
+    /// monomials are relations.
     fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
@@ -131,7 +127,7 @@ impl<'a> Products<'a> {
         direct.or_else(|| self.derived.get(monomial).cloned())
     }
 
-    /// Writes a polynomial as an affine polynomial in the variables, if that is possible.
+    /// Writes a polynomial as an affine polynomial in the variables if possible.
     pub(crate) fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
         for (monomial, coefficient) in polynomial.terms() {
@@ -141,20 +137,20 @@ impl<'a> Products<'a> {
         Some(sum)
     }
 
-    /// Returns the alternatives for a variable's derivative. The preferred one comes first.
+    /// Returns alternatives for a derivative of a variable. The preferred alternative comes first.
     fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
         let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
         for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
-            // Prefer a decay term in the variable itself, which damps errors. Then prefer original
-            // states.
+            // A decay term in the variable itself is preferred, because it damps errors. Then
+            // states are preferred.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
             let new = |pair: &Monomial| {
                 pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
             };
             pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
-            // If the equation of a state is quadratic already, it stays as written.
+            // Quadratic equations of states stay as written.
             if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }
@@ -174,8 +170,8 @@ impl<'a> Products<'a> {
         Some(ways)
     }
 
-    /// Returns alternative quadratic fields, each with one equation for each variable. The
-    /// preferred field comes first. The map `fixed` prescribes some of the equations.
+    /// Returns alternative quadratic fields, with the preferred field first. The map `fixed`
+    /// prescribes some of the equations.
     pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for index in 0..self.variables.len() {
@@ -199,9 +195,8 @@ impl<'a> Products<'a> {
         Some(choices.into_iter().map(form).collect())
     }
 
-    /// Puts the product rule (uv)′ = u′v + uv′ first for a variable that is a product of variables
-    /// with affine equations. The map then preserves the relation of the product. States keep their
-    /// equations.
+    /// Prefers the product rule (uv)′ = u′v + uv′ for products of variables with affine equations.
+    /// The map then preserves the relation of the product. States keep their equations.
     fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
         for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };

@@ -1,8 +1,8 @@
 //! Parses expressions into Laurent polynomials in coordinates.
 //!
-//! Functions become coordinates. If arguments are rational multiples of each other, the functions
-//! share the coordinate of the greatest common divisor of the arguments. Passes over all equations
-//! are repeated until no such divisor changes.
+//! Functions become coordinates. Functions with commensurable arguments share one coordinate, with
+//! the greatest common divisor of the arguments. Passes over the equations are repeated until no
+//! divisor changes.
 
 use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -22,25 +22,24 @@ type ReadResult<T> = Result<T, Diagnostic>;
 
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
-    /// The names of the states. The time `t`, if it occurs, comes last.
+    /// The names of the states. The time `t` comes last.
     pub states: Vec<String>,
     pub parameters: Vec<String>,
     pub is_declared: bool,
     constants: Vec<(String, Laurent)>,
     pub ring: Ring,
-    /// The kinds of functions and their arguments up to rational multiples. Each argument has the
-    /// greatest common divisor of its multiples.
+    /// Arguments of each kind of function up to rational multiples. The number is the greatest
+    /// common divisor of the multiples.
     units: Vec<(Family, Laurent, Rational)>,
 }
 
-/// Kinds of functions. Within a kind, the values at multiples of an argument are polynomials in
-/// each other.
+/// Kinds of functions. Values at multiples of an argument are polynomials in each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
     Exponential,
     Circular,
     Hyperbolic,
-    /// Roots with a given index; the multiple is 1/index.
+    /// Roots with a given index. The multiple is 1/index.
     Root,
 }
 
@@ -84,8 +83,8 @@ impl Reader {
         self.signed(expr, 1)
     }
 
-    /// Reads expr^sign, where sign is ±1. Factors of a product are inverted one by one, so that
-    /// 1/P² and 1/P³ are powers of one coordinate 1/P.
+    /// Reads an expression or its inverse. Factors of products are inverted one by one, so 1/P² and
+    /// 1/P³ are powers of one coordinate 1/P.
     fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> ReadResult<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {
@@ -248,8 +247,8 @@ impl Reader {
         Monomial::power(coordinate, exponent.saturating_mul(finest / index))
     }
 
-    /// Includes a multiple of an argument in the greatest common divisor of multiples, and returns
-    /// that divisor.
+    /// Updates the greatest common divisor of the multiples of an argument, and returns the
+    /// divisor.
     fn unit(&mut self, family: Family, argument: &Laurent, multiple: &Rational) -> Rational {
         let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
         match known {
@@ -277,7 +276,7 @@ impl Reader {
         if base.is_zero() {
             return refuse(span, "a power of 0 whose exponent is a parameter", "write a number");
         }
-        // The number in an exponent is split off, as in b^(n + 2) = b^n b².
+        // The constant part of an exponent is split off, as in b^(n + 2) = b^n b².
         let constant = exponent.as_polynomial().map_or_else(Rational::zero, |sum| {
             sum.terms().find(|(one, _)| one.is_one()).map_or_else(Rational::zero, |(_, value)| value.clone())
         });
@@ -311,7 +310,7 @@ impl Reader {
             "cos" => self.circular(Family::Circular, argument, span).map(|[_, cosine]| cosine),
             "sinh" => self.circular(Family::Hyperbolic, argument, span).map(|[sine, _]| sine),
             "cosh" => self.circular(Family::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
-            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², one variable replaces sine and cosine.
+            // Since tan′ = 1 + tan² and tanh′ = 1 − tanh², one variable is enough.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
             "sqrt" => self.power(argument, &Rational::new(1, 2), span),
@@ -321,7 +320,7 @@ impl Reader {
                 Ok(self.function(Function::Log, argument, slope))
             }
             _ => {
-                // For example, `arctan` means `atan`.
+                // The name `arctan` means `atan`.
                 let name = function.replace("arc", "a");
                 let found = INVERSES.iter().find(|(one, ..)| one.name() == name);
                 let Some(&(function, [constant, square], [above, below])) = found else {
@@ -348,7 +347,7 @@ impl Reader {
         self.function(function, argument, slope)
     }
 
-    /// Returns exp u as a product over the terms of u. If u has a constant term, exp u is one
+    /// Returns exp u as a product over the terms of u. With a constant term, exp u is one
     /// coordinate.
     fn exponential(&mut self, argument: &Laurent, span: Span) -> ReadResult<Laurent> {
         if argument.is_zero() {
@@ -391,8 +390,7 @@ impl Reader {
         let (multiple, primitive) = argument.primitive();
         let unit = self.unit(family, &primitive, &multiple);
         let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
-        // The derivative is cos′ = sign·sin. The relations are sin² = 1 − cos² and cosh² = 1 +
-        // sinh².
+        // The rules are cos′ = sign·sin, sin² = 1 − cos² and cosh² = 1 + sinh².
         let (functions, sign) = match family {
             Family::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),
@@ -439,7 +437,7 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("csch", None, "sinh"),
 ];
 
-/// Functions of u whose derivatives are (a + b u²)^e. Each has the pair \[a, b\], and e as a ratio.
+/// Functions with derivative (a + b u²)^e. The entries are \[a, b\] and e as a fraction.
 const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
     (Function::Atan, [1, 1], [-1, 1]),
     (Function::Asin, [1, -1], [-1, 2]),
@@ -451,7 +449,7 @@ const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
 
-/// Returns the reason why a function is not lifted, and the way to replace it.
+/// Returns the reason why a function is not lifted, and a replacement.
 fn reason(function: &str) -> Option<(String, &'static str)> {
     let help = match function {
         "acos" | "arccos" => "write `pi/2 - asin(u)` for `acos(u)`",
@@ -501,7 +499,7 @@ fn small(number: i64) -> i16 {
     i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
 }
 
-/// Writes a coefficient as the product of a rational number with sign and a primitive factor.
+/// Writes a coefficient as a rational number times a primitive factor.
 fn signed_content(value: &RationalFunction) -> (Rational, RationalFunction) {
     let content = value.numerator().content();
     let inverse = content.recip().expect("not 0");

@@ -1,31 +1,31 @@
 //! Symmetric projection onto the relations of a lift (E. Hairer, "Symmetric projection methods for
-//! differential equations on manifolds", BIT 40, 2000), and the signs of new variables.
+//! differential equations on manifolds", BIT 40, 2000).
 
 use crate::embedding::{CalledFunction, Embedding, Operation};
 use crate::ring::Function;
 
 const MOST_EVALUATIONS: usize = 40;
-/// The error of a relation, relative to its terms and in units of 2⁻⁵², that counts as rounding.
+/// Relative errors up to this multiple of 2⁻⁵² count as rounding.
 const ROUNDING: f64 = 8.0;
 
-/// Steps of a lifted map with symmetric projection onto the relations w = g(x) between new
-/// variables w and states x.
+/// Steps of a lifted map with symmetric projection onto relations w = g(x).
 ///
-/// A step begins at (x, g(x) + μ). The shift μ is chosen such that the image (x̃, w̃) satisfies
-/// w̃ + μ = g(x̃). Reversible maps stay reversible, and a composed map keeps its order.
+/// The map advances states x and new variables w. A step begins at (x, g(x) + μ), with a shift μ
+/// such that the image (x̃, w̃) satisfies w̃ + μ = g(x̃). Reversible maps stay reversible, and
+/// composed maps keep their order.
 #[derive(Clone, Debug, Default)]
 pub struct Reembedding {
-    /// The shift μ of the previous step, which is the initial guess for the next step.
+    /// The shift μ of the previous step, used as initial guess.
     shift: Vec<f64>,
     image: Vec<f64>,
 }
 
 impl Reembedding {
-    /// Advances `states` by one step. Returns whether the iteration converged. If it did not, the
-    /// states do not change.
+    /// Advances `states` by one step. Returns whether the iteration converged. Without convergence,
+    /// the states do not change.
     ///
     /// The function `step` replaces all variables by their image, and `embed` returns the new
-    /// variables at given states. A step usually calls `step` 2 to 16 times.
+    /// variables at given states. The iteration usually calls `step` 2 to 16 times.
     pub fn step(
         &mut self,
         states: &mut [f64],
@@ -42,7 +42,7 @@ impl Reembedding {
             step(&mut self.image);
             let (reached, lifted) = self.image.split_at(states.len());
             let wanted = embed(reached);
-            // The largest error of a relation, relative to the terms of the relation.
+            // The largest relative error of a relation.
             let mut error = 0.0_f64;
             for (((new, wanted), value), shift) in new.iter().zip(&wanted).zip(lifted).zip(&mut self.shift) {
                 let difference = wanted - value - *shift;
@@ -53,7 +53,8 @@ impl Reembedding {
             if !error.is_finite() || !reached.iter().all(|value| value.is_finite()) {
                 break;
             }
-            // Stop at rounding level, or just above it if the error has stopped decreasing.
+            // The iteration stops at rounding level, or just above if the error no longer
+            // decreases.
             let is_rounding = error <= ROUNDING * f64::EPSILON;
             if is_rounding || (error >= before && before <= 1e3 * f64::EPSILON) {
                 states.copy_from_slice(reached);
@@ -67,9 +68,8 @@ impl Reembedding {
 }
 
 impl Embedding {
-    /// Returns the indices of the new variables that are positive by definition. Positive variables
-    /// are even roots, powers with non-integer exponents, and exponentials. Sums, products,
-    /// quotients and powers of positive variables are also positive.
+    /// Returns the indices of new variables that are positive by definition. Examples are square
+    /// roots, exponentials, and products of positive variables.
     #[must_use]
     pub fn positive(&self) -> Vec<usize> {
         let operations = &self.program.operations;

@@ -1,8 +1,8 @@
 //! The differential ring that the states and functions of the equations generate.
 //!
-//! Coordinates are the states and the functions that occur. The derivative of a coordinate along
-//! the field is a Laurent polynomial in coordinates. Relations rewrite monomials to a normal form;
-//! for example, sin² becomes 1 − cos².
+//! Coordinates are the states and the functions in the equations. Derivatives of coordinates are
+//! Laurent polynomials in coordinates. Relations such as sin² = 1 − cos² rewrite monomials to a
+//! normal form.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -73,23 +73,21 @@ impl Function {
     }
 }
 
-/// The function of the states for which a coordinate stands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum CoordinateDefinition {
     State(usize),
     /// An elementary function of a polynomial in coordinates.
     Function(Function, Laurent),
-    /// The root of a polynomial; the number is the index of the root. Index 1 means the polynomial
-    /// itself.
+    /// The root of a polynomial with this index. Index 1 means the polynomial itself.
     Root(Laurent, i16),
-    /// A power of a polynomial. The exponent depends on parameters.
+    /// A power of a polynomial with an exponent that depends on parameters.
     Power(Laurent, RationalFunction),
-    /// A polynomial that occurs often and is a coordinate for that reason.
+    /// A polynomial that occurs often.
     Sum(Laurent),
 }
 
 impl CoordinateDefinition {
-    /// Returns the polynomial to which the function is applied. `None` for a state.
+    /// Returns the polynomial to which the function is applied.
     pub(crate) fn argument(&self) -> Option<&Laurent> {
         match self {
             CoordinateDefinition::State(_) => None,
@@ -104,27 +102,25 @@ impl CoordinateDefinition {
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
     pub meaning: CoordinateDefinition,
-    /// The derivative F′(u) of the function F with argument u, as a polynomial in coordinates; 1
-    /// for a state.
+    /// The derivative of the function with respect to its argument. The slope of a state is 1.
     pub slope: Laurent,
 }
 
-/// A relation between coordinates, as a rule that rewrites monomials.
+/// A relation between coordinates that rewrites monomials.
 #[derive(Clone, Debug)]
 enum Rule {
     /// The monomial is replaced by the polynomial.
     Replace(Monomial, Laurent),
-    /// The coordinate b is a root: b^index = `base`, and `instead` equals the leading monomial of
-    /// `base`. Powers of b are reduced below the index. In products with negative powers of b, the
-    /// leading monomial is replaced by `instead`.
+    /// The coordinate b is a root with b^index = `base`, and `instead` equals the leading monomial
+    /// of `base`. Powers of b are reduced below the index. The leading monomial is replaced in
+    /// products with negative powers of b.
     Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
 }
 
-/// Coordinates with their relations and derivatives. Products are in normal form.
+/// Coordinates with relations and derivatives. Products are in normal form.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ring {
-    /// The coordinates. The states come first, and the argument of each coordinate contains only
-    /// earlier coordinates.
+    /// The coordinates, with the states first. Arguments contain only earlier coordinates.
     pub coordinates: Vec<Coordinate>,
     rules: Vec<Rule>,
     pub field: Vec<Laurent>,
@@ -133,8 +129,7 @@ pub(crate) struct Ring {
     normal: PolynomialCache,
 }
 
-/// A cache of polynomials by monomial. A mutex protects it, as threads share rings. A clone is
-/// empty.
+/// A cache of polynomials for threads that share a ring. A clone is empty.
 #[derive(Debug, Default)]
 struct PolynomialCache(Mutex<FxHashMap<Monomial, Laurent>>);
 
@@ -150,7 +145,7 @@ impl Clone for PolynomialCache {
     }
 }
 
-/// Solves the equation polynomial = value for the leading monomial of the polynomial.
+/// Solves polynomial = value for the leading monomial of the polynomial.
 fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
     let (leading, factor) = polynomial.leading_term().expect("roots and sums have terms");
     let mut instead = Laurent::from(value);
@@ -168,8 +163,8 @@ impl Ring {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
-    /// Returns the coordinate with this definition. If it is new, its derivative F′(u) is the
-    /// result of `slope`, which is called with the coordinate's index.
+    /// Returns the coordinate with this definition. The function `slope` is called for new
+    /// coordinates only.
     pub(crate) fn coordinate(
         &mut self,
         meaning: CoordinateDefinition,
@@ -197,11 +192,11 @@ impl Ring {
         self.derivatives.known().clear();
     }
 
-    /// Returns the ring in which frequent sums are further coordinates. The frequent sums are the
-    /// polynomial factors of P′, P″ and P‴ for the base P of each root. Returns `None` if no
-    /// derivative has such a factor.
+    /// Returns the ring with frequent sums as further coordinates. Returns `None` if no sum is
+    /// frequent.
     ///
-    /// For example, Kepler's problem becomes one in r, x·p and p·p.
+    /// The frequent sums are the polynomial factors of P′, P″ and P‴ for bases P of roots. Kepler's
+    /// problem then becomes a problem in r, x·p and p·p.
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
@@ -239,7 +234,7 @@ impl Ring {
         self.rewritten(monomial).is_none()
     }
 
-    /// Rewrites a monomial by one rule. `None` if the monomial is in normal form.
+    /// Rewrites a monomial by one rule. Returns `None` if the monomial is in normal form.
     fn rewritten(&self, monomial: &Monomial) -> Option<Laurent> {
         self.rules.iter().find_map(|rule| match rule {
             Rule::Replace(from, to) => {
@@ -252,7 +247,7 @@ impl Ring {
                     return Some(base.shifted(&monomial.over(&root)));
                 }
                 if leading.is_one() {
-                    // If the base is a constant c, b^−1 = b^(index−1)/c.
+                    // For a constant base c, b^−1 is b^(index−1)/c.
                     return (exponent < 0).then(|| {
                         let inverse = RationalFunction::one().checked_div(&base.coefficient(leading));
                         Laurent::from(monomial.times(&root)).scale(&inverse.expect("not 0"))

@@ -1,10 +1,9 @@
 //! Searches a smallest set of monomials that makes the equations quadratic.
 //!
-//! A set of variables is closed if each monomial in their derivatives can be written. A monomial
-//! can be written as 1, as a variable, as a product of two variables, or from a product by a
-//! relation of the ring. Iterative deepening branches over the ways to write one missing monomial.
-//! If its budget of nodes is used up, local changes improve a greedy solution. The search reads no
-//! clock, so its result is reproducible.
+//! A set of variables is closed if each monomial in their derivatives is 1, a variable, or a
+//! product of two variables, or follows from such products by a relation. Iterative deepening
+//! branches over the ways to write one missing monomial. After too many nodes, local changes
+//! improve a greedy solution. The search reads no clock, so results are reproducible.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -17,39 +16,38 @@ use crate::laurent::{Laurent, Monomial};
 use crate::ring::{CoordinateDefinition, Ring};
 use crate::table::{MonomialId, Table};
 
-/// The task of a search: the given variables, and the monomials that must be written in variables.
+/// The given variables, and the monomials that must be written in variables.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Problem {
     /// Monomials that are already variables.
     pub given: Vec<Monomial>,
     /// Polynomials that are already variables.
     pub sums: Vec<Laurent>,
-    /// Monomials that must be products of variables, besides those in derivatives of new variables.
+    /// Monomials that must be products of variables. Monomials in derivatives of new variables come
+    /// in addition.
     pub required: Vec<Monomial>,
-    /// Coordinates that may have negative powers in new variables.
+    /// Coordinates that may have negative exponents in new variables.
     pub negative: BTreeSet<usize>,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) struct VariableSets {
-    /// Sets of new variables. The sets of the smallest size found come first. Larger sets follow.
+    /// Sets of new variables. The smallest sets come first.
     pub sets: Vec<Vec<Laurent>>,
-    /// Whether the search excluded all smaller sets in which each missing monomial is a product of
-    /// two variables.
+    /// Whether no smaller set exists in which each missing monomial is a product of two variables.
     pub is_optimal: bool,
 }
 
 const MOST_SETS: usize = 24;
 pub(crate) const MOST_VARIABLES: usize = 60;
-/// The number of search nodes that take as much time as one local change.
+/// One local change takes as much time as this many search nodes.
 const NODES_A_CHANGE: usize = 20;
 const LOCAL_CHANGES: usize = 40;
 
-/// The monomials that can be written in the variables of a set.
 #[derive(Clone, Debug, Default)]
 struct MonomialCover {
     covered: FxHashSet<MonomialId>,
-    /// For each product that contains several monomials not yet covered, the list of its monomials.
+    /// Products with several monomials not yet covered.
     composite: Vec<Rc<[MonomialId]>>,
 }
 
@@ -65,7 +63,7 @@ impl MonomialCover {
         }
     }
 
-    /// Covers the only missing monomial of a product, and repeats this while it changes the cover.
+    /// Covers the only missing monomials of products until nothing changes.
     fn close(&mut self) {
         loop {
             let before = self.covered.len();
@@ -86,16 +84,15 @@ struct Search<'a> {
     required: Vec<MonomialId>,
     nodes: usize,
     largest: u32,
-    /// Whether each new variable must be a coordinate, the inverse of one, or a product of two
-    /// variables.
+    /// Whether each new variable must be a coordinate, an inverse, or a product of two variables.
     founded: bool,
     visited: FxHashMap<Vec<MonomialId>, usize>,
     sets: Vec<Vec<MonomialId>>,
 }
 
-/// Returns the smallest closed sets of at most `most` variables that the search finds. Closed sets
-/// with up to `surplus` more variables follow. The search visits at most `budget` nodes. Returns
-/// `None` if it finds no closed set.
+/// Returns the smallest closed sets of at most `most` variables, then sets with up to `surplus`
+/// more variables. The search visits at most `budget` nodes. Returns `None` if no closed set is
+/// found.
 pub(crate) fn search(
     ring: &Ring,
     problem: &Problem,
@@ -105,8 +102,7 @@ pub(crate) fn search(
 ) -> Option<VariableSets> {
     let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy(most);
-    // If `most` comes from another ring, a search is unlikely to succeed after the greedy one
-    // failed.
+    // A limit from another ring is rarely reached after the greedy search failed.
     if greedy.is_none() && most < MOST_VARIABLES {
         search.nodes = budget / NODES_A_CHANGE;
     }
@@ -132,15 +128,15 @@ pub(crate) fn search(
     Some(VariableSets { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
-/// Finds a closed set in which each variable has a defining quadratic relation: it is a product of
-/// two others, or the inverse of a polynomial. The set need not be a smallest one.
+/// Finds a closed set, not always a smallest one. Each variable is a product of two others, or the
+/// inverse of a polynomial.
 pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
     let mut seeds: Vec<MonomialId> = Vec::new();
     for coordinate in &ring.coordinates {
         let CoordinateDefinition::Root(base, 1) = &coordinate.meaning else { continue };
         for (term, _) in base.terms() {
-            // For example, x⁴ is the square of x², and x³ the product of x² and x.
+            // For example, x⁴ is the square of x², and x³ is the product of x² and x.
             let mut power = term.clone();
             while power.size() > 1 {
                 let id = search.table.id(&power);
@@ -175,8 +171,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns whether a monomial is a coordinate, the inverse of one, or a product of two
-    /// variables.
     fn is_founded(&mut self, id: MonomialId, new: &[MonomialId]) -> bool {
         if !self.founded || self.table.monomial(id).size() == 1 {
             return true;
@@ -226,8 +220,7 @@ impl<'a> Search<'a> {
         self.extend(&mut Vec::new(), &cover, size);
     }
 
-    /// Returns the monomials that the variables `new` cover, which are those of products of at most
-    /// two variables.
+    /// Returns the monomials that products of at most two variables cover.
     fn cover(&mut self, new: &[MonomialId]) -> MonomialCover {
         let mut cover = MonomialCover::default();
         cover.covered.insert(Table::ONE);
@@ -247,7 +240,6 @@ impl<'a> Search<'a> {
         cover
     }
 
-    /// Adds the products of a variable with itself, with other variables, and with the sums.
     fn join(&mut self, cover: &mut MonomialCover, others: &[MonomialId], variable: MonomialId) {
         cover.covered.insert(variable);
         for &other in others.iter().chain([&variable]) {
@@ -273,7 +265,7 @@ impl<'a> Search<'a> {
         joined
     }
 
-    /// Returns the monomials that are required but not covered, in ascending order.
+    /// Returns the required monomials that are not covered, in ascending order.
     fn missing(&mut self, cover: &MonomialCover, new: &[MonomialId]) -> Vec<MonomialId> {
         let mut missing = self.required.clone();
         new.iter().for_each(|&variable| missing.extend(self.table.derivative(variable).iter()));
@@ -293,8 +285,7 @@ impl<'a> Search<'a> {
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
     }
 
-    /// Returns the monomials each of which, as a new variable, makes `target` a product of two
-    /// variables.
+    /// Returns monomials that make `target` a product of two variables.
     fn singles(&mut self, target: MonomialId, new: &[MonomialId]) -> Vec<MonomialId> {
         let monomial = self.table.monomial(target).clone();
         let variables: Vec<MonomialId> = self.given.iter().chain(new).copied().collect();
@@ -307,8 +298,7 @@ impl<'a> Search<'a> {
         ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
     }
 
-    /// Returns pairs of new monomials whose product is `target`. The exponents of each monomial lie
-    /// between 0 and those of `target`.
+    /// Returns pairs of new monomials with product `target`. No exponent exceeds that of `target`.
     fn pairs(&mut self, target: MonomialId) -> Vec<[MonomialId; 2]> {
         let target = self.table.monomial(target).clone();
         let mut halves = vec![Monomial::one()];
@@ -383,15 +373,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns a closed set. Step by step, adds the variable that leaves the fewest monomials
-    /// missing; then removes unnecessary variables.
+    /// Returns a closed set. Variables that leave the fewest missing monomials are added first.
+    /// Unnecessary variables are removed at the end.
     fn greedy(&mut self, most: usize) -> Option<Vec<MonomialId>> {
         let closed = self.closure(Vec::new(), most, 0)?;
         Some(self.reduced(closed))
     }
 
-    /// Removes variables one by one if the set is still closed, or can be closed with fewer
-    /// variables.
+    /// Removes variables while the set can be closed with fewer variables.
     fn reduced(&mut self, mut best: Vec<MonomialId>) -> Vec<MonomialId> {
         let mut at = 0;
         while at < best.len() {
@@ -406,8 +395,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Extends `new` to a closed set of at most `most` variables. A nonzero `twist` breaks ties at
-    /// random, and sometimes takes the second best variable.
+    /// Extends `new` to a closed set of at most `most` variables. With a nonzero `twist`, some
+    /// choices are random.
     fn closure(&mut self, mut new: Vec<MonomialId>, most: usize, twist: u64) -> Option<Vec<MonomialId>> {
         let mut cover = self.cover(&new);
         loop {
@@ -435,7 +424,6 @@ impl<'a> Search<'a> {
             ranked.sort_by_key(|&(left, turn, single, _)| (left, turn, single));
             let second = twist != 0 && ranked.len() > 1 && turn(target) % 4 == 0;
             let Some((_, _, next, joined)) = ranked.into_iter().nth(usize::from(second)) else {
-                // No single variable helps, so continue with a factor of the target.
                 let pairs = self.pairs(target).into_iter().flatten();
                 let next = pairs.filter(|one| !new.contains(one)).collect::<Vec<MonomialId>>();
                 let next = next.into_iter().find(|&one| self.is_founded(one, &new))?;
@@ -447,7 +435,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Improves a closed set: removes up to four variables at random, and closes the set again.
+    /// Improves a closed set by removing up to four random variables and closing the set again.
     fn improved(&mut self, mut best: Vec<MonomialId>, most: usize) -> Vec<MonomialId> {
         let mut random = Shake256::new(b"local changes");
         let mut since = 0;

@@ -1,7 +1,7 @@
 //! Computes the growth of errors of a lift's relations along an orbit.
 //!
-//! Let x be the states, w = g(x) the new variables, and F the lifted field. The error r = w − g(x)
-//! satisfies r′ = Λ r + … along the orbit with
+//! For states x, new variables w = g(x) and a lifted field F, let r = w − g(x) be the error. Along
+//! the orbit, r′ = Λ r + … with
 //!
 //!   Λ = ∂F_w/∂w − Dg · ∂F_x/∂w
 //!
@@ -16,22 +16,19 @@ use crate::ring::Ring;
 const HORIZON: f64 = 100.0;
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
-/// The amplification of errors at which the computation ends because growth is fast.
+/// The computation ends at this amplification of errors.
 const HOPELESS: f64 = 1e8;
 const MOST_POINTS: usize = 20_000;
-/// The largest number of parts into which a step of the orbit is divided to compute errors.
+/// A step of the orbit has at most this many parts.
 const MOST_PARTS: f64 = 64.0;
-/// The tolerance for the error of a step of the orbit, relative to the largest component of the
-/// state.
+/// The tolerance of a step, relative to the largest component of the state.
 const TOLERANCE: f64 = 1e-6;
 
-/// The growth of errors of the relations along an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ErrorGrowth {
     /// The mean rate of exponential growth, per unit of time.
     pub(crate) exponent: f64,
     pub(crate) amplification: f64,
-    /// The largest amplification of errors in the first half of the time.
     half: f64,
 }
 
@@ -48,7 +45,7 @@ impl ErrorGrowth {
 
 #[derive(Clone, Debug)]
 pub(crate) struct Orbit {
-    /// The step sizes of the orbit, each with the state in the middle of the step.
+    /// The step sizes, each with the state in the middle of the step.
     points: Vec<(f64, Vec<f64>)>,
     parameters: Vec<f64>,
 }
@@ -65,8 +62,7 @@ fn runge_kutta(field: impl Fn(&[f64]) -> Vec<f64>, x: &[f64], h: f64) -> Vec<f64
     (0..x.len()).map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect()
 }
 
-/// Multiplies square matrices whose entries are listed row by row. Most entries of the left matrix
-/// are 0.
+/// Multiplies square matrices, row by row. The left matrix is sparse.
 fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
     product.fill(0.0);
     for (place, &factor) in left.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
@@ -78,7 +74,7 @@ fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
 }
 
 impl Orbit {
-    /// Computes the orbit up to the time `HORIZON`, or as long as it is finite.
+    /// Computes the orbit up to the time `HORIZON` while it is finite.
     pub(crate) fn new(ring: &Ring, start: &[f64], parameters: &[f64]) -> Self {
         let field = Builder::embedding(ring, &ring.field);
         let field = |x: &[f64]| field.values(x, parameters);
@@ -107,14 +103,14 @@ impl Orbit {
         Orbit { points, parameters: parameters.to_vec() }
     }
 
-    /// Computes the growth of errors along the orbit. The list `field` has one equation for each
-    /// variable, states first.
+    /// Computes the growth of errors along the orbit. The equations of `field` belong to the
+    /// states, then to the new variables.
     pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> ErrorGrowth {
         let (states, count) = (ring.field.len(), new.len());
         if count == 0 {
             return ErrorGrowth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
-        // The entries of Dg, then those of ∂F/∂w at the values of the variables.
+        // First the entries of Dg, then those of ∂F/∂w.
         let mut entries = slopes(ring, states, new.iter());
         for equation in &field[..states + count] {
             for k in 0..count {
@@ -132,7 +128,7 @@ impl Orbit {
         let mut matrix: Vec<f64> =
             (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
         let [mut first, mut second] = [matrix.clone(), matrix.clone()];
-        // The errors are relative to these sizes, hence independent of the units of the variables.
+        // Errors are relative to these sizes, so units of variables do not matter.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
             let values = functions.values(x, &self.parameters);
@@ -156,8 +152,8 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            // Approximate exp(hΛ) by (1 + sΛ + (sΛ)²/2)^(h/s) for a step h of the orbit. The part s
-            // satisfies s‖Λ‖ ≤ 1/2, unless the number of parts is limited.
+            // exp(hΛ) is about (1 + sΛ + (sΛ)²/2)^(h/s) for a step h in parts s. Usually s‖Λ‖ is at
+            // most 1/2.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;
@@ -169,7 +165,6 @@ impl Orbit {
                 }
             }
             let norm = largest(&matrix);
-            // All errors have decayed below the smallest float.
             if norm == 0.0 {
                 break;
             }

@@ -1,4 +1,4 @@
-//! Assigns numbers to monomials, and stores their products and derivatives.
+//! Numbers monomials, and stores their products and derivatives.
 
 use std::rc::Rc;
 
@@ -12,7 +12,7 @@ pub(crate) type MonomialId = u32;
 #[derive(Clone, Debug)]
 struct Entry {
     monomial: Monomial,
-    /// The monomials of the monomial's normal form. `None` if the monomial is in normal form.
+    /// The monomials of the normal form. `None` for monomials in normal form.
     rewritten: Option<Rc<[MonomialId]>>,
     derivative: Option<Rc<[MonomialId]>>,
 }
@@ -57,7 +57,6 @@ impl<'a> Table<'a> {
         &self.entries[id as usize].monomial
     }
 
-    /// Returns the monomials of the normal form. `None` if the monomial is in normal form.
     pub(crate) fn rewritten(&self, id: MonomialId) -> Option<&Rc<[MonomialId]>> {
         self.entries[id as usize].rewritten.as_ref()
     }

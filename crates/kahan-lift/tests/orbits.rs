@@ -1,4 +1,4 @@
-//! Tests orbits of lifted fields: their accuracy, relations and energies.
+//! Tests accuracy, relations and energies of orbits of lifted fields.
 
 use kahan_algebra::lenient;
 use kahan_lift::{Lift, Options, Reembedding, lift};
@@ -131,7 +131,7 @@ const DISSIPATIVE: [System; 5] =
 fn default_lifts_solve_the_original_equations_to_order_two() {
     for system in DISSIPATIVE.into_iter().chain([PENDULUM, KEPLER, QUARTIC]) {
         let lift = system.lift();
-        // The reference solution up to time 20 has an error below 1e-9, as step halving shows.
+        // The reference solution has an error below 1e-9, as step halving shows.
         let reference = solution(&system, 20.0, 40_000);
         let error = |eps: f64, steps| distance(&system.states(&lift, eps, steps), &reference);
         let [coarse, middle, fine] = [error(0.01, 1000), error(0.005, 2000), error(0.0025, 4000)];
@@ -151,7 +151,7 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
             let (states, new) = point.split_at(system.start.len());
             distance(new, &lift.embed(states, system.parameters))
         };
-        // The errors at time 1000 are O(ε²), with the constant of the stiffest system.
+        // The errors are O(ε²). The constant is that of the stiffest system.
         let [coarse, fine] = [error(0.01, 50_000), error(0.0025, 200_000)];
         assert!(coarse < 2e-2 && fine < 2e-3, "{}: {coarse:e}, {fine:e}", system.text);
     }

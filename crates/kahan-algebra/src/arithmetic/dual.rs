@@ -1,11 +1,10 @@
-//! Dual numbers over any arithmetic. A dual number is a value with its derivatives in n directions.
+//! Dual numbers over any arithmetic.
 
 use kahan_syntax::rational::Rational;
 
 use super::{Arithmetic, OverRationals};
 
-/// The arithmetic of dual numbers. `base` is the arithmetic of values and derivatives, `directions`
-/// the number of derivatives.
+/// The arithmetic of values with derivatives.
 #[derive(Debug)]
 pub struct Dual<'a, A> {
     /// The arithmetic of values and derivatives.
@@ -19,18 +18,18 @@ pub struct Dual<'a, A> {
 pub struct DualNumber<V> {
     /// The value.
     pub value: V,
-    /// The derivatives. The list is empty for constants and parameters.
+    /// The derivatives. The list is empty for constants.
     pub gradient: Vec<V>,
 }
 
 impl<A: OverRationals> Dual<'_, A> {
-    /// Returns a dual number whose derivatives are zero.
+    /// Returns a dual number with zero derivatives.
     pub fn fixed(&self, value: A::Value) -> DualNumber<A::Value> {
         DualNumber { value, gradient: Vec::new() }
     }
 
-    /// Returns the variable of a direction: a dual number with derivative 1 in this direction and 0
-    /// in all others. Returns `None` if the arithmetic has no 0 or 1.
+    /// Returns a variable with derivative 1 in one direction and 0 in all others. Returns `None` if
+    /// the arithmetic has no 0 or 1.
     pub fn coordinate(&self, value: A::Value, direction: usize) -> Option<DualNumber<A::Value>> {
         let mut gradient = vec![self.base.constant(&Rational::zero())?; self.directions];
         gradient[direction] = self.base.constant(&Rational::one())?;

@@ -1,5 +1,4 @@
-//! Arithmetics of rationals, of residues modulo a prime, and of binary floats. Floats divide by
-//! zero without an error; the result is infinite or NaN.
+//! Arithmetics of rationals, residues and binary floats. Floats divide by zero without an error.
 
 use kahan_syntax::rational::Rational;
 
@@ -104,8 +103,8 @@ macro_rules! float {
                 Some(a / b)
             }
 
-            /// Returns whether |ε| lies in a fixed range. In this range, generated code multiplies
-            /// by reciprocals instead of dividing.
+            /// Returns whether |ε| lies in the range in which generated code multiplies by
+            /// reciprocals.
             fn is_moderate(&self, eps: &$float) -> bool {
                 (1.0 / $most..=$most).contains(&eps.abs())
             }

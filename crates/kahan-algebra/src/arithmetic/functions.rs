@@ -1,7 +1,7 @@
 //! Rational functions over ℚ with expanded numerators and factored denominators.
 //!
-//! A function is zero exactly if its numerator has no terms. Fractions need not be in lowest terms,
-//! because no gcd is computed. When the budget is spent, all further operations return `None`.
+//! A function is zero exactly if its numerator has no terms. No gcd is computed. All operations
+//! after the budget is spent return `None`.
 
 use std::cell::RefCell;
 
@@ -47,7 +47,7 @@ impl Functions {
         a.pow_within(exponent, &mut self.budget.borrow_mut()).ok()
     }
 
-    /// Multiplies `numerator` by those factors of `target` that `have` does not contain.
+    /// Multiplies `numerator` by the factors that `target` has in addition to `have`.
     fn expand_to(
         &self,
         numerator: &Polynomial,
@@ -83,8 +83,8 @@ impl Functions {
         Some(Function { numerator: self.product(&above, &other)?, denominator })
     }
 
-    /// Cancels factors of `below` that divide `numerator`, if they have as many terms. Appends all
-    /// other factors of `below` to `denominator`.
+    /// Cancels factors that divide `numerator` and have equally many terms. Other factors are
+    /// appended to `denominator`.
     fn cancel(
         &self,
         numerator: &mut Polynomial,
@@ -155,7 +155,7 @@ impl Arithmetic for Functions {
         if self.is_zero(b) {
             return None;
         }
-        // Compute (a/A) / (b/B) without the common factors of the denominators A and B.
+        // Compute (a/A) / (b/B) without common factors of A and B.
         let without = |own: &[(Polynomial, u32)], other: &[(Polynomial, u32)]| -> Vec<(Polynomial, u32)> {
             let left = own
                 .iter()

@@ -4,7 +4,7 @@ use kahan_syntax::rational::Rational;
 
 use super::OverRationals;
 
-/// The solution X of a linear system M X = R, and the determinant of M.
+/// The solution X of M X = R and the determinant of M.
 #[derive(Clone, Debug)]
 pub struct Solved<V> {
     /// The rows of X.
@@ -13,7 +13,7 @@ pub struct Solved<V> {
     pub determinant: V,
 }
 
-/// Solves M X = R for an n×n matrix M and n rows R; `None` if det M = 0.
+/// Solves M X = R for an n×n matrix M and n rows R. Returns `None` if det M = 0.
 pub fn solve<A: OverRationals>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],

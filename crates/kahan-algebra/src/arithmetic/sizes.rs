@@ -1,9 +1,8 @@
-//! Bounds degrees and coefficients of fractions. The prover derives its error probability from
-//! them.
+//! Bounds degrees and coefficients of fractions. The error probability of the prover follows from
+//! the bounds.
 //!
-//! Every value of a plan is a fraction N/M of integer polynomials that is formed without
-//! cancellation. A [`FractionSize`] bounds the degrees of N and M and the logarithms of their
-//! 1-norms. Additions of bounds saturate instead of overflowing.
+//! Plans form fractions N/M of integer polynomials without cancellation. A [`FractionSize`] bounds
+//! the degrees of N and M and the logarithms of their 1-norms. Additions of bounds saturate.
 
 use kahan_syntax::rational::Rational;
 
@@ -14,8 +13,7 @@ use super::Arithmetic;
 pub struct PolynomialSize {
     /// The total degree.
     pub degree: u64,
-    /// The logarithm log₂ of the 1-norm, rounded up. The 1-norm is the sum of the absolute values
-    /// of the coefficients.
+    /// The logarithm log₂ of the sum of the absolute values of the coefficients, rounded up.
     pub bits: u64,
 }
 
@@ -40,14 +38,13 @@ impl PolynomialSize {
         PolynomialSize { degree: self.degree.max(other.degree), bits: self.bits.max(other.bits) }
     }
 
-    /// Returns a bound on a sum of 2^`bits` polynomials if this bound holds for each of them.
     fn summed(self, bits: u64) -> Self {
         self.times(PolynomialSize { degree: 0, bits })
     }
 }
 
 impl FractionSize {
-    /// Returns the size of a variable, which has degree 1 and 1-norm 1.
+    /// Returns the size of a variable.
     #[must_use]
     pub fn variable() -> Self {
         FractionSize { above: PolynomialSize { degree: 1, bits: 0 }, ..FractionSize::default() }
@@ -66,10 +63,10 @@ impl FractionSize {
 pub struct SizeArithmetic;
 
 impl SizeArithmetic {
-    /// Bounds every n×n determinant whose columns are among the columns of `rows`.
+    /// Bounds every n×n determinant with columns of `rows`.
     ///
-    /// `rows` has n rows with at least n entries each. The common denominator is the product of all
-    /// denominators. Each of the n! terms contains one numerator from each row.
+    /// The matrix `rows` has n rows with at least n entries. The common denominator is the product
+    /// of all denominators. Each of the n! terms contains one numerator from each row.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<FractionSize>]) -> FractionSize {
         let product = |lengths: &mut dyn Iterator<Item = PolynomialSize>| {

@@ -1,4 +1,4 @@
-//! Compiles claims to plans. Names are resolved, and the entries of brackets are put in order.
+//! Compiles claims to plans.
 
 use rustc_hash::FxHashMap;
 
@@ -16,8 +16,7 @@ use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{NameMeaning, Scope};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order. A claim with a mistake is dropped, but the stand-in for the block
-/// still declares its name.
+/// Compiles the claims in order. The stand-in for the block also declares claims with mistakes.
 pub(super) fn compile_all(
     block: &Block,
     components: &[RationalFunction],
@@ -39,8 +38,8 @@ pub(super) fn compile_all(
             .body
             .as_ref()
             .filter(|body| {
-                // Resolve all expressions before any is compiled, so that all unknown names are
-                // reported.
+                // All expressions are resolved before the first is compiled, so all unknown names
+                // are reported.
                 let mut resolve = |expr: &Expr| compiler.scope.resolve(expr, true, diagnostics);
                 match body {
                     ClaimBody::Recurrence { function, next } => {
@@ -67,8 +66,8 @@ pub(super) fn compile_all(
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
-            // The mistake in this claim is already reported. Claims that use this claim are dropped
-            // without a further report.
+            // This mistake is already reported. Claims that use this claim are dropped without a
+            // report.
             None => compiler.scope.poison(&claim.name.text),
         }
         if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
@@ -84,8 +83,8 @@ pub(super) fn compile_all(
     claims
 }
 
-/// Reports names that G in `drift F by G` must not contain: unknown names, states and densities. In
-/// G, the name of the claim stands for F(x); the value of G is F(x̃).
+/// Reports names that G must not contain in `drift F by G`: unknown names, states and densities. In
+/// G, the name of the claim stands for F(x).
 fn resolve_next(
     next: &Expr,
     claim: &syntax::Claim,

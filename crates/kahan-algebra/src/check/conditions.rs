@@ -1,7 +1,7 @@
-//! Checks the relations `when expr = expr, …`, which connect parameters and ε.
+//! Checks relations `when expr = expr` between parameters and ε.
 //!
-//! Each relation is solved for a name that occurs linearly. A relation must determine neither a
-//! state nor ε = 0. The field must be defined wherever the relations hold.
+//! Each relation is solved for a name that occurs linearly. A relation must not determine a state
+//! or ε = 0. The field must be defined where the relations hold.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax;
@@ -39,8 +39,8 @@ pub(super) fn evaluate(
     Some(Condition::all(solved, &relations))
 }
 
-/// Adds a relation and returns the name for which it was solved. Returns `Ok(None)` after a mistake
-/// that was already reported.
+/// Adds a relation and returns the name for which it was solved. Returns `Ok(None)` after a
+/// reported mistake.
 fn one_relation(
     condition: &syntax::Condition,
     relations: &mut Relations,
@@ -84,8 +84,8 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
 }
 
-/// Returns the parameters in order of occurrence, followed by ε. Returns `Ok(None)` after a mistake
-/// that was already reported.
+/// Returns the parameters in order of occurrence, then ε. Returns `Ok(None)` after a reported
+/// mistake.
 fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
     condition.visit_names(&mut |name, span| found.push((name.to_string(), span)));
@@ -122,7 +122,7 @@ fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
     };
     let help = match scope.nearest(name, true).filter(|nearest| stands(scope, nearest)) {
         Some(nearest) => {
-            // Mark the name that was probably meant as used, so that it is not reported as unused.
+            // The name that was probably meant is not reported as unused.
             scope.mark_used(&nearest);
             format!("did you mean `{nearest}`?")
         }

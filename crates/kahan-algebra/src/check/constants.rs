@@ -1,5 +1,4 @@
-//! Evaluates constants such as `const c = 1/2;`. The expression of a constant contains numbers and
-//! earlier constants.
+//! Evaluates constants such as `const c = 1/2;` from numbers and earlier constants.
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;

@@ -15,7 +15,7 @@ use crate::subexpressions::{FieldWithSubexpressions, Subexpressions};
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
 use super::names::{Scope, is_epsilon};
 
-/// Expands every equation and keeps its form as written. An equation with a mistake becomes zero.
+/// Expands every equation. An equation with a mistake becomes zero.
 pub(super) fn expand_all(
     block: &Block,
     scope: &mut Scope,
@@ -56,8 +56,8 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
     }
 }
 
-/// Reports coefficients that contain odd powers of ε or are undefined at ε = 0. In a family,
-/// reports any ε.
+/// Reports coefficients with odd powers of ε or without a value at ε = 0. In a family, reports any
+/// ε.
 fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope) -> Result<(), Diagnostic> {
     let eps = scope.symbols.epsilon();
     let Expansion { numerator, denominator, .. } = expansion;
@@ -88,8 +88,8 @@ fn has_odd_powers(Expansion { numerator, denominator, .. }: &Expansion, scope: &
     [numerator, denominator].iter().any(|part| !part.is_even_in(scope.symbols.epsilon()))
 }
 
-/// Finds the innermost subexpression with odd powers of ε, and returns the place of the first `eps`
-/// in it. If every subexpression is even in ε, returns the place of the whole expression.
+/// Returns the first `eps` in the innermost subexpression with odd powers of ε. Without odd powers,
+/// returns the whole expression.
 fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     let is_odd =
         |expr: &Expr| expand_unkept(expr, scope).is_ok_and(|expansion| has_odd_powers(&expansion, scope));
@@ -105,7 +105,7 @@ fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
     place.unwrap_or(expr.span)
 }
 
-/// Describes a term without its parameters, and a product of two states that divides the term.
+/// Describes a term without parameters, and a product of two states in the term.
 fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
     let power = |name: &str, exponent: u32| Text.power(name, exponent.into());
@@ -118,8 +118,7 @@ fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     (format!("the term `{}`", Text.product(&powers)), product)
 }
 
-/// Returns the place where the degree first exceeds 2. The place is a term of a sum, a factor of a
-/// product, or a whole power.
+/// Returns the place where the degree first exceeds 2.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
     let degree = |expr: &Expr| {
         expand_unkept(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator))

@@ -1,10 +1,10 @@
-//! Expands equations, constants and relations to fractions p/q, where p is a polynomial in states
-//! and parameters, and q is free of states.
+//! Expands equations, constants and relations to fractions p/q.
 //!
-//! Limits on sizes keep compile times bounded. The caller checks the degree of the result.
+//! The numerator p is a polynomial in states and parameters, and q contains no state. Limits on
+//! sizes bound compile times. The caller checks the degree of the result.
 //!
-//! The [written form](crate::subexpressions) is stored beside p/q, except in two cases: if a name
-//! or the highest degree of a sum cancels, or if the divisor of a quotient cancels.
+//! The [written form](crate::subexpressions) is stored beside p/q. The written form is dropped if a
+//! name, a leading term or a divisor cancels.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -24,21 +24,20 @@ use super::names::{NameMeaning, Scope};
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 300_000;
 const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
-/// The most terms of a sum whose order of addition is stored.
+/// Longer sums are stored without the order of addition.
 const MOST_IN_ORDER: usize = 64;
-/// The largest degree in the states that a power of a sum may have. The degree is checked before
-/// the power is expanded.
+/// Powers of sums with a larger degree in the states are not expanded.
 const HIGHEST_DEGREE: u64 = 64;
 
-/// A fraction p/q, together with the numerator as written.
+/// A fraction p/q and the numerator as written.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {
     pub(super) numerator: Polynomial,
-    /// The denominator q, which is nonzero. If it is constant, it is 1.
+    /// The denominator q. A constant denominator is 1.
     pub(super) denominator: Polynomial,
-    /// The written form. It is `None` if the form equals `numerator` and has no divisor.
+    /// The written form. `None` if it equals `numerator` and has no divisor.
     kept: Option<Polynomial>,
-    /// The terms of a sum in order of addition, if there are three or more.
+    /// The terms of a sum in order of addition. Sums of two terms have no list.
     order: Vec<Polynomial>,
 }
 
@@ -64,7 +63,7 @@ impl Expansion {
     }
 }
 
-/// Expands `expr`. Sums and divisors of the written form become named subexpressions in `values`.
+/// Expands an expression. Sums and divisors become named subexpressions in `values`.
 pub(super) fn expand(
     expr: &Expr,
     scope: &Scope,
@@ -78,14 +77,14 @@ pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Dia
     expand(expr, scope, &mut Subexpressions::of(&scope.symbols))
 }
 
-/// Expands one side of a relation, in which exponents may be negative. Divisors are not cancelled,
-/// because the relation holds only where they are nonzero.
+/// Expands one side of a relation. Divisors are not cancelled, because the relation holds only
+/// where divisors are nonzero.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, false, &mut Subexpressions::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// Expands an expression of a claim to lowest terms. Exponents may be negative.
+/// Expands an expression of a claim to lowest terms.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let (inverts, reduces, values) = (true, true, &mut Subexpressions::of(&scope.symbols));
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
@@ -95,7 +94,6 @@ fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }
 
-/// Returns whether the block's budget is spent. If so, later expressions are not expanded.
 pub(super) fn is_spent(scope: &Scope) -> bool {
     scope.products.get() >= MOST_WORK_OF_BLOCK
 }
@@ -129,8 +127,7 @@ impl Target for Fractions<'_> {
         Expansion { numerator: -&a.numerator, denominator: a.denominator, kept, order }
     }
 
-    /// Adds terms with equal denominators together first. A long sum then costs no more than
-    /// sorting its terms.
+    /// Adds terms with equal denominators first. Long sums then cost no more than sorting.
     fn sum(&mut self, terms: Vec<(bool, Expansion)>, span: Span) -> Result<Expansion, Diagnostic> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
@@ -194,7 +191,7 @@ impl Target for Fractions<'_> {
                 Expansion { denominator: numerator.clone(), ..Expansion::polynomial(denominator.clone()) }
             }
         };
-        // The quotient 1/(1/p) is p without a divisor.
+        // The quotient 1/(1/p) is p.
         let is_single = inverse.denominator.is_one() || !denominator.is_one();
         let kept = if is_single {
             None
@@ -299,8 +296,8 @@ impl Fractions<'_> {
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
 
-    /// Returns the sum as written if it differs from the sum of numerators, and the terms in order
-    /// of addition.
+    /// Returns the sum as written and the terms in order of addition. The sum is `None` if it
+    /// equals the sum of numerators.
     fn kept_sum(
         &mut self,
         terms: &[(bool, Expansion)],
@@ -323,14 +320,13 @@ impl Fractions<'_> {
         Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
-    /// Returns the written form of `of` as a factor of a product. A sum becomes a named
-    /// subexpression.
+    /// Returns the written form as a factor of a product. Sums become named subexpressions.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
     }
 
-    /// Returns the product as written; `None` if it equals the product of the numerators.
+    /// Returns the product as written. Returns `None` if it equals the product of numerators.
     fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
         let is_sign = |value: Rational| (&value * &value).is_one();
         let is_single = |of: &Expansion| of.kept.is_none() && of.numerator.len() < 2;
@@ -351,8 +347,7 @@ impl Fractions<'_> {
         (variables, self.scope.symbols.degree(&of.numerator))
     }
 
-    /// Reduces p/q to lowest terms. If a divisor in the written form cancels, even partly, the
-    /// written form is dropped.
+    /// Reduces p/q to lowest terms. If a divisor as written cancels, the written form is dropped.
     fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
         if expansion.denominator.is_one() || !self.reduces {
             return Ok(expansion);
@@ -369,7 +364,7 @@ impl Fractions<'_> {
         }
     }
 
-    /// Replaces the written form by the numerator multiplied by the reciprocal of the divisor.
+    /// Replaces the written form by the numerator times the reciprocal of the divisor.
     fn without_kept(&mut self, expansion: Expansion) -> Expansion {
         if expansion.denominator.is_one() {
             return Expansion { kept: None, order: Vec::new(), ..expansion };
@@ -380,8 +375,8 @@ impl Fractions<'_> {
     }
 }
 
-/// Returns the diagnostic of a term whose degree `degree` exceeds 2. `product` is a product of two
-/// states that divides the term.
+/// Returns the diagnostic of a term with a degree above 2. The text `product` is a product of two
+/// states in the term.
 pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, degree: u64) -> Diagnostic {
     let new = scope.new_variable();
     let message =
@@ -390,8 +385,7 @@ pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, deg
     Diagnostic::new(Kind::Degree, span, message, help)
 }
 
-/// Suggests a new variable for a nonquadratic function. A family gets no such suggestion, because
-/// families are not lifted.
+/// Suggests a new variable for a nonquadratic function. Families are not lifted.
 fn instead_of(new: &str, function: &str) -> String {
     let by = if new.contains('[') { "introduce a new variable" } else { LIFTS };
     let such_as = if new.contains('[') { "" } else { ", for example with" };

@@ -1,5 +1,4 @@
-//! Checks a family: its arrays, the parameters of the chain and of sites, its equations and its
-//! sums.
+//! Checks the names, equations and sums of a family.
 
 use rustc_hash::FxHashSet;
 
@@ -115,7 +114,7 @@ struct Names {
 }
 
 impl Names {
-    /// Collects the names of a family. Parameters that are written with an index belong to sites.
+    /// Collects the names of a family. Parameters with an index belong to sites.
     fn of(block: &Block, declared: &Symbols) -> Self {
         let (mut reach, mut at_sites) = (1, FxHashSet::default());
         for (reference, _) in references(block) {
@@ -195,7 +194,7 @@ fn density(written: &Expr, scope: &Scope) -> Result<RationalFunction, Diagnostic
     Ok(density)
 }
 
-/// Returns the summand of a claim. Because `sum` is linear, it is removed from each term.
+/// Returns the summand of a claim. The function `sum` is linear, so it is removed from each term.
 fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
@@ -257,8 +256,8 @@ fn is_at_sites(expr: &Expr) -> bool {
     found
 }
 
-/// Reports site parameters that are undefined beyond an end of the chain. A term may contain such a
-/// parameter if it also contains a state at that site or farther out, because that state is 0.
+/// Reports site parameters that are undefined beyond an end of the chain. A state at the same site
+/// or farther out makes a term 0, so the term is allowed.
 fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
     let equations =

@@ -1,9 +1,8 @@
-//! Lowers expressions to fractions or plans. No other module gives the operations of an [`Expr`] a
-//! meaning.
+//! Lowers expressions to fractions or plans.
 //!
-//! Equations, constants and relations become fractions ([`expand`](super::expand)); claims become
-//! plans ([`claims`](super::claims)). [`lower`] reports zero divisors, invalid negative exponents,
-//! and misplaced `sum(…)`. Each target limits the sizes of its values.
+//! Equations, constants and relations become fractions ([`expand`](super::expand)). Claims become
+//! plans ([`claims`](super::claims)). [`lower`] reports zero divisors, invalid negative exponents
+//! and misplaced `sum(…)`.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
@@ -12,8 +11,8 @@ use kahan_syntax::token::Span;
 
 use crate::render::{Notation, Text};
 
-/// The largest exponent of a parameter in an equation. In a claim it limits the exponents of
-/// everything but short numbers.
+/// The largest exponent of a parameter in an equation, and of everything but short numbers in a
+/// claim.
 pub(super) const HIGHEST_EXPONENT: i64 = 64;
 pub(super) const MOST_BITS: u64 = 1 << 16;
 
@@ -24,7 +23,7 @@ pub(super) trait Target {
     fn number(&mut self, value: &Rational) -> Self::Value;
     fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn negate(&mut self, a: Self::Value) -> Self::Value;
-    /// Returns the sum of all terms. The flag of a term is true if the term is subtracted.
+    /// Returns the sum of all terms. Terms with the flag `true` are subtracted.
     fn sum(&mut self, terms: Vec<(bool, Self::Value)>, span: Span) -> Result<Self::Value, Diagnostic>;
     fn multiply(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
     fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;

@@ -1,8 +1,8 @@
-//! Checks a syntax tree and returns a system or a family. Each rule has one function.
+//! Checks a syntax tree and returns a system or a family.
 //!
 //! Names are checked first, then constants, equations and claims. Each mistake is reported once,
-//! because later stages see a harmless replacement such as a zero right-hand side. A block with a
-//! mistake is [`Broken`]. A broken block has no field, only a [`StandIn`] that declares its type.
+//! because later stages see a harmless replacement. A block with a mistake is [`Broken`] and has
+//! only a [`StandIn`] that declares its type.
 
 mod claims;
 mod conditions;
@@ -31,12 +31,12 @@ pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 const MOST_EQUATIONS: usize = 10_000;
-/// The most states, parameters, constants and claims of a block, counted together. In a family, an
-/// array counts once for each site of the stencil.
+/// The limit for states, parameters, constants and claims of a block together. An array counts once
+/// for each site of the stencil.
 const MOST_NAMES: usize = 10_000;
 const MOST_CLAIMS: usize = 500;
 
-/// Returns the error for a family that is used where a plain system is required.
+/// Returns the diagnostic for a family in place of a plain system.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     let message = "a family of equations stands here, and the number of its sites is not known";
@@ -57,7 +57,7 @@ pub enum Checked {
 }
 
 impl Checked {
-    /// Returns the header, if the block has one.
+    /// Returns the header of the block.
     #[must_use]
     pub fn header(&self) -> Option<&Header> {
         match self {
@@ -67,7 +67,7 @@ impl Checked {
         }
     }
 
-    /// Returns the mistakes, ordered by their places in the text.
+    /// Returns the mistakes, ordered by place.
     #[must_use]
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
@@ -79,7 +79,7 @@ impl Checked {
     /// Returns the system of a block with plain equations.
     ///
     /// # Errors
-    /// Returns the mistakes. For a family, the error says that the number of sites is required.
+    /// Returns the mistakes. A family is also a mistake.
     pub fn system(self) -> Result<System, Vec<Diagnostic>> {
         match self {
             Checked::System(system) => Ok(system),
@@ -88,7 +88,7 @@ impl Checked {
         }
     }
 
-    /// Returns the family; `None` if the block has plain equations.
+    /// Returns the family. Returns `None` for plain equations.
     ///
     /// # Errors
     /// Returns the mistakes.
@@ -133,8 +133,8 @@ fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> b
     true
 }
 
-/// Compiles further claims about the field of a system, without proving them. A claim may use
-/// earlier claims of `tokens`, but not the claims of the system.
+/// Compiles further claims about a system without proving them. Claims may use earlier claims of
+/// `tokens` only.
 ///
 /// # Errors
 /// Returns the mistakes.
@@ -149,7 +149,7 @@ pub fn claims_of(system: &System, tokens: &[Token]) -> Result<Vec<Claim>, Vec<Di
     if mistakes.is_empty() { Ok(claims) } else { Err(mistakes) }
 }
 
-/// Checks plain equations. Returns a stand-in, and the system if there is no mistake.
+/// Checks plain equations. Returns the system only without mistakes.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);
@@ -172,12 +172,10 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    // Odd powers of ε may occur in factors as written although they cancel in the expanded form.
-    // The step needs powers of ε².
+    // Factors as written may contain odd powers of ε that cancel, but the step needs powers of ε².
     let kept = if kept.has_odd_powers_of_eps() { FieldWithSubexpressions::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();
-    // If there are no equations, there is no field to make claims about.
     let claims = if block.equations.is_empty() {
         Vec::new()
     } else {

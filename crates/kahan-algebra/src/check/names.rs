@@ -30,12 +30,12 @@ pub(super) struct Scope {
     places: FxHashMap<String, Symbol>,
     pub(super) constants: FxHashMap<String, Option<Rational>>,
     pub(super) claims: Vec<String>,
-    /// Names whose mistake was already reported. Further uses are not reported.
+    /// Mistakes of these names are already reported.
     poisoned: FxHashSet<String>,
     used: FxHashSet<String>,
     all_claims: FxHashSet<String>,
     misspelt_states: Vec<String>,
-    /// The number of products of terms that expansions have computed so far.
+    /// The number of products of terms in all expansions.
     pub(super) products: Cell<u64>,
 }
 
@@ -78,7 +78,7 @@ impl Scope {
         self.variable(name).map(NameMeaning::Variable)
     }
 
-    /// Reports every unknown name of `expr`. Returns whether all names are known.
+    /// Reports every unknown name. Returns whether all names are known.
     pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
         let mut references = Vec::new();
         expr.visit_names(&mut |reference, span| references.push((reference, span)));
@@ -95,7 +95,7 @@ impl Scope {
                 && !(in_claim && self.claims.iter().any(|claim| claim == name))
             {
                 sound = false;
-                // If a constant has no value, its declaration was already reported.
+                // A constant without a value is already reported.
                 if !self.constants.contains_key(name) && !diagnostics.is_full() {
                     self.report_unknown(reference, span, in_claim, diagnostics);
                 }
@@ -112,7 +112,7 @@ impl Scope {
         diagnostics: &mut Diagnostics,
     ) {
         let name = &*reference.to_string();
-        // In a block with `dxdt = …`, the left-hand side is reported instead of the unknown name
+        // For an equation `dxdt = …`, the left-hand side is reported instead of the unknown name
         // `x`.
         if self.misspelt_states.iter().any(|left| left.contains(name)) {
             return;
@@ -138,7 +138,6 @@ impl Scope {
         } else if let Some(help) = number(name) {
             help
         } else if let Some(nearest) = self.nearest(name, in_claim) {
-            // The misspelt name counts as a use of the name that was probably meant.
             self.mark_used(&nearest);
             format!("did you mean `{nearest}`?")
         } else if is_keyword(name) {
@@ -201,8 +200,7 @@ impl Scope {
         names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
     }
 
-    /// Returns the known name that is closest to `name`, if a typing error can explain the
-    /// difference.
+    /// Returns the known name closest to `name`, if the difference may be a typing error.
     pub(super) fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
         let mut candidates: Vec<String> = self.symbols.states.clone();
         candidates.extend(self.symbols.parameters.iter().cloned());
@@ -214,8 +212,7 @@ impl Scope {
         nearest(name, &candidates).cloned()
     }
 
-    /// Reports parameters of the header that are never used. Initial values of a lift count as
-    /// uses.
+    /// Reports unused parameters of the header. Initial values of a lift count as uses.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
         let unread = block.lift.is_some()
             || block.equations.iter().any(|equation| equation.value.is_none())
@@ -232,7 +229,7 @@ impl Scope {
         }
     }
 
-    /// Returns whether `name` is not yet in use; otherwise reports the name.
+    /// Returns whether `name` is free. Reports other names.
     pub(super) fn is_free(&self, name: &Name, what: &str, diagnostics: &mut Diagnostics) -> bool {
         let text = &name.text;
         let taken = if self.is_state_name(text) {
@@ -272,8 +269,7 @@ fn base_of_derivative(name: &str) -> Option<String> {
     name.strip_suffix("dot").map(str::to_owned).or_else(|| Some(without_dots(name)?.0))
 }
 
-/// Returns whether an undeclared name is the time or the derivative of a state. Such a name never
-/// becomes a parameter.
+/// Returns whether an undeclared name is the time or the derivative of a state.
 pub(super) fn is_never_free(name: &str, is_state: impl Fn(&str) -> bool) -> bool {
     name == TIME || base_of_derivative(name).is_some_and(|base| is_state(&base))
 }

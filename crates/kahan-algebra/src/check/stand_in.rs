@@ -1,5 +1,5 @@
-//! A stand-in for a block with mistakes. It has the header and the names of the block, but no
-//! equations. With the stand-in, rustc can check the rest of the program.
+//! A stand-in for a block with mistakes. The stand-in has header and names but no equations, so
+//! rustc can check the rest of the program.
 
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
@@ -15,7 +15,7 @@ use crate::system::{Claim, Condition, System};
 /// A block with mistakes.
 #[derive(Clone, Debug)]
 pub struct Broken {
-    /// The mistakes, ordered by their places. There is at least one.
+    /// The mistakes, ordered by place. The list is not empty.
     pub diagnostics: Vec<Diagnostic>,
     /// The stand-in for the block with mistakes.
     pub stand_in: StandIn,
@@ -24,18 +24,18 @@ pub struct Broken {
 /// The header and the names of a block with mistakes.
 #[derive(Clone, Debug)]
 pub struct StandIn {
-    /// The header, if the block has one.
+    /// The header of the block.
     pub header: Option<Header>,
-    /// The names of states and parameters. In a family, these parameters are those of the chain.
+    /// The names of states and parameters. Parameters of sites are listed separately.
     pub symbols: Symbols,
     /// The parameters of each site of a family.
     pub site_parameters: Vec<String>,
-    /// The claims with their kinds and names. The flag is true for unconditional claims.
+    /// The flag is true for unconditional claims.
     claims: Vec<(ClaimKind, Name, bool)>,
 }
 
 impl StandIn {
-    /// Returns a stand-in that has a header but no names.
+    /// Returns a stand-in without names.
     #[must_use]
     pub fn of_type(header: Option<Header>) -> Self {
         StandIn { header, symbols: Symbols::default(), site_parameters: Vec::new(), claims: Vec::new() }
@@ -54,7 +54,7 @@ impl StandIn {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// Returns a system with these names. The field of the system is zero, and the claims equal 0.
+    /// Returns a system with these names. Its field and its claims are zero.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
@@ -74,8 +74,7 @@ impl StandIn {
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
-        // Generated methods depend on whether a claim is conditional, but not on the condition. Any
-        // condition serves here.
+        // Generated methods depend only on whether a claim is conditional, so any condition serves.
         let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
         Claim {
             kind: *kind,

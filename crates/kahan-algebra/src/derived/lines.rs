@@ -1,5 +1,4 @@
-//! Derives the plans of one site of a family: the field, the rows of A(x,ε), and the summands of
-//! claims.
+//! Derives the plans of one site of a family.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::distinct;
@@ -15,43 +14,42 @@ use crate::family::{Family, Role, SiteSum};
 
 use super::names::constant_names;
 
-/// The position of an entry of A(x,ε) in the rows that belong to one site.
+/// The position of an entry of A(x,ε) in the rows of one site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryPosition {
     /// The index of the array to which the row belongs.
     pub row: usize,
-    /// The column, which is an index among the states of the stencil. The states are ordered by
-    /// site, then by array.
+    /// The column, which is an index among the states of the stencil. States are ordered by site,
+    /// then by array.
     pub column: usize,
 }
 
 /// The plans of a family.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    /// The inputs of `constants`, which are the parameters of the chain.
+    /// The inputs of `constants`.
     pub given: Symbols,
     /// The inputs of `rows` and `sums`. The states are the values of arrays and site parameters at
-    /// the sites −reach to reach. The parameters are the prepared constants.
+    /// all sites of the stencil. The parameters are the prepared constants.
     pub symbols: Symbols,
     /// The plan that computes the prepared constants from ε and the parameters of the chain.
     pub constants: Plan,
-    /// The plan of the field and of the entries of A. The plan has an output for each array,
-    /// followed by an output for each of the [`entries`](Self::entries).
+    /// The plan of the field and of entries of A. The outputs belong to the arrays, then to the
+    /// [`entries`](Self::entries).
     pub rows: Plan,
-    /// The plan that computes the summand of each sum in the claims, at one site. The summands of
-    /// the integrals come first, then the summand of the Hamiltonian.
+    /// The plan of the summands of claims at one site. The integrals come first, then the
+    /// Hamiltonian.
     pub sums: Plan,
     /// The positions of the entries of A that are not identically zero.
     pub entries: Vec<EntryPosition>,
-    /// The lower bandwidth of A, counted in unknowns.
+    /// The lower bandwidth of A in unknowns.
     pub lower: usize,
-    /// The upper bandwidth of A, counted in unknowns.
+    /// The upper bandwidth of A in unknowns.
     pub upper: usize,
 }
 
 impl Family {
-    /// Derives the plans of a site. Deriving the plans takes about as many operations as the
-    /// equations contain.
+    /// Derives the plans of a site. The cost is about that of the equations.
     #[must_use]
     pub fn lines(&self) -> Lines {
         let given = self.line_symbols();
@@ -124,7 +122,7 @@ impl Family {
         }
     }
 
-    /// Returns the sums in claims. The integrals come first, then the Hamiltonian.
+    /// Returns the sums in claims, with the Hamiltonian last.
     pub fn sums(&self) -> impl Iterator<Item = &SiteSum> {
         self.integrals.iter().chain(&self.hamiltonian)
     }
@@ -138,8 +136,7 @@ impl Family {
         places
     }
 
-    /// Returns symbols for the values of the stencil. All values are states, site parameters
-    /// included, and are named by identifiers.
+    /// Returns symbols for the values of the stencil. Site parameters are among the states.
     fn line_symbols(&self) -> Symbols {
         let reach = self.reach as i64;
         let identifier = |array: &String, offset: i64| match offset {
@@ -197,9 +194,8 @@ impl LineWriter<'_> {
         self.multiple(None, component.numerator(), component.denominator())
     }
 
-    /// Writes p/q, or ε·p/q, as Σ cₖ·pₖ. The cₖ are prepared coefficients, the pₖ integer
-    /// polynomials in the values of the stencil. If q depends on the site, the whole sum is divided
-    /// by q.
+    /// Writes p/q or ε·p/q as Σ cₖ·pₖ with prepared coefficients cₖ and integer polynomials pₖ. The
+    /// sum is divided by q if q depends on the site.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();
@@ -219,7 +215,6 @@ impl LineWriter<'_> {
             let term = self.builder.multiply(factor, values);
             sum = self.builder.add(sum, term);
         }
-        // All entries of a row share one reciprocal.
         let [one, outside] = [&one, outside].map(|of| self.polynomial(of));
         let reciprocal = self.builder.divide(one, outside);
         self.builder.multiply(sum, reciprocal)
@@ -229,8 +224,8 @@ impl LineWriter<'_> {
         self.symbols.is_state(self.renamed(variable))
     }
 
-    /// Splits a polynomial into terms cₖ·pₖ of its sum. The coefficients cₖ contain only
-    /// parameters, and no two of them are proportional.
+    /// Splits a polynomial into terms cₖ·pₖ. The coefficients cₖ contain only parameters and are
+    /// not proportional to each other.
     fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {
@@ -244,10 +239,10 @@ impl LineWriter<'_> {
         terms
     }
 
-    /// Writes the entry δᵢⱼ − ε ∂fᵢ/∂xⱼ of A, where `slope` / `below` is ∂fᵢ/∂xⱼ.
+    /// Writes the entry δᵢⱼ − ε ∂fᵢ/∂xⱼ of A. The derivative is `slope` / `below`.
     fn entry(&mut self, slope: &Polynomial, below: &Polynomial, is_diagonal: bool) -> Node {
         let eps = self.builder.input(self.symbols.epsilon());
-        // Write −ε·p as ε·(−p), because negating the coefficients of p costs nothing.
+        // The product ε·(−p) is cheaper than −ε·p.
         let scaled = self.multiple(Some(eps), &-slope, below);
         if !is_diagonal {
             return scaled;

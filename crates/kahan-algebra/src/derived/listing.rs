@@ -1,4 +1,4 @@
-//! Prints the plan of a step as text. Each operation has one line, in order of computation.
+//! Prints the plan of a step as text.
 
 use crate::plan::{Node, Operation, Plan, StepPlan};
 use crate::symbols::Symbols;
@@ -8,24 +8,24 @@ use super::names::{constant_names, listed_constants, listed_kernel};
 /// The plan of a step as lines `name = left + right`. A line with a product and a sum is one
 /// multiply-add.
 ///
-/// In the lines, `eps` is half the time step. A power of two divided by a denominator is named
-/// `reciprocal_1`, `reciprocal_2` and so on.
+/// The name `eps` means half the time step. Names `reciprocal_1`, `reciprocal_2` and so on mean a
+/// power of two divided by a denominator.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepListing {
     /// The names and formulas of prepared constants. A name without a formula is ε or a parameter.
     pub constants: Vec<String>,
-    /// The operations that compute numerators and reciprocals from a state.
+    /// The operations that compute numerators and reciprocals.
     pub kernel: Vec<String>,
-    /// For each component the name of its reciprocal; `None` if the component needs no division.
+    /// The name of the reciprocal of each component. `None` for components without a division.
     pub reciprocals: Vec<Option<String>>,
-    /// The formulas of x̃, with one line for each component.
+    /// The formulas of x̃ by component.
     pub next: Vec<String>,
     /// The value of [`StepPlan::holds_to`].
     pub holds_to: u32,
 }
 
 impl StepListing {
-    /// Prints the plan of a step. `symbols` are the symbols of the step's field.
+    /// Prints the plan of a step of a field with these symbols.
     #[must_use]
     pub fn of(step: &StepPlan, symbols: &Symbols) -> Self {
         let plan = &step.kernel.plan;
@@ -41,7 +41,7 @@ impl StepListing {
             let reciprocal = reciprocal.map(|node| name(*node).to_owned());
             let (sign, numerator) = match plan.operations[numerator.0] {
                 Operation::Negate(inner) => {
-                    // A negated numerator is subtracted in `next`, so its negation is not listed.
+                    // A negated numerator is subtracted in `next`, so its negation is omitted.
                     hidden[numerator.0] = uses[numerator.0] == 1;
                     ('-', inner)
                 }
@@ -57,7 +57,7 @@ impl StepListing {
             });
             reciprocals.push(reciprocal);
         }
-        // If a prepared constant equals ε or a parameter, only its name is listed.
+        // Prepared constants that equal ε or a parameter are listed by name only.
         let is_kept = |output: &&Node| matches!(step.constants.operations[output.0], Operation::Input(_));
         let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
         let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();

@@ -1,8 +1,7 @@
 //! Derives the field, the map and the claims of a system as straight-line plans.
 //!
-//! Code generators, maps at run time and printers all read their plans from [`Derived`], so all of
-//! them compute equal operations in equal order. [`Lines`] has the plans for one site of a family.
-//! The check makes the plans of claims; `kahan-runtime` makes those of exact heights.
+//! Code generators, maps at run time and printers read their plans from [`Derived`]. All of them
+//! compute equal operations in equal order. [`Lines`] has the plans for one site of a family.
 
 mod lines;
 mod listing;
@@ -27,39 +26,36 @@ use crate::subexpressions::{Subexpressions, WithConstants};
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
 
-/// The plans of a system. Their inputs are the states, the parameters and ε, which is half the time
-/// step.
+/// The plans of a system. Inputs are the states, the parameters and ε, which is half the time step.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// The system from which the plans are derived.
+    /// The system of the plans.
     pub system: System,
-    /// The plan of the field's divisors, which are free of states. The field is undefined where a
-    /// divisor is zero.
+    /// The plan of the divisors of the field. The field is undefined where a divisor is zero.
     pub divisors: Plan,
-    /// The map as polynomials; `None` if it exceeds the budget of terms.
+    /// The map as polynomials. `None` if the budget of terms is exceeded.
     pub map: Option<RationalMap>,
-    /// The plan of det A(x,ε) from its expansion; `None` if it exceeds the budget.
+    /// The plan of det A(x,ε) in expanded form. `None` if the budget is exceeded.
     pub det_matrix: Option<Plan>,
-    /// The plan of the map without cancellation: the numerators N, then the common denominator D.
-    /// `None` if it exceeds the budget.
+    /// The plan of the map without cancellation. Numerators come first, then the common
+    /// denominator. `None` if the budget is exceeded.
     pub rational_map: Option<Plan>,
-    /// The plan of the reduced map: its numerators, then their denominator. `None` if no factor
-    /// that depends on states was divided out. In that case the reduced map is N/D, up to a factor
-    /// without poles.
+    /// The plan of the reduced map. Numerators come first, then the denominator. `None` if no
+    /// factor with states was divided out.
     pub reduced_map: Option<Plan>,
     /// The plan of all unconditional integrals.
     pub integrals: Plan,
-    /// The names of the unconditional integrals, in order.
+    /// The names of the unconditional integrals.
     pub integral_names: Vec<String>,
     /// The plan of the unconditional density.
     pub density: Option<Plan>,
-    /// The unconditional brackets. Each has a name and the plan of the entries above the diagonal,
-    /// row by row.
+    /// The unconditional brackets by name. Each plan has the entries above the diagonal, row by
+    /// row.
     pub brackets: Vec<(String, Plan)>,
-    /// The unconditional drifts. Each has a name and the plan of F(x) and F(x̃).
+    /// The unconditional drifts by name. Each plan computes F(x) and F(x̃).
     pub drifts: Vec<(String, Plan)>,
-    /// The plans of the conditional claims, in order. Each also computes the values for which the
-    /// conditions are solved.
+    /// The plans of the conditional claims. Each plan also computes the values for which conditions
+    /// are solved.
     pub conditional: Vec<Plan>,
     made: LazyPlans,
 }
@@ -81,10 +77,9 @@ struct LazyPlans {
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
-/// Derives the plans of a system. Plans that methods return are made when first used.
+/// Derives the plans of a system. Plans that methods return are made at first use.
 ///
-/// This costs as much as [`RationalMap::of`], which takes some milliseconds for a system of the
-/// catalog.
+/// The cost is that of [`RationalMap::of`], some milliseconds for a system of the catalog.
 #[must_use]
 pub fn derive(system: &System) -> Derived {
     let System { field, kept, .. } = system;
@@ -121,14 +116,13 @@ struct PlannedField {
 }
 
 impl PlannedField {
-    /// Returns the field with named constants. Returns the plain field instead if the names hide a
-    /// factor that `map` divides out.
+    /// Returns the field with named constants, unless names hide a factor that `map` divides out.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return PlannedField { with_constants: with, map: map.cloned() };
         };
-        // In the field with named constants, ε² is a parameter, so degrees in ε cannot be compared.
+        // With named constants, ε² is a parameter, so degrees in ε cannot be compared.
         let counts_eps = !system.field.depends_on_eps();
         let is_as_short = |own: &RationalMap| {
             let (symbols, others) = (&with.field.symbols, &system.field.symbols);
@@ -166,7 +160,7 @@ impl Derived {
         }
     }
 
-    /// Returns the plan of f(x), with one output for each component. Coefficients may depend on ε.
+    /// Returns the plan of f(x) with one output for each component.
     pub fn field(&self) -> &Plan {
         self.made.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
@@ -174,27 +168,26 @@ impl Derived {
         })
     }
 
-    /// Returns the plan that computes the coefficients of a dense field from its parameters; `None`
-    /// if the field is not dense. Each component lists its constant cᵢ, the coefficients bᵢⱼ of the
-    /// variables, and the coefficients qᵢⱼₖ of the products xⱼxₖ with j ≤ k, row by row of the
-    /// triangle:
+    /// Returns the plan of the coefficients of a dense field. Returns `None` for other fields. Each
+    /// component lists its constant cᵢ, the coefficients bᵢⱼ of variables, and the coefficients
+    /// qᵢⱼₖ of products xⱼxₖ with j ≤ k, row by row:
     ///
     /// fᵢ = cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
     ///
     /// ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, where the term k = j counts twice.
     ///
-    /// Plans of f and its derivatives add the terms in this order and skip zero coefficients.
+    /// Plans of f and its derivatives add terms in this order and skip zero coefficients.
     pub fn coefficients(&self) -> Option<&Plan> {
         let coefficients = || Some(self.dense()?.coefficients());
         self.made.coefficients.get_or_init(coefficients).as_ref()
     }
 
-    /// Returns whether the field is dense, so that it has [coefficients](Self::coefficients).
+    /// Returns whether the field has [coefficients](Self::coefficients).
     pub fn is_dense(&self) -> bool {
         self.dense().is_some()
     }
 
-    /// Returns the [coefficients](Self::coefficients) if all of them are numbers.
+    /// Returns the [coefficients](Self::coefficients) if all are numbers.
     pub fn numbers(&self) -> Option<Vec<&Rational>> {
         self.dense()?.numbers()
     }
@@ -225,19 +218,17 @@ impl Derived {
         })
     }
 
-    /// Returns the plan of the bilinear form Q(x,y), with one output for each component. The second
-    /// states of the plan are y.
+    /// Returns the plan of the bilinear form Q(x,y). The second states are y.
     pub fn bilinear(&self) -> &Plan {
         self.made.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
     }
 
-    /// Returns the plan of Q(x,y) + ½B(x+y) + c, with one output for each component. The second
-    /// states of the plan are y.
+    /// Returns the plan of Q(x,y) + ½B(x+y) + c. The second states are y.
     pub fn polarized(&self) -> &Plan {
         self.made.polarized.get_or_init(|| self.over_divisors(polarization))
     }
 
-    /// Returns the plan of the right-hand side b(x,ε), with one output for each component.
+    /// Returns the plan of the right-hand side b(x,ε).
     pub fn rhs(&self) -> &Plan {
         self.made.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
     }
@@ -257,9 +248,9 @@ impl Derived {
         with.put_into(&quotients(polynomials.iter().zip(with.field.denominators())))
     }
 
-    /// Returns the straight-line plan of the step; `None` if every step eliminates.
+    /// Returns the straight-line plan of the step. Returns `None` if every step eliminates.
     ///
-    /// The first call makes the plan, which takes some milliseconds for a system of the catalog.
+    /// The first call takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
         let plan = || {
             let PlannedField { with_constants: with, map } = self.planned();
@@ -270,9 +261,9 @@ impl Derived {
         self.made.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
     }
 
-    /// Returns the elimination of A(x,ε), if the step has no straight-line plan.
+    /// Returns the elimination of A(x,ε) for a step without a straight-line plan.
     ///
-    /// The first call plans the [`step`](Self::step), then searches for an order of elimination.
+    /// The first call plans the [`step`](Self::step) and searches for an elimination order.
     pub fn couplings(&self) -> Option<&Couplings> {
         let found = || {
             let (values, slopes) = match self.dense() {
@@ -284,14 +275,12 @@ impl Derived {
         self.made.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
-    /// Returns the plan that maps a tangent vector v to (∂x̃/∂x)·v, given x, v and x̃. The plan has
-    /// one output for each component. Returns `None` if the reduced map is defined at zeros of det
-    /// A, or if every short form loses digits.
+    /// Returns the plan that maps a tangent vector v to (∂x̃/∂x)·v, given x, v and x̃. Returns
+    /// `None` if the reduced map is defined at zeros of det A, or if every short form loses digits.
     ///
-    /// The symbols are those of the [variational](System::variational) field. Its states are x and
-    /// v, and the first half of its second states are x̃.
-    ///
-    /// The first call makes the plan, at about the cost of planning a step.
+    /// The symbols are those of the [variational](System::variational) field. States are x and v,
+    /// and the first half of the second states is x̃. The first call costs about as much as
+    /// planning a step.
     pub fn tangent_map(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();
@@ -304,7 +293,7 @@ impl Derived {
         self.made.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
     }
 
-    /// Returns whether all divisors of the field are nonzero at this ε and these parameters.
+    /// Returns whether no divisor of the field is zero at this ε and these parameters.
     pub fn is_defined_at<A: OverRationals>(
         &self,
         arithmetic: &A,
@@ -320,8 +309,8 @@ impl Derived {
         divisors.iter().all(|value| value.as_ref().is_some_and(|value| !arithmetic.is_zero(value)))
     }
 
-    /// Returns each function of the generated code with its plan and a description such as `det A`
-    /// or `bracket P`. The plan is `None` if the code eliminates in a loop.
+    /// Returns each function of the generated code with its plan and a description such as `det A`.
+    /// The plan is `None` if the code eliminates in a loop.
     #[must_use]
     pub fn functions(&self) -> Vec<(String, Option<Plan>)> {
         let symbols = &self.system.field.symbols;

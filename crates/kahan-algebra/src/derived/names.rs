@@ -1,6 +1,5 @@
-//! Names the values of a plan after their formulas, such as `two_eps`, `eps_a1` and
-//! `one_plus_eps_x`. Values with long formulas get numbers. Generated code and listings share the
-//! names.
+//! Names the values of a plan after their formulas, such as `two_eps` and `one_plus_eps_x`. Values
+//! with long formulas get numbers. Generated code and listings share the names.
 
 use rustc_hash::FxHashSet;
 
@@ -14,11 +13,11 @@ use crate::symbols::Symbols;
 pub enum ValueName {
     /// A name that describes the formula.
     Described(String),
-    /// A name that consists of a kind, such as `sum` or `product`, and a number.
+    /// A kind such as `sum` or `product`, and a number.
     Numbered(&'static str, usize),
 }
 
-/// The names given so far in one plan. All of them are distinct.
+/// The distinct names given so far in one plan.
 #[derive(Clone, Debug)]
 pub struct ValueNames {
     descriptions: Vec<Option<String>>,
@@ -28,7 +27,7 @@ pub struct ValueNames {
 }
 
 impl ValueNames {
-    /// Prepares the naming of a plan's values. `prepared` has the names of the prepared constants.
+    /// Prepares the names of a plan. The list `prepared` has the names of the prepared constants.
     #[must_use]
     pub fn of(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Self {
         ValueNames {
@@ -39,13 +38,13 @@ impl ValueNames {
         }
     }
 
-    /// Reserves the names in `taken`, so that no value gets one of them.
+    /// Reserves the names in `taken`.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
         ValueNames { taken: taken.into_iter().collect(), ..self }
     }
 
-    /// Names a value. If its description is already in use, the value gets a number.
+    /// Names a value. The value gets a number if its description is in use.
     pub fn name(&mut self, value: Node) -> ValueName {
         self.name_as(value, self.kinds[value.0])
     }
@@ -86,8 +85,6 @@ pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     constants.outputs.iter().map(name).collect()
 }
 
-/// Names each value of the plan that computes the prepared constants. The outputs get the names in
-/// `prepared`.
 pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<String> {
     let taken = symbol_names(symbols).chain(prepared.iter().cloned());
     let values = ValueNames::of(plan, symbols, &[]).without(taken);
@@ -95,7 +92,6 @@ pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[Strin
     listed(plan, symbols, values, |value| place(value).map(|place| prepared[place].clone()))
 }
 
-/// Names each value of a kernel without using the names in `constants` again.
 pub(super) fn listed_kernel(
     plan: &Plan,
     symbols: &Symbols,

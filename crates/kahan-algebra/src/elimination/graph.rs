@@ -1,8 +1,6 @@
-//! The graph that describes which variables of a block depend on each other, and the fill-in of an
-//! elimination order.
+//! The graph of dependences between variables of a block, and the fill-in of an elimination order.
 
-/// The off-diagonal entries of the Jacobian f′ in a block, by rows. Variables are numbered within
-/// the block.
+/// The off-diagonal entries of f′ in a block, by rows. Variables are numbered within the block.
 pub(super) struct Graph {
     rows: Vec<Vec<usize>>,
 }
@@ -10,7 +8,7 @@ pub(super) struct Graph {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct EliminationCost {
     products: usize,
-    /// The number of pivots in the longest sequence in which each pivot depends on the one before.
+    /// The length of the longest chain of dependent pivots.
     critical_path: usize,
 }
 
@@ -22,9 +20,8 @@ pub(super) struct FilledPattern {
 pub(super) struct FilledRow {
     pub(super) columns: Vec<usize>,
     pub(super) diagonal: usize,
-    /// The end of the columns that elimination reads from this row on behalf of rows below. Let q
-    /// be the last column read. Later columns also occur in row q, from which rows below inherit
-    /// them.
+    /// The end of the columns that later rows read from this row. Later rows inherit the remaining
+    /// columns from other rows.
     looked_at: Option<usize>,
 }
 
@@ -35,8 +32,7 @@ impl FilledRow {
 }
 
 impl Graph {
-    /// Returns the graph of each block. Entry i of `depends` lists the variables on which fᵢ
-    /// depends.
+    /// Returns the graph of each block. The entry i of `depends` lists the variables in fᵢ.
     pub(super) fn of_blocks(depends: &[Vec<usize>], blocks: &[Vec<usize>]) -> Vec<Self> {
         let mut places = vec![(0, 0); depends.len()];
         for (number, block) in blocks.iter().enumerate() {
@@ -56,8 +52,8 @@ impl Graph {
         self.rows.len()
     }
 
-    /// Returns for each variable its neighbours: the variables that depend on it or on which it
-    /// depends.
+    /// Returns the neighbours of each variable. Neighbours depend on each other in one direction at
+    /// least.
     pub(super) fn neighbours(&self) -> Vec<Vec<usize>> {
         let mut neighbours = vec![Vec::new(); self.len()];
         for (a, row) in self.rows.iter().enumerate() {
@@ -73,14 +69,14 @@ impl Graph {
         neighbours
     }
 
-    /// Eliminates in this order and returns the entries, fill-in included. Returns `None` if
-    /// elimination takes more products than `bound`.
+    /// Eliminates in this order and returns all entries with fill-in. Returns `None` if elimination
+    /// needs more products than `bound`.
     ///
-    /// A row inherits all columns to the right of the diagonal from the rows of its pivots. Suppose
-    /// that row p has an entry in column q, and row q one in column p. Then row q inherits the
-    /// columns of row p to the right of q, so rows below q need to examine row p only up to column
-    /// q (S. C. Eisenstat and J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). If every
-    /// dependence is mutual, the cost is proportional to the number of entries.
+    /// A row inherits the columns right of the diagonal from the rows of its pivots. Suppose that
+    /// row p has an entry in column q, and row q one in column p. Then row q inherits the columns
+    /// of row p right of q, so rows below q read row p only up to column q (S. C. Eisenstat and J.
+    /// W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). For mutual dependences, the cost
+    /// is proportional to the number of entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<EliminationCost>) -> Option<FilledPattern> {
         let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = positions(order);
@@ -128,7 +124,6 @@ impl Graph {
     }
 }
 
-/// Returns the position of each variable in `order`.
 pub(super) fn positions(order: &[usize]) -> Vec<usize> {
     let mut turns = vec![0; order.len()];
     order.iter().enumerate().for_each(|(turn, &i)| turns[i] = turn);

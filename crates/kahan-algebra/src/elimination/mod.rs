@@ -1,10 +1,8 @@
-//! Plans the sparse elimination of A(x,ε). The elimination order and its fill-in are found once for
-//! all states.
+//! Plans the sparse elimination of A(x,ε), once for all states.
 //!
-//! The input is a field whose step is too large for straight-line code. The result lists the
-//! positions of all entries, fill-in included. Variable i has the pivot 1 − ε ∂fᵢ/∂xᵢ. Rows are
-//! never exchanged, so callers must check the pivots. The blocks of a triangular field are
-//! eliminated one after another.
+//! The result lists the positions of all entries, fill-in included. Variable i has the pivot 1 − ε
+//! ∂fᵢ/∂xᵢ. Rows are never exchanged, so callers must check the pivots. The blocks of a triangular
+//! field are eliminated one after another.
 
 mod graph;
 mod orders;
@@ -21,51 +19,50 @@ use crate::subexpressions::Subexpressions;
 use graph::{Graph, positions};
 use orders::cheapest;
 
-/// The largest dimension of a field whose map is written out. Larger fields always use elimination.
+/// Fields of a larger dimension always use elimination.
 pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables that a block of `kahan!` may have in compiled code.
 pub const MOST_VARIABLES: usize = 200;
 const MOST_PARAMETERS: usize = 2000;
-/// The most nonzero entries of f′ in a compiled block of many variables.
+/// The most nonzero entries of f′ in compiled code for many variables.
 const MOST_SLOPES: usize = 1500;
 
-/// The most products in an elimination that is written as straight-line code.
+/// Eliminations with more products are written as loops.
 const MOST_STRAIGHT: usize = 1500;
 
-/// The positions of the entries of A(x,ε), by rows. Rows and columns are numbered in order of
-/// elimination.
+/// The entries of A(x,ε) by rows. Rows and columns are numbered in order of elimination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Couplings {
-    /// For each position in the elimination order, the variable that is eliminated there.
+    /// The variable that is eliminated at each position.
     pub order: Vec<usize>,
     /// The rows.
     pub rows: Vec<Row>,
     /// The column of each entry.
     pub columns: Vec<usize>,
-    /// The end of each block, which is the index of its last row plus 1.
+    /// The index after the last row of each block.
     pub blocks: Vec<usize>,
-    /// For each output of [`Self::slopes`], its position among the entries.
+    /// The position of each output of [`Self::slopes`] among the entries.
     pub places: Vec<usize>,
-    /// The plan of those entries of f′(x) that are not identically zero.
+    /// The plan of the entries of f′(x) that are not identically zero.
     pub slopes: Plan,
 }
 
 /// The positions at which the parts of a row begin and end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// The position of the first entry. The entries before `own` are in columns of earlier blocks.
+    /// The position of the first entry. Entries before `own` are in columns of earlier blocks.
     pub start: usize,
     /// The position of the first entry in the row's own block.
     pub own: usize,
-    /// The position of the diagonal entry. The entries before it are eliminated.
+    /// The position of the diagonal entry. Earlier entries are eliminated.
     pub diagonal: usize,
     /// The position after the last entry.
     pub end: usize,
 }
 
-/// Returns the diagnostic for a block with too many parameters to compile. Derived comparisons nest
-/// one expression for each parameter, and deeply nested expressions overflow the stack of rustc.
+/// Returns the diagnostic for too many parameters. Derived comparisons nest one expression for each
+/// parameter, and deep nesting overflows the stack of rustc.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {
@@ -76,7 +73,7 @@ pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> 
     })
 }
 
-/// Returns the diagnostic for a field with too many couplings to compile.
+/// Returns the diagnostic for a field with too many couplings.
 #[must_use]
 pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
     let variables = field.dimension();
@@ -97,7 +94,7 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// Returns the couplings of a field. `slopes` is f′, in terms of the subexpressions in
+    /// Returns the couplings of a field with Jacobian `slopes` in terms of the subexpressions
     /// `values`.
     #[must_use]
     pub(crate) fn of(values: &Subexpressions, slopes: &SparseRows) -> Self {
@@ -136,8 +133,7 @@ impl Couplings {
         Couplings { order, rows, columns, blocks: ends, places, slopes }
     }
 
-    /// Returns the couplings of a dense field. All entries of A are listed, in the order of the
-    /// variables.
+    /// Returns the couplings of a dense field, with all entries in the order of the variables.
     #[must_use]
     pub(crate) fn of_all(dense: &DenseField) -> Self {
         let n = dense.dimension();
@@ -174,7 +170,6 @@ impl Couplings {
         StepCost { operations: count(operations), divisions: count(n), critical_path: count(critical_path) }
     }
 
-    /// Returns the number of products in the elimination and in the substitution.
     fn products(&self) -> usize {
         let above = |place: usize| {
             let Row { diagonal, end, .. } = self.rows[self.columns[place]];
@@ -184,8 +179,8 @@ impl Couplings {
         self.rows.iter().map(row).sum()
     }
 
-    /// Returns the latency, in cycles, of the longest chain of dependent pivots. Each pivot takes
-    /// one division and three multiply-adds.
+    /// Returns the latency in cycles of the longest chain of dependent pivots. A pivot takes one
+    /// division and three multiply-adds.
     fn critical_path(&self) -> usize {
         const PIVOT: usize = 26;
         let mut chains: Vec<usize> = Vec::with_capacity(self.rows.len());
@@ -215,8 +210,7 @@ pub(crate) mod tests {
         order
     }
 
-    /// Returns for each of n variables the sorted list of variables on which it depends, up to
-    /// three on average. If `mutual`, every dependence goes both ways.
+    /// Returns a random list of dependences for each variable. All are mutual if `mutual` is true.
     pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
         let mut rows = vec![Vec::new(); n];
         for _ in 0..n * (1 + below(random, 5)) / 2 {

@@ -1,4 +1,4 @@
-//! Proposes elimination orders for a block, and chooses the order with the cheapest fill-in.
+//! Proposes elimination orders and chooses the cheapest.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -7,8 +7,8 @@ use kahan_syntax::table::sorted_by_key;
 
 use super::graph::{FilledPattern, Graph};
 
-/// Returns the cheapest order and its fill-in. Among equal costs, the order with the shortest chain
-/// of pivots wins.
+/// Returns the cheapest order and its fill-in. Among equal costs, the shortest chain of pivots
+/// wins.
 pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
     let neighbours = graph.neighbours();
     let proposals = [
@@ -18,8 +18,8 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
         minimum_degree(&neighbours),
     ];
     let [.., of_degree] = &proposals;
-    // The minimum degree order is nearly always cheap. Knowing the cost of this order, the search
-    // rejects expensive orders early.
+    // The minimum degree order is nearly always cheap, so its cost is a good bound for other
+    // orders.
     let bound = graph.filled(of_degree, None).map(|filled| filled.price);
     let filled = |order: Vec<usize>| Some((graph.filled(&order, bound)?, order));
     let cheapest = proposals.into_iter().filter_map(filled).min_by_key(|(filled, _)| filled.price);
@@ -27,21 +27,20 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, FilledPattern) {
     (order, filled)
 }
 
-/// Returns the variables in the order of the text. This order is best if each variable depends only
-/// on the next few.
+/// Returns the order of the text, the best order for band matrices.
 fn as_written(count: usize) -> Vec<usize> {
     (0..count).collect()
 }
 
-/// Returns the order 0, n−1, 1, n−2, … of n variables. This order turns a cyclic band matrix into
-/// an open band matrix with twice the bandwidth.
+/// Returns the order 0, n−1, 1, n−2, …. A cyclic band matrix then becomes an open band matrix with
+/// twice the bandwidth.
 fn from_both_ends(count: usize) -> Vec<usize> {
     (0..count).map(|k| if k % 2 == 0 { k / 2 } else { count - 1 - k / 2 }).collect()
 }
 
-/// Returns the reverse Cuthill–McKee order. This order takes the variables in layers around a
-/// variable of low degree (E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A.
-/// George, Stanford report STAN-CS-71-208).
+/// Returns the reverse Cuthill–McKee order, with variables in layers around a variable of low
+/// degree (E. Cuthill and J. McKee, Proc. 24th Nat. Conf. ACM (1969) 157–172; A. George, Stanford
+/// report STAN-CS-71-208).
 fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let degree = |&place: &usize| neighbours[place].len();
     let mut is_placed = vec![false; neighbours.len()];
@@ -65,8 +64,8 @@ fn reverse_cuthill_mckee(neighbours: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Returns the minimum degree order: a variable with the fewest neighbours comes next (H. M.
-/// Markowitz, Management Sci. 3 (1957) 255–269). Among several, the one with the shortest chain of
+/// Returns the minimum degree order. A variable with the fewest neighbours comes next (H. M.
+/// Markowitz, Management Sci. 3 (1957) 255–269). Among equal variables, the shortest chain of
 /// pivots comes first.
 fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
@@ -76,7 +75,7 @@ fn minimum_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let all = (0..around.len()).map(|place| Reverse((around[place].len(), 0, place)));
     let mut queue: BinaryHeap<_> = all.collect();
     while let Some(Reverse((degree, turn, chosen))) = queue.pop() {
-        // Skip entries of the priority queue that are out of date.
+        // Entries of the priority queue that are out of date are skipped.
         if !is_left[chosen] || (degree, turn) != (around[chosen].len(), chain_lengths[chosen]) {
             continue;
         }

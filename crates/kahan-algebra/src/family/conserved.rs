@@ -1,5 +1,5 @@
-//! Proves the claims of a family for every number of sites. Sums over all sites are reduced to
-//! finitely many terms ([`everywhere`](super::everywhere)).
+//! Proves the claims of a family for every number of sites. Sums over sites are reduced to finitely
+//! many terms ([`everywhere`](super::everywhere)).
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
@@ -29,7 +29,7 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Checks a linear integral such as Σ xᵢ. Kahan's map preserves every linear integral of the field.
+/// Checks a linear integral such as Σ xᵢ. The map preserves linear integrals of the field.
 fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic> {
     let name = &integral.name;
     let degree = family.symbols.degree(integral.density.numerator());
@@ -74,10 +74,10 @@ pub(super) fn too_long(name: &Name) -> Diagnostic {
     Diagnostic::new(Kind::TooLarge, name.span, message, help)
 }
 
-/// Returns whether the sum depends on no state, like `sum(x[i+1] - x[i])` in a ring.
+/// Returns whether the sum contains no state, like `sum(x[i+1] - x[i])` in a ring.
 fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
-    // The derivatives of the whole sum by the states of the middle site, one for each array.
+    // The derivatives of the sum by the states of the middle site.
     let mut slopes: FxHashMap<(usize, SiteRange), RationalFunction> = FxHashMap::default();
     for (monomial, value) in density.numerator().terms() {
         let mut variables = monomial.powers().iter().map(|(variable, _)| *variable);
@@ -98,12 +98,11 @@ fn is_constant(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> W
     Ok(slopes.values().all(RationalFunction::is_zero))
 }
 
-/// Returns whether the derivative of the sum along the field vanishes in every chain. The terms
-/// over each divisor are compared separately, so the answer `false` proves nothing.
+/// Returns whether the derivative of the sum along the field vanishes in every chain. Divisors are
+/// compared separately, so `false` proves nothing.
 pub(super) fn cancels(middle: &MiddleSite<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<bool> {
     let density = middle.at(&sum.density, 0);
-    // The sums of coefficients, by divisor, monomial and number of sites, whatever the position in
-    // the chain.
+    // The sums of coefficients by divisor, monomial and number of sites.
     let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
     for state in
         density.numerator().variables().into_iter().filter(|&state| middle.chain.symbols.is_state(state))
@@ -146,7 +145,6 @@ pub(super) fn plural(sites: usize) -> &'static str {
 
 fn derivative(chain: &Chain<'_>, sum: &SiteSum, budget: &mut Budget) -> WithinBudget<Option<Polynomial>> {
     let Chain { family, symbols, sites } = chain;
-    // Terms over one divisor often cancel completely.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
     for site in 0..*sites {
         let Some(density) = chain.moved(&sum.density, site) else { continue };

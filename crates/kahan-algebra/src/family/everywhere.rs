@@ -1,12 +1,11 @@
 //! Reduces sums over all sites of a chain to finitely many terms.
 //!
 //! Each term is written relative to a site in the middle of a long chain. The *extent* of a term is
-//! the interval of sites that a chain must contain for the term to occur. A sum vanishes in all
-//! chains if the terms of each extent cancel separately.
+//! the interval of sites that the term needs. A sum vanishes in all chains if the terms of each
+//! extent cancel separately.
 //!
-//! The proof takes the sum S over a chain, subtracts S over the two chains that lack one end site,
-//! and adds S over the chain that lacks both. The terms that remain are exactly those that need
-//! both end sites.
+//! For the proof, let S be the sum over a chain. Subtract S over the two chains without one end
+//! site, and add S over the chain without both. Exactly the terms that need both end sites remain.
 
 use kahan_syntax::syntax::Boundary;
 
@@ -18,15 +17,14 @@ use super::Family;
 use super::expand::Chain;
 
 const MOST_TERMS: usize = 100_000;
-/// The most products of terms in the proof of one claim about a family.
+/// The proof of one claim takes at most this many products of terms.
 pub const MOST_WORK: u64 = 300_000;
 
 pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// The first and the last site that a term needs. In a ring, which has no ends, both are the middle
-/// site.
+/// The first and the last site that a term needs. In a ring, both are the middle site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct SiteRange {
     pub first: usize,
@@ -34,7 +32,6 @@ pub(super) struct SiteRange {
 }
 
 impl SiteRange {
-    /// Returns the number of sites in the shortest chain that contains the extent.
     pub(super) fn sites(self) -> usize {
         self.last - self.first + 1
     }
@@ -44,15 +41,13 @@ impl SiteRange {
     }
 }
 
-/// A long chain, with a site in its middle.
 pub(super) struct MiddleSite<'a> {
     pub chain: Chain<'a>,
     pub site: usize,
 }
 
 impl<'a> MiddleSite<'a> {
-    /// Chooses a chain that is long enough for equations and sums of offset up to `reach`, with all
-    /// names that occur.
+    /// Chooses a chain that is long enough for all equations and sums.
     pub(super) fn of(family: &'a Family) -> Self {
         let sites = 8 * family.reach + 2;
         MiddleSite { chain: family.chain(sites), site: sites / 2 }
@@ -88,7 +83,7 @@ impl<'a> MiddleSite<'a> {
         SiteRange { first: site, last: site }
     }
 
-    /// Returns the extent of a monomial, enlarged to contain `place`.
+    /// Returns the extent of a monomial together with `place`.
     pub(super) fn extent(&self, monomial: &Monomial, place: SiteRange) -> SiteRange {
         if self.chain.family.boundary == Boundary::Periodic {
             return place;
@@ -97,15 +92,14 @@ impl<'a> MiddleSite<'a> {
         sites.fold(place, |extent, site| extent.with(SiteRange { first: site, last: site }))
     }
 
-    /// Moves an extent by a number of sites. In a ring it does not change.
+    /// Moves an extent by a number of sites. Extents in a ring do not move.
     pub(super) fn moved(&self, extent: SiteRange, by: i64) -> SiteRange {
         let by = if self.chain.family.boundary == Boundary::Open { by } else { 0 };
         let [first, last] = [extent.first, extent.last].map(|site| (site as i64 + by) as usize);
         SiteRange { first, last }
     }
 
-    /// Returns the first site that occurs in these monomials, or the middle site if the monomials
-    /// contain no site.
+    /// Returns the first site in these monomials. Without a site, returns the middle site.
     pub(super) fn first_site<'b>(&self, monomials: impl Iterator<Item = &'b Monomial>) -> usize {
         let variables = monomials.flat_map(Monomial::powers);
         variables.filter_map(|(variable, _)| self.site_of(*variable)).min().unwrap_or(self.site)
@@ -128,7 +122,7 @@ impl<'a> MiddleSite<'a> {
     }
 }
 
-/// Multiplies two polynomials. Every product of terms is charged to the budget.
+/// Multiplies two polynomials within the budget.
 pub(super) fn product(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBudget<Polynomial> {
     if a.is_one() {
         budget.charge(b.len() as u64)?;

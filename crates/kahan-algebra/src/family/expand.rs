@@ -16,12 +16,12 @@ use super::{Family, Role, SiteSum};
 
 impl Family {
     /// Returns the names of a chain. States `x0`, `x1`, … are ordered by site, then by array. The
-    /// parameters of the chain come first, then site parameters `c0`, `c1`, ….
+    /// parameters of the chain precede site parameters `c0`, `c1`, ….
     #[must_use]
     pub fn symbols_at(&self, sites: usize) -> Symbols {
         let names = || self.arrays.iter().chain(&self.site_parameters);
         let all: Vec<&String> = names().chain(&self.parameters).collect();
-        // If arrays `x` and `x1` occur together, names such as `x11` would be ambiguous.
+        // Beside arrays `x` and `x1`, names such as `x11` would be ambiguous.
         let is_number = |rest: &str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
         let is_prefix =
             |name: &String, other: &String| other.strip_prefix(name.as_str()).is_some_and(is_number);
@@ -37,9 +37,9 @@ impl Family {
         }
     }
 
-    /// Returns the system of a chain with `sites` sites, with the linear integrals as claims. In a
-    /// periodic chain that is shorter than the stencil, a site is its own neighbour. Returns `None`
-    /// if a divisor vanishes identically, as in `x[i]/(c[i] - c[i+1])` at one site.
+    /// Returns the system of a chain with the linear integrals as claims. In a short periodic
+    /// chain, a site is its own neighbour. Returns `None` if a divisor is identically 0 at some
+    /// site.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> Option<System> {
         let chain = self.chain(sites);
@@ -92,9 +92,9 @@ impl Chain<'_> {
         })
     }
 
-    /// Moves a function of site i to `site`; `None` if its denominator vanishes there.
+    /// Moves a function of site i to `site`. Returns `None` if the denominator vanishes there.
     pub(super) fn moved(&self, function: &RationalFunction, site: usize) -> Option<RationalFunction> {
-        // If a factor lies beyond the end of an open chain, the term is zero.
+        // A factor beyond the end of an open chain makes the term zero.
         let moved = |monomial: &Monomial| -> Option<Monomial> {
             let powers = monomial.powers().iter();
             powers.map(|&(variable, power)| Some((self.moved_variable(variable, site)?, power))).collect()

@@ -1,8 +1,7 @@
-//! Finds the constant antisymmetric matrix K with ẋ = K∇H, as a stencil that also holds in rows
-//! near the ends.
+//! Finds the constant antisymmetric matrix K with ẋ = K∇H, as a stencil.
 //!
-//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ −
-//! x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
+//! If K exists and deg H ≤ 3, Kahan's map preserves H + (2ε/3) ∇Hᵀ A⁻¹ f. This follows from x̃ − x
+//! = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46 (2013)
 //! 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
@@ -56,7 +55,7 @@ pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Resul
     }
 }
 
-/// Returns the positions of the independent entries of K, which are those above the diagonal.
+/// Returns the positions of the entries of K above the diagonal.
 fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     let arrays = 0..family.block();
     let pairs = arrays.clone().flat_map(|row| arrays.clone().map(move |column| (row, column)));
@@ -67,7 +66,7 @@ fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     pairs.flat_map(offsets).collect()
 }
 
-/// A term of ẋ that K∇H cannot produce, with the chain and the site where it occurs.
+/// A term of ẋ that K∇H cannot produce.
 pub(super) struct UnmatchedTerm {
     array: usize,
     term: String,
@@ -83,13 +82,10 @@ struct Term {
 
 /// A term of the equation ẋ = K∇H for an array at the middle site.
 struct RowTerm {
-    /// The product of states and site parameters in the term.
     monomial: Monomial,
     extent: SiteRange,
-    /// The index of the unknown entry of K that the term contains. For a term of ẋ it is the number
-    /// of unknowns.
+    /// The index of the unknown entry of K in the term. For terms of ẋ, the number of unknowns.
     unknown: usize,
-    /// The coefficient of the term, which contains only parameters of the chain.
     coefficient: Polynomial,
 }
 
@@ -141,7 +137,7 @@ pub(super) fn missing(
     Ok(None)
 }
 
-/// Returns ∂H/∂x for each array at the middle site, multiplied by the divisor of H.
+/// Returns ∂H/∂x for each array at the middle site, times the divisor of H.
 fn gradient(
     middle: &MiddleSite<'_>,
     hamiltonian: &SiteSum,
@@ -168,7 +164,7 @@ fn gradient(
     Ok(gradient)
 }
 
-/// Returns the terms of ẋ = K∇H for one array, ordered by monomials. The equation is multiplied by
+/// Returns the terms of ẋ = K∇H for one array, ordered by monomial. The equation is multiplied by
 /// the divisors of both sides.
 fn row(
     middle: &MiddleSite<'_>,
@@ -192,7 +188,7 @@ fn row(
     }
     for (unknown, &(row, column, offset)) in unknowns.iter().enumerate() {
         let offset = offset as i64;
-        // Visit each entry of K and its negative on the other side of the diagonal.
+        // Each entry of K has a negative on the other side of the diagonal.
         for (_, other, offset, sign) in
             [(row, column, offset, 1), (column, row, -offset, -1)].iter().filter(|(of, ..)| *of == array)
         {
@@ -231,11 +227,10 @@ fn relative(middle: &MiddleSite<'_>, monomial: &Monomial) -> String {
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }
 
-/// Linear equations Σ aₖuₖ = r for unknowns uₖ, in row echelon form. The column with index
-/// `unknowns` holds the right-hand side r.
+/// Linear equations in row echelon form. The column `unknowns` is the right-hand side.
 struct Equations {
     unknowns: usize,
-    /// The rows, by the index of the first unknown. The coefficient of that unknown is 1.
+    /// The rows by the index of the first unknown, with coefficient 1.
     rows: Table<usize, Row>,
 }
 
@@ -244,8 +239,7 @@ impl Equations {
         Equations { unknowns, rows: Table::new() }
     }
 
-    /// Adds an equation, in which an unknown may occur in several terms. Returns `false` if the
-    /// equation contradicts earlier equations.
+    /// Adds an equation. Returns `false` if it contradicts earlier equations.
     fn add<'a>(
         &mut self,
         terms: impl Iterator<Item = (usize, &'a Polynomial)>,

@@ -1,7 +1,7 @@
-//! A family is a chain of sites with equal equations at every site, for any number of sites.
+//! A family is a chain of sites with equal equations at every site.
 //!
-//! A checked family provides plans for one site ([`Lines`](crate::derived::Lines)), the plain
-//! system of n sites ([`Family::at_sites`]), and invariants for every n ([`conserved`]).
+//! A checked family provides plans for one site ([`Lines`](crate::derived::Lines)), the system of n
+//! sites ([`Family::at_sites`]), and invariants for every n ([`conserved`]).
 
 pub mod conserved;
 pub mod everywhere;
@@ -20,34 +20,33 @@ use crate::render::{Notation, Text};
 use crate::subexpressions::FieldWithSubexpressions;
 use crate::symbols::{Symbol, Symbols};
 
-/// A checked family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ), where r is the field `reach`.
+/// A checked family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ) with r = `reach`.
 #[derive(Clone, Debug)]
 pub struct Family {
-    /// The header, if the block has one.
+    /// The header of the block.
     pub header: Option<Header>,
-    /// The constants with their values, in order of declaration.
+    /// The constants with their values.
     pub constants: Vec<(String, Rational)>,
     /// The rule for values beyond the ends of the chain.
     pub boundary: Boundary,
-    /// The names of the arrays, in their order within a site.
+    /// The names of the arrays of a site.
     pub arrays: Vec<String>,
-    /// The names of the parameters that belong to the whole chain.
+    /// The names of the parameters of the whole chain.
     pub parameters: Vec<String>,
-    /// The names of the parameters that belong to each site.
+    /// The names of the parameters of each site.
     pub site_parameters: Vec<String>,
-    /// The largest offset of a neighbour in the equations; at least 1.
+    /// The largest offset of a neighbour in the equations, and at least 1.
     pub reach: usize,
-    /// Symbols for the values of the stencil. The states are those of the arrays, ordered by site
-    /// from −reach on. The parameters are those of the chain, then 2·reach + 1 values of each site
-    /// parameter.
+    /// Symbols for the values of the stencil. The states are ordered by site, then by array.
+    /// Parameters of the chain precede the 2·reach + 1 values of each site parameter.
     pub symbols: Symbols,
-    /// The field at site i, with one component for each array.
+    /// The field at site i by array.
     pub components: Vec<RationalFunction>,
     /// The field with its sums and divisors as written.
     pub kept: FieldWithSubexpressions,
-    /// The linear integrals, as sums over all sites.
+    /// The linear integrals.
     pub integrals: Vec<SiteSum>,
-    /// The Hamiltonian, as a sum over all sites.
+    /// The Hamiltonian.
     pub hamiltonian: Option<SiteSum>,
     /// The place of `for i in …`.
     pub span: Span,
@@ -64,10 +63,10 @@ pub struct SiteSum {
     pub density: RationalFunction,
 }
 
-/// A variable of a family is of one of these kinds.
+/// A kind of variable in a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// The state of an array at the site with this offset from site i.
+    /// The state of an array at a site.
     State {
         /// The offset from site i.
         offset: i64,
@@ -76,7 +75,7 @@ pub enum Role {
     },
     /// The parameter of the chain with this index.
     Parameter(usize),
-    /// A site parameter at the site with this offset from site i.
+    /// A site parameter at a site.
     SiteParameter {
         /// The offset from site i.
         offset: i64,
@@ -94,19 +93,19 @@ impl Family {
         self.header.as_ref().map_or("field", |header| header.name.text.as_str())
     }
 
-    /// Returns the number of arrays, which is the number of states at each site.
+    /// Returns the number of arrays.
     #[must_use]
     pub fn block(&self) -> usize {
         self.arrays.len()
     }
 
-    /// Returns the number of sites in the stencil: 2·reach + 1.
+    /// Returns the number 2·reach + 1 of sites in the stencil.
     #[must_use]
     pub fn stencil(&self) -> usize {
         2 * self.reach + 1
     }
 
-    /// Returns the kind of a variable, with its site and index.
+    /// Returns the kind of a variable with its site and index.
     #[must_use]
     pub fn role(&self, variable: Variable) -> Role {
         let offset = |place: usize| place as i64 - self.reach as i64;
@@ -121,13 +120,13 @@ impl Family {
         }
     }
 
-    /// Returns the index among the states of the stencil of the array's state at this offset.
+    /// Returns the index of an array's state among the states of the stencil.
     #[must_use]
     pub fn place(&self, offset: i64, array: usize) -> usize {
         (offset + self.reach as i64) as usize * self.block() + array
     }
 
-    /// Returns the expanded equations as text such as `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
+    /// Returns the equations as text such as `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
     pub fn equations(&self) -> impl Iterator<Item = String> {
         self.arrays
             .iter()
@@ -135,7 +134,7 @@ impl Family {
             .map(|(array, component)| format!("{array}[i]dot = {}", Text.function(&self.symbols, component)))
     }
 
-    /// Returns the indices of the states on which the field of an array depends.
+    /// Returns the indices of the states in the field of an array.
     #[must_use]
     pub fn couplings(&self, array: usize) -> Vec<usize> {
         let numerator = self.components[array].numerator();

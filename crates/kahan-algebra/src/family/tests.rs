@@ -13,8 +13,7 @@ use super::conserved::cancels;
 use super::everywhere::{MiddleSite, budget};
 use super::hamiltonian::missing;
 
-/// A coefficient, and the factors of a term. Each factor is an array name with the offset of its
-/// site.
+/// A coefficient and factors. A factor is an array name with an offset.
 type Term = (i64, Vec<(&'static str, i64)>);
 
 struct Random {
@@ -165,7 +164,7 @@ fn holds(text: &str) -> bool {
 
 #[test]
 fn sums_that_telescope_are_kept_and_others_are_not() {
-    // Each case is a flux from site to site. Only some of the fluxes vanish at the ends.
+    // Each case is a flux between sites. Some fluxes vanish at the ends.
     for (flux, before, ends) in [
         ("x[i]*x[i+1]", "x[i-1]*x[i]", true),
         ("x[i]^2", "x[i-1]^2", false),
@@ -199,7 +198,7 @@ fn constant_stencils_are_found_where_they_are() {
             "for i in periodic {{ x[i]dot = k*(({after}) - ({before})){more}; }} hamiltonian H = sum({density});"
         )
     };
-    // The derivative ∂/∂x of Σ x[i]^2 x[i+1] at the site with offset `s`.
+    // The derivative of Σ x[i]^2 x[i+1] by x at the site with offset `s`.
     let gradient = |s: &str| {
         let at = |more: i64| {
             let offset: i64 = s.parse::<i64>().unwrap() + more;
@@ -210,7 +209,6 @@ fn constant_stencils_are_found_where_they_are() {
     assert!(holds(&periodic(gradient, "x[i]^2*x[i+1]", "")));
     assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1]", " + x[i]")));
     assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1] + x[i]", " + x[i]*x[i+1]")));
-    // Beyond the ends of the chain, states are zero, and so is x[i+1]².
     assert!(holds("for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2; } hamiltonian H = sum(x[i]^3);"));
     assert!(!holds(
         "for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2 + 1; } hamiltonian H = sum(x[i]^3 + x[i]);"
@@ -224,7 +222,7 @@ fn constant_stencils_are_found_where_they_are() {
     };
     let force = "k*(q[i+1] - 2*q[i] + q[i-1]) + (q[i+1] - q[i])^2 - (q[i] - q[i-1])^2";
     assert!(holds(&oscillators("periodic", force)));
-    // The density at the first site lacks the energy of the spring to the left wall.
+    // The first site lacks the energy of the spring to the left wall.
     assert!(!holds(&oscillators("open", force)));
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
 }

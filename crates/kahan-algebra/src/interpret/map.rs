@@ -30,8 +30,7 @@ impl<A: OverRationals> Evaluator<'_, A> {
         });
         let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
         let (results, divisors) = values.split_at(plan.outputs.len());
-        // A point where a divisor is zero is a pole, even if a float computation gives a value
-        // there.
+        // A zero divisor means a pole, even if floats give a value.
         if divisors.iter().any(|divisor| self.arithmetic.is_zero(divisor)) {
             return None;
         }

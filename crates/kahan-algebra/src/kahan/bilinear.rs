@@ -12,15 +12,14 @@ pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, &field.homogeneous_part(i, 2))).collect()
 }
 
-/// Returns the numerators of Q(x,y) + ½B(x+y) + c over the denominators qᵢ. The returned quotients
-/// are the right-hand side of Kahan's scheme. The states of the second point are y.
+/// Returns the numerators of Q(x,y) + ½B(x+y) + c over the denominators qᵢ. The second states are
+/// y.
 #[must_use]
 pub fn polarization(field: &Field) -> Vec<Polynomial> {
     (0..field.dimension()).map(|i| polarize(field, field.components[i].numerator())).collect()
 }
 
-/// Replaces xⱼxₖ by ½(xⱼyₖ + xₖyⱼ), and xⱼ by ½(xⱼ + yⱼ), where y are the second states. Constants
-/// stay.
+/// Replaces xⱼxₖ by ½(xⱼyₖ + xₖyⱼ) and xⱼ by ½(xⱼ + yⱼ), where y are the second states.
 fn polarize(field: &Field, polynomial: &Polynomial) -> Polynomial {
     let symbols = &field.symbols;
     let first = |i: usize| Monomial::variable(symbols.state(i));

@@ -1,5 +1,4 @@
-//! Computes the Jacobian f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) =
-//! x + εBx + 2εc.
+//! Computes f′(x), A(x,ε) = I − ε f′(x) and b(x,ε) = x + εBx + 2εc.
 
 use kahan_syntax::rational::Rational;
 
@@ -7,8 +6,7 @@ use crate::field::Field;
 use crate::poly::{Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 
-/// Returns the numerators of f′(x) over the denominators qᵢ. Entry (i, j) is ∂pᵢ/∂xⱼ, where fᵢ =
-/// pᵢ/qᵢ.
+/// Returns the numerators of f′(x) for a field fᵢ = pᵢ/qᵢ. Entry (i, j) is ∂pᵢ/∂xⱼ.
 #[must_use]
 pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     let row = |component: &RationalFunction| {
@@ -21,8 +19,7 @@ pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     field.components.iter().map(row).collect()
 }
 
-/// A sparse matrix. Each row lists its entries that are not identically zero, as pairs (column,
-/// entry).
+/// A sparse matrix. Each row lists nonzero entries with their columns.
 pub(crate) type SparseRows = Vec<Vec<(usize, Polynomial)>>;
 
 pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
@@ -37,7 +34,6 @@ pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
     rows.into_iter().map(row).collect()
 }
 
-/// Returns for each entry of a matrix whether it is nonzero.
 pub(crate) fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
     rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
 }
@@ -60,15 +56,14 @@ pub(crate) fn matrix_of(
     slopes
 }
 
-/// Returns Â = diag(q)·A, where component i of the field is pᵢ/qᵢ. Entry (i, j) is qᵢδᵢⱼ − ε
-/// ∂pᵢ/∂xⱼ.
+/// Returns Â = diag(q)·A for a field pᵢ/qᵢ. Entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
 #[must_use]
 pub fn scaled_matrix(field: &Field) -> Vec<Vec<Polynomial>> {
     matrix_of(field_jacobian(field), field.symbols.epsilon(), |i| field.components[i].denominator().clone())
 }
 
-/// Returns b̂ = diag(q)·b, where component i of the field is pᵢ/qᵢ. Entry i is qᵢxᵢ, plus ε times
-/// the linear part of pᵢ, plus 2ε times its constant part.
+/// Returns b̂ = diag(q)·b for a field pᵢ/qᵢ. With ℓᵢ and cᵢ for the linear and the constant part of
+/// pᵢ, entry i is qᵢxᵢ + εℓᵢ + 2εcᵢ.
 #[must_use]
 pub fn scaled_rhs(field: &Field) -> Vec<Polynomial> {
     let eps = Polynomial::variable(field.symbols.epsilon());

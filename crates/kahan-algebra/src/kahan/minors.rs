@@ -1,7 +1,7 @@
-//! Computes all maximal minors of a polynomial matrix, within a budget.
+//! Computes all maximal minors of a polynomial matrix within a budget.
 //!
 //! Laplace expansion computes the minors of k rows from those of k−1 rows. Zero minors are dropped,
-//! so the cost is small for sparse matrices.
+//! so sparse matrices are cheap.
 
 use kahan_syntax::table::Table;
 
@@ -9,8 +9,8 @@ use crate::poly::{Budget, OverBudget, Polynomial, WithinBudget};
 
 const MOST_MINORS: usize = 4096;
 
-/// Returns the nonzero n×n minors of a matrix with n rows. The key of a minor is its set of
-/// columns, in which bit j stands for column j.
+/// Returns the nonzero n×n minors of a matrix with n rows. A key is the set of columns, with bit j
+/// for column j.
 ///
 /// # Errors
 /// If the budget is spent, if there are more than 63 columns, or if more than 4096 minors are kept
@@ -28,8 +28,7 @@ pub fn maximal_minors(rows: &[Vec<Polynomial>], budget: &mut Budget) -> WithinBu
                     continue;
                 }
                 let product = minor.mul_within(entry, budget)?;
-                // The entry moves past the chosen columns to its right. Each of them changes the
-                // sign once.
+                // The entry changes the sign once for each chosen column to its right.
                 let odd = (chosen >> column).count_ones() % 2 == 1;
                 let product = if odd { -&product } else { product };
                 let sum = next.or_default(chosen | 1 << column);

@@ -1,8 +1,7 @@
-//! Derives the objects of Kahan's method from a checked field, as exact polynomials. Each file
-//! derives one object.
+//! Derives the objects of Kahan's method as exact polynomials.
 //!
-//! Row i of the linear system A x̃ = b is multiplied by the denominator qᵢ of component i. All
-//! objects are then polynomials: Â = diag(q)·A, b̂ = diag(q)·b, and D̂ = det Â = ∏q · det A.
+//! Row i of A x̃ = b is multiplied by the denominator qᵢ of component i. All objects are then
+//! polynomials: Â = diag(q)·A, b̂ = diag(q)·b, and D̂ = det Â = ∏q · det A.
 
 mod bilinear;
 mod matrix;

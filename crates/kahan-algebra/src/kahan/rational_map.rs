@@ -1,10 +1,9 @@
-//! Derives the map as rational functions: x̃ᵢ = Nᵢ/D without cancellation, and the reduced
-//! increment x̃ᵢ − xᵢ = 2ε nᵢ/d.
+//! Derives the map as rational functions x̃ᵢ = Nᵢ/D, and the reduced increments x̃ᵢ − xᵢ = 2ε nᵢ/d.
 //!
-//! Let the field be pᵢ/qᵢ and Â = diag(q)·A. By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂, where
-//! n̂ⱼ is det Â with column j replaced by p, and N̂ = xD̂ + 2εn̂. As D̂ = ∏q at ε = 0, ε does not
-//! divide D̂. Hence N̂ and D̂ have the same common factors as n̂₁ … n̂ₙ and D̂. Their gcd is
-//! divided out. A pole where only the gcd vanishes is removable.
+//! Let the field be pᵢ/qᵢ, Â = diag(q)·A and D̂ = det Â. By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p =
+//! n̂/D̂, where n̂ⱼ is det Â with column j replaced by p. The numerators of x̃ are N̂ = xD̂ + 2εn̂.
+//! At ε = 0, D̂ = ∏q, so ε does not divide D̂. Hence N̂ and D̂ have the common factors of n̂₁ … n̂ₙ
+//! and D̂, whose gcd is divided out. A pole where only the gcd vanishes is removable.
 
 use kahan_syntax::rational::Rational;
 
@@ -15,22 +14,22 @@ use crate::symbols::Symbols;
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
 
-/// The most terms of N and D together, and the most terms of each minor. Larger maps are evaluated
-/// by elimination.
+/// The most terms of the map, and of each minor. Larger maps are evaluated by elimination.
 pub const TERM_BUDGET: usize = 500;
 
-/// The most products of terms that deriving and reducing one map may take. Unoptimised code
-/// computes them in some tens of milliseconds.
+/// The most products of terms for one map. Unoptimised code computes them in some tens of
+/// milliseconds.
 const WORK_BUDGET: u64 = 40_000;
 
-/// The map of a field whose numerators N and denominator D stay within the budget.
+/// The map of a field, within the budget.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RationalMap {
     /// The numerators N̂ of x̃ over [`Self::denominator`].
     pub numerators: Vec<Polynomial>,
     /// The denominator D̂ = ∏q · det A.
     pub denominator: Polynomial,
-    /// The product ∏q of the field's denominators. Dividing by it gives N = N̂/∏q and D = D̂/∏q.
+    /// The product ∏q of the denominators of the field. Division by the product gives N = N̂/∏q and
+    /// D = D̂/∏q.
     pub divisor: Polynomial,
     /// The map in lowest terms.
     pub reduced: Reduced,
@@ -48,7 +47,7 @@ pub struct Reduced {
 }
 
 impl RationalMap {
-    /// Derives the map of a field; `None` if it exceeds the budget.
+    /// Derives the map of a field. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         let mut budget = Budget::new(TERM_BUDGET, WORK_BUDGET);
@@ -65,8 +64,7 @@ impl RationalMap {
         let all = (1u64 << (n + 1)) - 1;
         let mut without = |column: usize| minors.remove(&(all & !(1 << column))).unwrap_or_default();
         let denominator = without(n);
-        // In the minor, p is the last column. Moving it to position j passes n−1−j columns, and
-        // each changes the sign.
+        // Moving the last column to position j changes the sign n−1−j times.
         let signed = |j: usize, minor: Polynomial| if (n - 1 - j) % 2 == 1 { -&minor } else { minor };
         let increments: Vec<Polynomial> = (0..n).map(|j| signed(j, without(j))).collect();
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
@@ -84,14 +82,14 @@ impl RationalMap {
 }
 
 impl Reduced {
-    /// Returns the number of terms of all numerators and the denominator together.
+    /// Returns the number of terms of the numerators and the denominator.
     #[must_use]
     pub fn terms(&self) -> usize {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Returns whether all degrees in the states equal those of `other`. The degrees are equal if
-    /// factors of equal degree were divided out of both maps. If `counts_eps`, ε counts as a state.
+    /// Returns whether all degrees in the states equal those of `other`. If `counts_eps`, ε counts
+    /// as a state.
     #[must_use]
     pub(crate) fn is_as_short(
         &self,
@@ -127,8 +125,7 @@ impl Reduced {
             lowered.push(increment.div_within(&common_factor, budget)?.expect("a common divisor divides"));
         }
         let denominator = denominator.div_within(&common_factor, budget)?.expect("a common divisor divides");
-        // If the constant term of the denominator is 1, its rounding errors are smallest near ε =
-        // 0.
+        // A constant term 1 of the denominator gives the smallest rounding errors near ε = 0.
         let constant = denominator.coefficient(&crate::poly::Monomial::one());
         let scale = constant.recip().unwrap_or_else(Rational::one);
         Ok(Reduced {

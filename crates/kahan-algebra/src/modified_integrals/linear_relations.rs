@@ -1,19 +1,16 @@
-//! Finds linear relations between polynomials in the states, by sparse elimination to reduced
-//! echelon form.
+//! Finds linear relations between polynomials in the states by sparse elimination.
 
 use crate::poly::{Budget, Monomial, Polynomial, Variable, WithinBudget};
 use crate::rational_function::{RationalFunction, Row, reduced, with_leading_one};
 
-/// A relation Σ cₖ vₖ = 0, as the list of its nonzero coefficients cₖ by ascending k. The
-/// coefficients are polynomials in the parameters with coprime integer coefficients.
+/// The nonzero coefficients of a relation Σ cₖ vₖ = 0 by ascending k. Coefficients are polynomials
+/// in the parameters.
 pub(super) type Relation = Vec<(usize, Polynomial)>;
 
-/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ. The coefficients cₖ contain
-/// no states.
+/// Returns a basis of the relations Σ cₖ vₖ = 0 between polynomials vₖ, with cₖ free of states.
 ///
-/// The basis is in reduced echelon form, counted from the end: the last index of a relation occurs
-/// in no other relation. In any subspace of relations, the last indices are among those of this
-/// basis.
+/// The last index of a relation occurs in no other relation. In every subspace of relations, the
+/// last indices are among those of the basis.
 pub(super) fn linear_relations(
     vectors: &[Polynomial],
     is_state: impl Fn(Variable) -> bool,
@@ -61,8 +58,8 @@ pub(super) fn linear_relations(
     with_last.collect()
 }
 
-/// Returns an equation for each monomial in the states, and marks the coefficients that must be
-/// zero because some equation has no other term. These coefficients are removed from the equations.
+/// Returns an equation for each monomial in the states. Also marks and removes the coefficients
+/// that an equation with one term makes zero.
 fn equations(vectors: &[Polynomial], is_state: impl Fn(Variable) -> bool) -> (Vec<Row>, Vec<bool>) {
     let mut entries: Vec<(Monomial, usize, Polynomial)> = Vec::new();
     for (column, vector) in vectors.iter().enumerate() {

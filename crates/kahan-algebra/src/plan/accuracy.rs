@@ -1,12 +1,11 @@
 //! Measures how many digits a step loses in long time steps, compared with elimination with
 //! pivoting.
 //!
-//! A step loses digits if leading terms of its minors cancel, or if a pivot of 1 stands beside
-//! entries of size ‖εf′‖ and magnifies errors by that factor. Each form runs in floats of 30 bits,
-//! at seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000. Elimination of A d = f, x̃ = x + 2εd with
-//! pivoting runs there too; in 53 bits it is the reference. To first order, errors are proportional
-//! to the unit roundoff u: an error of k u in 30 bits predicts k u in 53 bits. A form beyond the
-//! limits is refused if another stays well within.
+//! Digits are lost if leading terms of minors cancel, or if large entries of εf′ stand beside a
+//! pivot of 1. Each form runs in floats of 30 bits, at seeded points with ‖εf′‖∞ near 1, 10, 100
+//! and 1000. Elimination with pivoting also runs in 30 bits, and in 53 bits as reference. Errors
+//! are multiples of the unit roundoff u. A form beyond the limits is refused if another form stays
+//! well within.
 
 mod float_plan;
 mod sample_step;
@@ -22,51 +21,47 @@ use super::{LARGEST_SIZE, Plan, StepPlan};
 use float_plan::{FloatPlan, short};
 use sample_step::{Elimination, SampleStep};
 
-/// The sizes ‖εf′‖∞ at which points are drawn.
+/// Points are drawn at these sizes ‖εf′‖∞.
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 /// The number of points of each size in the first round.
 const FEW: usize = 25;
-/// The number of points of each size if the first round is inconclusive.
+/// The number of points of each size in the second round.
 const MANY: usize = 100;
-/// The largest permitted ratio of a step's median error to that of elimination.
+/// The limit for the ratio of a step's median error to that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// The lower limit of the median error of elimination with which a step is compared, in multiples
-/// of u. If the measured median error is smaller, the limit replaces it.
+/// Smaller median errors of elimination, in units of the unit roundoff, count as this value.
 const SMALL: f64 = 10.0;
-/// The largest permitted ratio of a step's tail quantile of errors to that of elimination.
+/// The limit for the ratio of a step's tail of errors to that of elimination.
 const TAIL_FACTOR: f64 = 60.0;
-/// A step whose tail quantile of errors is at most this multiple of u satisfies the tail limit.
+/// Tails of errors up to this multiple of the unit roundoff are accepted.
 const SMALL_TAIL: f64 = 1000.0;
-/// A step whose errors exceed the limits by this factor is refused, if another step can replace it.
+/// A step beyond the limits by this factor is refused if another step can replace it.
 const REFUSED: f64 = 1.5;
-/// A step whose errors are at most this fraction of the limits can replace a refused step.
+/// A step within this fraction of the limits can replace a refused step.
 const KEPT: f64 = 1.0 / 6.0;
-/// If the largest likely ratio of errors to limits is below this value, no further points are
-/// needed.
+/// No second round is needed if the largest likely ratio of errors to limits is smaller.
 const CLEAR: f64 = 0.2;
-/// If the measured ratio of errors to limits is above this value, no further points are needed.
+/// No second round is needed if the measured ratio of errors to limits is larger.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
-/// The true median lies between the quantiles ½ − BAND/√n and ½ + BAND/√n of n errors with
-/// probability 0.9.
+/// With probability 0.9, the true median is between the quantiles ½ ± BAND/√n of n errors.
 const BAND: f64 = 0.8;
-/// The planner claims accuracy only up to this fraction of the limits, which leaves a margin for
-/// points that were not measured.
+/// The planner claims accuracy up to this fraction of the limits only.
 const CLAIMED: f64 = 0.6;
-/// The quantile of the errors that serves as their tail.
+/// The quantile that serves as tail of the errors.
 const TAIL: f64 = 0.9;
 
-/// The sample points of every size, together with the errors of elimination at these points.
+/// The sample points of every size, with the errors of elimination.
 pub(super) struct Accuracy<'a> {
     field: &'a Field,
     few: Vec<Vec<SampleStep>>,
     many: OnceCell<Vec<Vec<SampleStep>>>,
 }
 
-/// For each size of time step, the ratio of a step's errors to their limit.
+/// The ratio of a step's errors to their limit for each size.
 #[derive(Debug)]
 pub(super) struct AccuracyLoss(Vec<Ratio>);
 
-/// A ratio of errors to their limit: as measured, and the largest value that is likely.
+/// The measured and the largest likely ratio of errors to their limit.
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
     measured: f64,
@@ -78,7 +73,7 @@ impl<'a> Accuracy<'a> {
         Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
     }
 
-    /// Measures the errors of a step. If the first round is inconclusive, more points are used.
+    /// Measures the errors of a step, in two rounds if needed.
     pub(super) fn loss(&self, step: &StepPlan) -> AccuracyLoss {
         let runner = Runner::of(step);
         let loss = |points: &[Vec<SampleStep>]| {
@@ -88,14 +83,13 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Returns whether the errors of a step are well within the limits at every size.
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 
-    /// Returns whether a tangent plan is accurate enough not to be refused. The plan maps v to ṽ,
-    /// given x, v and x̃; `self` must belong to the variational field.
+    /// Returns whether a tangent plan is accurate enough. The plan maps x, v and x̃ to ṽ. `self`
+    /// must belong to the variational field.
     pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
         let program = FloatPlan::of(carry);
         let n = carry.outputs.len();
@@ -120,8 +114,7 @@ fn points(field: &Field, count: usize) -> Vec<Vec<SampleStep>> {
 }
 
 impl AccuracyLoss {
-    /// Returns whether the loss of digits exceeds [`REFUSED`], so that a more accurate step is
-    /// preferred.
+    /// Returns whether a more accurate step is preferred.
     pub(super) fn is_refused(&self) -> bool {
         self.worst() > REFUSED
     }
@@ -135,8 +128,8 @@ impl AccuracyLoss {
         self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
     }
 
-    /// Returns the largest size up to which the step is certainly accurate. Returns 0 if the step
-    /// is accurate at no size with certainty.
+    /// Returns the largest size up to which the step is certainly accurate. Returns 0 without such
+    /// a size.
     pub(super) fn holds_to(&self) -> u32 {
         let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
         held.last().map_or(0, |(size, _)| *size)
@@ -169,8 +162,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Returns the ratio of the errors to their limit. The median and the tail each have a ratio; the
-/// larger ratio counts.
+/// Returns the larger ratio of errors to limits among median and tail.
 fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };
@@ -178,8 +170,7 @@ fn ratio(trials: &[SampleStep], error: impl Fn(&SampleStep) -> f64) -> Ratio {
     let own = sorted_by(trials.iter().map(error), f64::total_cmp);
     let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = BAND / (trials.len() as f64).sqrt();
-    // The ratio compares the step's quantile at q + `shift` with the quantile of elimination at q −
-    // `shift`.
+    // The quantile of the step at q + `shift` is compared with that of elimination at q − `shift`.
     let ratio = |shift: f64| {
         let of_medians =
             quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));

@@ -13,7 +13,7 @@ use super::{Input, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     builder: Builder<Input, Rational>,
-    /// The number of terms of polynomials that were examined so far.
+    /// Counts the examined terms of polynomials.
     pub(super) looked_at: usize,
 }
 
@@ -31,7 +31,7 @@ impl DerefMut for PlanBuilder {
     }
 }
 
-/// Returns the plan that computes these polynomials, one output for each.
+/// Returns the plan that computes these polynomials.
 #[must_use]
 pub fn plan_of<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     let mut builder = PlanBuilder::default();
@@ -49,8 +49,8 @@ impl PlanBuilder {
         self.push(Operation::Input(Input::Prepared(index)))
     }
 
-    /// Adds another plan and replaces its variables by the nodes that `input` returns. Returns the
-    /// nodes of its outputs.
+    /// Adds another plan with its variables replaced by the nodes from `input`. Returns the nodes
+    /// of the outputs.
     pub fn include_mapped(
         &mut self,
         plan: &Plan,
@@ -63,8 +63,8 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| nodes[output.0]).collect()
     }
 
-    /// Copies another plan. `make` builds each node from the index of the operation and the earlier
-    /// nodes.
+    /// Copies another plan. The function `make` builds each node from the operation's index and the
+    /// earlier nodes.
     pub(super) fn include_with(
         &mut self,
         plan: &Plan,

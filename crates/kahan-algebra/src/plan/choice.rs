@@ -1,5 +1,4 @@
-//! Chooses the form of a step: the cheapest form, a form with a short recurrence, or a more
-//! accurate form.
+//! Chooses the form of a step.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -11,14 +10,14 @@ use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::candidates;
 
 impl StepPlan {
-    /// Returns the plan of a field's step; `None` if the field is too large for straight-line code.
+    /// Returns the plan of a field's step. Returns `None` if the field is too large for
+    /// straight-line code.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// Returns the plan of a step from the field as written and from its map. The map is `None` if
-    /// it exceeds the budget.
+    /// Returns the plan of a step from the field as written and from its map.
     #[must_use]
     pub(crate) fn of_map(
         field: &Field,
@@ -30,15 +29,14 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
-        // The cheapest form is used for many orbits in SIMD lanes. The cheapest form also computes
-        // single orbits, unless another form has a shorter recurrence.
+        // The cheapest form serves many orbits in SIMD lanes. A form with a shorter recurrence
+        // serves single orbits.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
         let one_orbit = one_orbit.iter().map(plan);
         let shortest = one_orbit.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
-        // If the cheapest form loses digits in long steps, a more accurate form replaces it.
         let mut loss = accuracy.loss(&cheapest);
         let mut general = cheapest;
         if loss.is_refused() {
@@ -68,9 +66,8 @@ impl StepPlan {
 mod tests {
     use super::*;
 
-    /// Returns the forms with a shorter recurrence than the cheapest form, and the number of forms
-    /// that were built. `recurrence` turns the recurrence of the cheapest form into the limit for
-    /// building other forms.
+    /// Returns the forms with a shorter recurrence than the cheapest form, and the number of built
+    /// forms. The function `recurrence` turns the recurrence of the cheapest form into a limit.
     fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
         let plan =
             |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);

@@ -1,5 +1,5 @@
-//! Plans for fields with very many products of two variables. The order of each sum is fixed, so a
-//! loop over packed coefficients yields bit-identical results.
+//! Plans for fields with very many products of two variables. Sums have a fixed order, so a loop
+//! over packed coefficients yields equal bits.
 
 use kahan_syntax::rational::Rational;
 
@@ -10,10 +10,9 @@ use crate::symbols::Symbols;
 use super::{Node, Plan, PlanBuilder};
 
 const FEWEST_VARIABLES: usize = 10;
-/// The least number of products of two variables in a dense field. With fewer products,
-/// straight-line code is faster.
+/// Straight-line code is faster with fewer products of two variables.
 const FEWEST_PRODUCTS: usize = 300;
-/// In a dense field, at least one of `SPARSEST` products has a nonzero coefficient.
+/// In a dense field, at least one of this many products has a nonzero coefficient.
 const SPARSEST: usize = 10;
 
 #[derive(Clone, Debug)]
@@ -41,14 +40,14 @@ impl Coefficient {
 #[derive(Clone, Debug)]
 pub(crate) struct DenseField {
     states: Vec<Variable>,
-    /// For each component its coefficients: the constant, then those of the variables, then those
-    /// of the products xⱼxₖ with j ≤ k, row by row of the triangle.
+    /// The coefficients of each component: the constant, those of variables, and those of products
+    /// xⱼxₖ with j ≤ k.
     components: Vec<Vec<Coefficient>>,
 }
 
 impl DenseField {
-    /// Returns the dense field; `None` if the field has too few products, or is written with
-    /// divisors or with sums as factors.
+    /// Returns the dense field. Returns `None` for few products, and for fields with divisors or
+    /// sums as factors.
     pub(crate) fn of(kept: &FieldWithSubexpressions, symbols: &Symbols) -> Option<Self> {
         let n = symbols.dimension();
         let fewest = FEWEST_PRODUCTS.max(n * n * (n + 1) / 2 / SPARSEST);
@@ -123,8 +122,7 @@ impl DenseField {
         coefficients.collect()
     }
 
-    /// Returns the plan of the field f(x). Component i is cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j,
-    /// added in this order.
+    /// Returns the plan of the field with components cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ), k ≥ j.
     pub(crate) fn field(&self) -> Plan {
         let mut builder = PlanBuilder::default();
         let component = |coefficients: &Vec<Coefficient>| {
@@ -144,8 +142,7 @@ impl DenseField {
         builder.finish(&components)
     }
 
-    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ, added in this order. The term with
-    /// k = j counts twice.
+    /// Returns the plan of entries ∂fᵢ/∂xⱼ = bᵢⱼ + Σₖ qᵢⱼₖxₖ. The term with k = j counts twice.
     pub(crate) fn slopes(&self, entries: impl IntoIterator<Item = (usize, usize)>) -> Plan {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {

@@ -1,5 +1,4 @@
-//! Describes operations by names such as `two_eps` or `one_plus_eps_x`, which code and listings
-//! use.
+//! Describes operations by names such as `two_eps` or `one_plus_eps_x`.
 
 use kahan_syntax::rational::Rational;
 
@@ -11,8 +10,7 @@ use super::{Node, Operation, Plan};
 
 const LONGEST: usize = 24;
 
-/// The kind of the outermost operation in a description. The kind decides how the description can
-/// be combined with other descriptions.
+/// The kind of the outermost operation in a description.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DescriptionKind {
     Number,
@@ -26,9 +24,8 @@ struct Description {
     kind: DescriptionKind,
 }
 
-/// Returns for each operation a description that can serve as a name. `prepared` has the names of
-/// prepared constants. A description is `None` if it is long, begins with a digit, or describes a
-/// quotient other than constant/ε.
+/// Returns a description of each operation that can serve as a name. A description is `None` if it
+/// is long, begins with a digit, or describes a quotient other than constant/ε.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
@@ -48,8 +45,8 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     plan.operations.iter().zip(known).map(named).collect()
 }
 
-/// Returns the kind of an operation that has no description. In the code, the name of the operation
-/// is this kind with a number.
+/// Returns the kind of an operation without a description. Names of such operations are a kind and
+/// a number.
 #[must_use]
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
@@ -91,8 +88,7 @@ fn describe<'a>(
     }
 }
 
-/// Describes a product of two values, such as `two_eps` for both 2·ε and ε·2, `y_times_100`,
-/// `x_squared`, `eps_x` or `eps_times_one_plus_x`.
+/// Describes a product, such as `two_eps`, `y_times_100`, `x_squared` or `eps_times_one_plus_x`.
 fn product(a: &Description, b: &Description) -> Description {
     let (first, second) = if b.kind == DescriptionKind::Number { (b, a) } else { (a, b) };
     let text = if first.kind == DescriptionKind::Number && first.text.contains(|c: char| c.is_ascii_digit()) {
@@ -107,7 +103,7 @@ fn product(a: &Description, b: &Description) -> Description {
     Description { text, kind: DescriptionKind::Product }
 }
 
-/// Describes a number, such as `half`, `minus_two`, `100` or `981_over_100`.
+/// Describes a number, such as `half`, `minus_two` or `981_over_100`.
 fn number(value: &Rational) -> Option<String> {
     const WORDS: [&str; 11] =
         ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];

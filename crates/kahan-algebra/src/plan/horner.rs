@@ -1,8 +1,7 @@
 //! Writes polynomials in nested (Horner) form, for all plans except steps.
 //!
-//! The best variable to factor out depends on the terms that are left, so each polynomial is
-//! examined again after every choice. A budget limits the number of terms examined in one plan.
-//! When it is spent, all variables of a polynomial are factored out at once.
+//! After every choice of a variable, the remaining terms are examined again. A budget limits the
+//! number of examined terms in a plan. Beyond the budget, all variables are factored out at once.
 
 use std::cmp::Reverse;
 
@@ -13,13 +12,12 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use super::{Node, PlanBuilder};
 
-/// The most terms that are examined to factor out one variable at a time.
+/// The most terms examined to factor out one variable at a time.
 pub(super) const MOST_LOOKED_AT: usize = 1_000_000;
 
 impl PlanBuilder {
-    /// Returns the node of a polynomial in nested form. Numeric and monomial common factors come
-    /// first, then v·q + r for the most frequent variable v. If the budget is spent, the form is Σ
-    /// vᵢ·qᵢ + r over all variables vᵢ.
+    /// Returns the node of a polynomial in nested form. Common factors come first, then v·q + r for
+    /// the most frequent variable v. Beyond the budget, the form is Σ vᵢ·qᵢ + r over all variables.
     pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
         self.nested(polynomial.clone())
     }
@@ -104,15 +102,15 @@ impl PlanBuilder {
     }
 }
 
-/// Returns the variable that occurs in the most terms, and the last of several. Returns `None` if
-/// no variable occurs in two terms.
+/// Returns the last variable that occurs in the most terms. Returns `None` if no variable occurs in
+/// two terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     let counts = polynomial.frequencies().into_iter().filter(|&(_, count)| count > 1);
     counts.max_by_key(|&(variable, count)| (count, variable)).map(|(variable, _)| variable)
 }
 
-/// Splits the polynomial into Σ v·q + r. Returns the products v·q and the remainder r. Each term
-/// goes to its most frequent variable among those that `may_be_out`; frequent variables come first.
+/// Splits the polynomial into products v·q and a remainder. Each term goes to its most frequent
+/// variable.
 pub(super) fn by_frequency(
     polynomial: &Polynomial,
     may_be_out: impl Fn(Variable) -> bool,
@@ -137,7 +135,7 @@ mod tests {
         Polynomial::from_terms((0..20_000).map(|k| (product(k), Rational::from(i64::from(k) + 1))))
     }
 
-    /// Factoring out one variable at a time would examine 3000 polynomials of 10 000 terms.
+    /// One variable at a time would need 3000 polynomials of 10 000 terms.
     #[test]
     fn a_long_polynomial_is_nested_within_the_budget_and_has_its_values() {
         let polynomial = long();

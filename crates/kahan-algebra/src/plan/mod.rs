@@ -1,9 +1,9 @@
 //! Straight-line plans: lists of operations in which every common subexpression occurs once.
 //!
 //! A plan is a [`Program`](kahan_program::Program) with exact constants. The emitter turns it into
-//! Rust; [`evaluate`](kahan_program::Program::evaluate) runs it in any
-//! [`Arithmetic`](kahan_program::Arithmetic). In most plans, `horner` nests the polynomials. A step
-//! is computed billions of times, so five modules optimise its plan.
+//! Rust, and [`evaluate`](kahan_program::Program::evaluate) runs it in any
+//! [`Arithmetic`](kahan_program::Arithmetic). Most plans nest polynomials by `horner`. A step is
+//! computed billions of times, so five modules optimise its plan.
 //!
 //! # Modules
 //!
@@ -15,18 +15,16 @@
 //! 4. `forms` writes different ways to solve A·x̃ = b.
 //! 5. `choice` chooses a form for one orbit, and a form for many orbits in SIMD lanes.
 //!
-//! Three further modules serve all plans. `subexpressions` substitutes named sums and divisors of
-//! the written form, `dense` writes fields with very many products, and `descriptions` names
-//! operations.
+//! Three further modules serve all plans: `subexpressions` inserts named sums and divisors, `dense`
+//! writes dense fields, and `descriptions` names operations.
 //!
 //! # Benefit of each optimisation
 //!
 //! Each optimisation was disabled separately for 85 fields: the catalog, random fields of two to
 //! six variables, and four fields of up to eight. The column *steps* counts the steps that change.
-//! The other columns give the time without the optimisation divided by the time with it: first the
-//! geometric mean over these steps, then the maximum. *One orbit* and *columns* are machine code of
-//! the runtime. *Compiled* is one orbit by the macro on any x86-64 processor and with AVX-512, for
-//! the catalog and 20 random fields.
+//! The other columns give the ratio of times without and with the optimisation, as mean and maximum
+//! over these steps. *One orbit* and *columns* are machine code of the runtime. *Compiled* is one
+//! orbit by the macro, for the catalog and 20 random fields.
 //!
 //! | left out | steps | one orbit | columns | compiled | compiled, AVX-512 |
 //! |---|--:|--:|--:|--:|--:|
@@ -38,12 +36,10 @@
 //! | reuse of sums (`writing::writer::reuse`) | 44 | 1.00; 1.43 | 1.00; 1.35 | | |
 //! | signs of constants (`step::signs`) | 27 | 1.00; 1.01 | 1.00; 1.02 | 1.05; 1.43 | 1.01; 1.12 |
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
-//!
-//! Two more optimisations were measured and dropped. Writing (2ε)x as εx + εx changed 27 steps,
-//! with means 1.00, 0.99, 1.00 and 1.00 in the four columns of times. Replacing a shared reciprocal
-//! by a division for each component changed 6 steps (1.00; 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84;
-//! 0.93). Only fields of one variable use it (`PlanBuilder::increment`). Ensembles that report how
-//! they ended took twice the time with it, because two divisions are the bottleneck in SIMD lanes.
+//! Two more optimisations were dropped. Writing (2ε)x as εx + εx changed 27 steps with means near
+//! 1.00. A division for each component in place of a shared reciprocal changed 6 steps. Only fields
+//! of one variable use such a division (`PlanBuilder::increment`). Ensembles would take twice the
+//! time, because two divisions are the bottleneck in SIMD lanes.
 
 mod operation;
 

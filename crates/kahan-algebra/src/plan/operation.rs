@@ -1,4 +1,4 @@
-//! Plans are programs; this module defines their inputs and constants.
+//! The inputs and constants of plans.
 
 use kahan_program::Program;
 pub use kahan_program::{Cost, Node};
@@ -12,13 +12,12 @@ use crate::poly::Variable;
 pub enum Input {
     /// A variable, which is a state, a parameter or ε.
     Variable(Variable),
-    /// The prepared constant with this index. Prepared constants occur in the kernel of a
-    /// [`StepPlan`](super::StepPlan).
+    /// The prepared constant with this index, in the kernel of a [`StepPlan`](super::StepPlan).
     Prepared(usize),
 }
 
 impl Input {
-    /// Returns the variable; `None` if the input is a prepared constant.
+    /// Returns the variable. Returns `None` for a prepared constant.
     #[must_use]
     pub fn variable(&self) -> Option<Variable> {
         match *self {
@@ -27,8 +26,7 @@ impl Input {
         }
     }
 
-    /// Returns the value of the input. The value of a prepared constant is in `prepared`;
-    /// `variable` returns that of a variable.
+    /// Returns the value of the input from the prepared constants or from the function `variable`.
     pub fn value<V: Clone>(
         &self,
         prepared: &[Option<V>],
@@ -47,7 +45,7 @@ pub type Operation = kahan_program::Operation<Input, Rational>;
 /// A straight-line program with exact constants.
 pub type Plan = Program<Vec<Operation>>;
 
-/// Returns the states, parameters and ε that a plan reads. Each occurs once, in ascending order.
+/// Returns the states, parameters and ε that a plan reads, in ascending order.
 #[must_use]
 pub fn variables(plan: &Plan) -> Vec<Variable> {
     distinct(plan.inputs().iter().filter_map(Input::variable))

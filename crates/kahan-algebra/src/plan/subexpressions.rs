@@ -1,5 +1,5 @@
-//! Substitutes the [named subexpressions](crate::subexpressions) of a field into plans, so that the
-//! plans depend only on states and parameters. A plan computes each subexpression once.
+//! Inserts the [named subexpressions](crate::subexpressions) of a field into plans. A plan computes
+//! each subexpression once.
 
 use kahan_syntax::rational::Rational;
 
@@ -38,7 +38,7 @@ impl SubexpressionNodes<'_> {
 }
 
 impl Subexpressions {
-    /// Replaces each input that names a subexpression by the operations of that subexpression.
+    /// Replaces names of subexpressions by their operations.
     pub(crate) fn put_into(&self, plan: Plan) -> Plan {
         let is_value = |operation: &Operation| match operation {
             Operation::Input(Input::Variable(variable)) => self.place(*variable).is_some(),
@@ -50,9 +50,8 @@ impl Subexpressions {
         self.put_in(&plan, |variable| self.place(variable).ok_or(variable), &|variable| variable)
     }
 
-    /// Replaces each variable of a plan. If `value` returns an index, the subexpression with that
-    /// index replaces the variable; otherwise the returned variable does. `rename` renames
-    /// variables inside subexpressions.
+    /// Replaces each variable of a plan by the subexpression or variable from `value`. The function
+    /// `rename` applies inside subexpressions.
     fn put_in(
         &self,
         plan: &Plan,
@@ -78,8 +77,7 @@ impl FieldWithSubexpressions {
         self.values.plan(&self.components)
     }
 
-    /// Returns the plan of all divisors, with one output for each. The field is undefined where a
-    /// divisor is zero.
+    /// Returns the plan of all divisors. The field is undefined where a divisor is zero.
     pub(crate) fn divisors(&self) -> Plan {
         self.values.plan(self.values.values.iter().filter_map(|value| match value {
             Value::Reciprocal(divisor) => Some(divisor),
@@ -89,8 +87,8 @@ impl FieldWithSubexpressions {
 }
 
 impl WithConstants {
-    /// Substitutes subexpressions into a plan for one site of a family. `constant` returns the
-    /// index of the subexpression that a variable names; `rename` renames variables of the field.
+    /// Inserts subexpressions into a plan for one site. The function `constant` returns the
+    /// subexpression of a variable, and `rename` renames other variables.
     pub(crate) fn put_into_line(
         &self,
         plan: &Plan,

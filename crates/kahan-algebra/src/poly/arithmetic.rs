@@ -1,6 +1,6 @@
 //! Adds and multiplies polynomials by merging sorted runs of terms.
 //!
-//! A product forms one sorted run for each term of the shorter factor. Runs of similar length are
+//! A product forms a sorted run for each term of the shorter factor. Runs of similar length are
 //! merged, like the digits of a binary counter. Factors of n and m terms take n·m products of terms
 //! and n·m·log₂ min(n, m) comparisons.
 
@@ -13,8 +13,8 @@ use kahan_syntax::rational::Rational;
 use super::{Monomial, Polynomial, Term};
 
 impl Polynomial {
-    /// Returns the sum of all summands. The flag of a summand is true if it is subtracted. The cost
-    /// is that of sorting all terms.
+    /// Returns the sum of all summands. Summands with the flag `true` are subtracted. The cost is
+    /// that of sorting.
     pub fn sum_of<'a>(summands: impl IntoIterator<Item = (bool, &'a Self)>) -> Self {
         let Ok(sum) = Self::sum_with(summands, |a, b| Ok::<_, Infallible>(a + b));
         sum
@@ -31,7 +31,7 @@ impl Polynomial {
         Self::collected(terms.collect(), add)
     }
 
-    /// Returns the product of the polynomial and a rational.
+    /// Multiplies the polynomial by a rational.
     pub fn scale(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
             return Self::zero();
@@ -42,12 +42,12 @@ impl Polynomial {
         self.mul_term(&Monomial::one(), factor)
     }
 
-    /// Returns the product of the polynomial and a monomial.
+    /// Multiplies the polynomial by a monomial.
     pub fn mul_monomial(&self, monomial: &Monomial) -> Self {
         self.mul_term(monomial, &Rational::ONE)
     }
 
-    /// Returns the product of the polynomial and one term. The coefficient must not be zero.
+    /// Multiplies the polynomial by a term with nonzero coefficient.
     pub(super) fn mul_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
         let mut terms = Vec::with_capacity(self.terms.len());
         for (own_monomial, own_coefficient) in &self.terms {
@@ -101,8 +101,8 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     }
 }
 
-/// A sum of many sorted runs. A run is merged with the next run unless the first of both is at
-/// least twice as long. Each term therefore takes part in only logarithmically many merges.
+/// A sum of sorted runs. Runs of similar length are merged, so each term takes part in
+/// logarithmically many merges.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }
@@ -165,7 +165,7 @@ impl Neg for &Polynomial {
     }
 }
 
-/// This variant consumes its operands and clones no terms.
+/// Both operands are consumed, and no term is cloned.
 impl Add for Polynomial {
     type Output = Self;
 

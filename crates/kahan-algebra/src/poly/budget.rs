@@ -1,16 +1,15 @@
 //! Sums, products and powers that stop before they become too large.
 //!
-//! A [`Budget`] limits the number of terms in each result, and the total work. Work is the number
-//! of products of terms, each weighted by the number of pairs of machine words in its coefficients.
-//! If a size can be predicted, too large a result is refused before any work. Every `Ok` result is
-//! exact.
+//! A [`Budget`] limits the number of terms in each result, and the total work. Work counts products
+//! of terms, weighted by the lengths of coefficients in machine words. Predictably large results
+//! are refused before any work. Every `Ok` result is exact.
 
 use std::error::Error;
 use std::fmt;
 
 use super::Polynomial;
 
-/// The largest total degree within any budget. This limit ensures that exponents never overflow.
+/// The largest total degree within any budget, which prevents overflow of exponents.
 const MAX_DEGREE: u64 = 1 << 24;
 
 /// A limit on the size and the work of computations with polynomials.
@@ -20,7 +19,7 @@ pub struct Budget {
     work: u64,
 }
 
-/// The error of a computation that exceeds its budget of terms or of work.
+/// The error of a computation that exceeds its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverBudget;
 
@@ -28,8 +27,7 @@ pub struct OverBudget;
 pub type WithinBudget<T> = Result<T, OverBudget>;
 
 impl Budget {
-    /// Returns a budget that allows `max_terms` terms in each result and `work` products of terms
-    /// in total.
+    /// Returns a budget of `max_terms` terms in each result and `work` products of terms in total.
     pub fn new(max_terms: usize, work: u64) -> Self {
         Self { max_terms, work }
     }
@@ -39,7 +37,7 @@ impl Budget {
         Self::new(usize::MAX, u64::MAX)
     }
 
-    /// Returns the number of products of terms that are left.
+    /// Returns the number of remaining products of terms.
     pub fn work_left(&self) -> u64 {
         self.work
     }
@@ -58,7 +56,7 @@ impl Budget {
         }
     }
 
-    /// Returns an error if the budget does not allow a result with this number of terms.
+    /// Returns an error if a result with this number of terms is too long.
     pub fn admit(&self, terms: usize) -> WithinBudget<()> {
         if terms <= self.max_terms { Ok(()) } else { Err(OverBudget) }
     }
@@ -81,9 +79,8 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// Returns the sum of all summands, or an error if it exceeds the budget. The flag of a summand
-    /// is true if it is subtracted. The terms are sorted. Adding two coefficients costs w² units of
-    /// work, where w is the number of their 64-bit words, without the first word of each.
+    /// Returns the sum of all summands, or an error if it exceeds the budget. Summands with the
+    /// flag `true` are subtracted. Adding long coefficients also counts as work.
     pub fn sum_within<'a>(
         summands: impl IntoIterator<Item = (bool, &'a Self)>,
         budget: &mut Budget,
@@ -110,10 +107,9 @@ impl Polynomial {
     }
 
     /// Returns the power, or an error if it exceeds the budget. The zeroth power is 1.
-    ///
-    /// Two bounds predict the number of terms. For exponent e and t terms, one is C(e+t−1, t−1).
-    /// The other is the number of monomials whose degree in each variable is at most e times that
-    /// of the base.
+    /// Two bounds predict the number of terms. For exponent e and t terms, one bound is C(e+t−1,
+    /// t−1). The other bound is the number of monomials whose degrees are at most e times those of
+    /// the base.
     pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> WithinBudget<Self> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);
@@ -132,8 +128,7 @@ impl Polynomial {
             return Ok(Self::term(monomial.pow(exponent.unsigned_abs()), coefficient));
         }
         budget.admit(self.power_size(exponent))?;
-        // If the base is sparse, repeated multiplication takes fewer products of terms than
-        // squaring.
+        // For sparse bases, repeated multiplication takes fewer products of terms than squaring.
         let mut power = self.clone();
         for _ in 1..exponent {
             power = power.mul_within(self, budget)?;
@@ -142,8 +137,7 @@ impl Polynomial {
     }
 
     fn power_size(&self, exponent: u32) -> usize {
-        // C(e+t−1, t−1) is the product of all (e+k)/k for k < t, and each partial product is an
-        // integer.
+        // C(e+t−1, t−1) is the product of all (e+k)/k for k < t. Partial products are integers.
         let mut choices: u128 = 1;
         for k in 1..self.len() as u128 {
             choices = choices * (u128::from(exponent) + k) / k;

@@ -1,5 +1,4 @@
-//! Computes derivatives, substitutes and renames variables, and views polynomials as polynomials in
-//! some of the variables.
+//! Computes derivatives, replaces variables, and groups terms by some of the variables.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -11,7 +10,6 @@ impl Polynomial {
     pub fn derivative(&self, variable: Variable) -> Self {
         let mut terms = Vec::new();
         for (monomial, coefficient) in &self.terms {
-            // Division by the variable keeps the order of terms.
             if let Some(lowered) = monomial.lowered(variable) {
                 let exponent = Rational::from(i64::from(monomial.exponent(variable)));
                 terms.push((lowered, coefficient * &exponent));
@@ -20,15 +18,13 @@ impl Polynomial {
         Self::from_sorted(terms)
     }
 
-    /// Returns the nonzero partial derivatives by the variables that satisfy `is_wanted`, in order
-    /// of variables. One pass computes all of them.
+    /// Returns the nonzero derivatives by the variables that satisfy `is_wanted`, in one pass.
     pub fn gradient(&self, is_wanted: impl Fn(Variable) -> bool) -> Table<Variable, Self> {
         let mut slopes: Table<Variable, Vec<Term>> = Table::new();
         for (monomial, coefficient) in &self.terms {
             for &(variable, exponent) in monomial.powers() {
                 if let Some(lowered) = monomial.lowered(variable).filter(|_| is_wanted(variable)) {
                     let slope = coefficient * &Rational::from(i64::from(exponent));
-                    // Division by the variable keeps the order of terms.
                     slopes.or_insert_with(variable, |_| Vec::new()).push((lowered, slope));
                 }
             }
@@ -36,7 +32,7 @@ impl Polynomial {
         slopes.into_iter().map(|(variable, terms)| (variable, Self::from_sorted(terms))).collect()
     }
 
-    /// Replaces `variable` by a number. Only the powers that occur are computed.
+    /// Replaces `variable` by a number.
     pub fn substitute(&self, variable: Variable, value: &Rational) -> Self {
         let mut powers: Table<u32, Rational> = Table::new();
         Self::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
@@ -56,9 +52,8 @@ impl Polynomial {
             .expect("total degrees stay below 2^24")
     }
 
-    /// Returns bᵈ times the value of the polynomial at `variable` = a/b. If the polynomial is Σ cₖ
-    /// `variable`ᵏ, this is Σ cₖ aᵏ bᵈ⁻ᵏ. The exponent d must be at least the degree in the
-    /// variable.
+    /// Returns bᵈ times the value of the polynomial at `variable` = a/b. For a polynomial Σ cₖ
+    /// `variable`ᵏ, this is Σ cₖ aᵏ bᵈ⁻ᵏ. The exponent d must be at least the degree.
     ///
     /// # Errors
     /// If the budget runs out.
@@ -79,7 +74,7 @@ impl Polynomial {
         Ok(sum)
     }
 
-    /// Renames each variable. Two variables with one new name become one variable.
+    /// Renames each variable. Variables with equal new names become one.
     pub fn map_variables(&self, mut rename: impl FnMut(Variable) -> Variable) -> Self {
         self.map_monomials(|monomial| {
             let powers = monomial.powers().iter().map(|&(variable, exponent)| (rename(variable), exponent));
@@ -87,17 +82,16 @@ impl Polynomial {
         })
     }
 
-    /// Replaces each monomial by the result of `change`. If that is `None`, the term is dropped.
+    /// Replaces each monomial by the result of `change`. Terms with the result `None` are dropped.
     pub fn map_monomials(&self, mut change: impl FnMut(&Monomial) -> Option<Monomial>) -> Self {
         let terms = self.terms.iter();
         Self::from_terms(terms.filter_map(|(monomial, value)| Some((change(monomial)?, value.clone()))))
     }
 
-    /// Returns q and r such that the polynomial is v·q + r and r does not contain v.
+    /// Returns q and r with polynomial = v·q + r, where r does not contain v.
     pub fn split_at(self, variable: Variable) -> (Self, Self) {
         let (mut quotient, mut rest) = (Vec::new(), Vec::new());
         for (monomial, coefficient) in self.terms {
-            // Division by the variable keeps the order of terms.
             match monomial.lowered(variable) {
                 Some(lowered) => quotient.push((lowered, coefficient)),
                 None => rest.push((monomial, coefficient)),
@@ -106,9 +100,8 @@ impl Polynomial {
         (Self::from_sorted(quotient), Self::from_sorted(rest))
     }
 
-    /// Returns q₁, …, q_k and r such that the polynomial is v₁·q₁ + … + v_k·q_k + r and r is free
-    /// of the variables vᵢ. One pass suffices; each term goes to the first vᵢ that it
-    /// contains.
+    /// Returns q₁, …, qₙ and r with polynomial = v₁·q₁ + … + vₙ·qₙ + r, in one pass. The remainder
+    /// r contains none of the variables vᵢ. Each term goes to its first vᵢ.
     pub fn split_among(&self, variables: &[Variable]) -> (Vec<Self>, Self) {
         let ranks =
             sorted_by_key(variables.iter().copied().zip(0..variables.len()), |(variable, _)| *variable);
@@ -119,7 +112,6 @@ impl Polynomial {
         let (mut quotients, mut rest) = (vec![Vec::new(); variables.len()], Vec::new());
         for (monomial, coefficient) in &self.terms {
             let first = monomial.powers().iter().filter_map(|(variable, _)| rank(variable)).min();
-            // Division by the variable keeps the order of terms.
             match first.and_then(|first| Some((first, monomial.lowered(variables[first])?))) {
                 Some((first, lowered)) => quotients[first].push((lowered, coefficient.clone())),
                 None => rest.push((monomial.clone(), coefficient.clone())),
@@ -128,7 +120,7 @@ impl Polynomial {
         (quotients.into_iter().map(Self::from_sorted).collect(), Self::from_sorted(rest))
     }
 
-    /// Returns for each variable, in order, the number of terms that contain it.
+    /// Returns the number of terms that contain each variable.
     pub fn frequencies(&self) -> Vec<(Variable, usize)> {
         let mut counts: Vec<(Variable, usize)> = Vec::new();
         for (monomial, _) in &self.terms {
@@ -148,7 +140,8 @@ impl Polynomial {
         groups.map(|(power, coefficient)| (power.degree(), coefficient)).collect()
     }
 
-    /// Returns the coefficient of the highest power of `variable`. For the polynomial 0 it is 0.
+    /// Returns the coefficient of the highest power of `variable`. The polynomial 0 has the
+    /// coefficient 0.
     pub fn leading_coefficient_in(&self, variable: Variable) -> Self {
         let degree = self.degree_in(variable);
         let power = Monomial::power(variable, degree);
@@ -157,8 +150,8 @@ impl Polynomial {
         Self::from_sorted(divided.collect())
     }
 
-    /// Views the polynomial as one in the variables that satisfy `belongs`. Returns the coefficient
-    /// of each monomial in these variables.
+    /// Groups the polynomial by monomials in the variables that satisfy `belongs`. Returns the
+    /// coefficient of each monomial.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
         self.grouped(&mut belongs)
     }
@@ -167,7 +160,7 @@ impl Polynomial {
         let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut *belongs));
         let split: Vec<(Monomial, Monomial)> = split.collect();
         let mut order: Vec<usize> = (0..split.len()).collect();
-        // Terms with equal keys stay sorted after division by the key.
+        // Division by equal keys keeps the order of terms.
         order.sort_by(|&left, &right| split[left].0.cmp(&split[right].0));
         let mut groups: Vec<(Monomial, Self)> = Vec::new();
         for index in order {

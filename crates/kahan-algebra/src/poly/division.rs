@@ -1,8 +1,7 @@
 //! Divides polynomials exactly, and finds common factors of their terms.
 //!
-//! Leading terms are divided out one after another. If the leading term of the divisor does not
-//! divide one of them, the quotient is not a polynomial. Degrees and lowest terms are compared
-//! first, which rules out most divisors.
+//! Leading terms are divided out one after another. Degrees and lowest terms are compared first,
+//! which rules out most divisors.
 
 use kahan_syntax::rational::Rational;
 
@@ -10,8 +9,8 @@ use super::arithmetic::merge;
 use super::{Budget, Monomial, Polynomial, WithinBudget};
 
 impl Polynomial {
-    /// Returns the quotient of the polynomial by `divisor`. Returns `None` if it is not a
-    /// polynomial, or if `divisor` is zero.
+    /// Returns the quotient by `divisor`. Returns `None` if it is not a polynomial, or if `divisor`
+    /// is zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         self.div_within(divisor, &mut Budget::unlimited()).ok().flatten()
     }
@@ -41,16 +40,15 @@ impl Polynomial {
         Ok(Some(Self::from_sorted(quotient)))
     }
 
-    /// Checks some necessary conditions for divisibility in one pass.
+    /// Checks necessary conditions for divisibility in one pass.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
         divisor_low.0.divides(&low.0)
             && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
     }
 
-    /// Returns the rational content c, for which polynomial/c has coprime integer coefficients with
-    /// a positive leading one. The content has the sign of the leading coefficient. The content of
-    /// 0 is 1.
+    /// Returns the rational content c. The polynomial divided by c has coprime integer coefficients
+    /// and a positive leading coefficient. The content of 0 is 1.
     pub fn content(&self) -> Rational {
         let Some((_, leading)) = self.leading_term() else { return Rational::ONE };
         let mut content = leading.abs();
@@ -69,7 +67,7 @@ impl Polynomial {
         }
     }
 
-    /// Returns the greatest monomial that divides every term. For the polynomial 0 it is 1.
+    /// Returns the greatest monomial that divides every term. Returns 1 for the polynomial 0.
     pub fn monomial_content(&self) -> Monomial {
         let Some((leading, _)) = self.leading_term() else { return Monomial::one() };
         let mut common = leading.clone();
@@ -82,7 +80,7 @@ impl Polynomial {
         common
     }
 
-    /// Returns the quotient by a monomial; `None` unless the monomial divides every term.
+    /// Returns the quotient by a monomial. Returns `None` unless the monomial divides every term.
     pub fn div_monomial(&self, divisor: &Monomial) -> Option<Self> {
         if divisor.is_one() {
             return Some(self.clone());

@@ -1,10 +1,9 @@
-//! Computes greatest common divisors of multivariate polynomials over ℚ. The returned divisors are
-//! primitive, with positive leading coefficient.
+//! Computes greatest common divisors of multivariate polynomials over ℚ.
 //!
 //! Monomials are divided out first. Images modulo a prime then bound the degree of the gcd in each
-//! variable. These bounds prove the common case that the gcd is 1, and remove variables that the
-//! gcd does not contain. The remaining cases take trial division and the subresultant remainder
-//! sequence. All results are exact; the prime affects only the speed.
+//! variable. Often the bounds prove that the gcd is 1, or remove variables. The remaining cases
+//! take trial division and the subresultant remainder sequence. All results are exact. The prime
+//! affects only the speed.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::{Table, sorted_by_key};
@@ -36,8 +35,8 @@ pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Within
     Ok(gcd_stripped(&stripped_a, &stripped_b, budget)?.mul_monomial(&common))
 }
 
-/// Returns the gcd of all polynomials; without polynomials it is 0. The computation starts with the
-/// shortest polynomial and stops when the gcd is 1.
+/// Returns the gcd of all polynomials, or 0 without polynomials. The computation stops when the gcd
+/// is 1.
 ///
 /// # Panics
 /// If a total degree exceeds 2^24 during the computation.
@@ -45,7 +44,7 @@ pub fn gcd_all<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Pol
     gcd_all_within(polynomials, &mut Budget::unlimited()).expect("within no limit")
 }
 
-/// Returns the gcd of all polynomials like [`gcd_all`], or an error if the budget is spent.
+/// Returns [`gcd_all`], or an error if the budget is spent.
 pub fn gcd_all_within<'a>(
     polynomials: impl IntoIterator<Item = &'a Polynomial>,
     budget: &mut Budget,
@@ -86,8 +85,7 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> WithinBu
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Computes the gcd of all coefficients with respect to the variables outside `bounds`. The gcd
-/// does not contain these variables.
+/// Computes the gcd of all coefficients with respect to the variables outside `bounds`.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -99,8 +97,7 @@ fn gcd_of_coefficients(
     gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
 }
 
-/// Computes the gcd as the product of the gcds of contents and of primitive parts. Both are taken
-/// with respect to the variable of least degree.
+/// Multiplies the gcds of contents and of primitive parts in the variable of least degree.
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,
@@ -122,12 +119,12 @@ fn gcd_in_main_variable(
     Ok(contents.mul_within(&parts, budget)?.primitive_part())
 }
 
-/// Computes the gcd of a and b. Both must be primitive in `main`, and the gcd has degree at most
-/// `bound` in it.
+/// Computes the gcd of a and b, which must be primitive in `main`. The degree of the gcd is at most
+/// `bound`.
 ///
-/// The method is Algorithm C of Knuth, The Art of Computer Programming 4.6.1. Over the field of
-/// coefficients, the gcd divides every member of the sequence. If the primitive part of a member
-/// divides a and b, it is therefore the gcd. A member is tried if its degree is at most `bound`.
+/// The method is Algorithm C of Knuth, The Art of Computer Programming 4.6.1. The gcd divides every
+/// member of the sequence over the field of coefficients. If the primitive part of a member divides
+/// a and b, it is therefore the gcd.
 fn subresultants(
     a: &Polynomial,
     b: &Polynomial,
@@ -158,7 +155,8 @@ fn subresultants(
         let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
         upper = std::mem::replace(&mut lower, next.primitive_part());
         lead = upper.leading_coefficient_in(main);
-        // Up to a rational factor, replace h by g^δ h^(1−δ), where δ is the difference of degrees.
+        // Replaces Knuth's h by g^δ h^(1−δ) up to a rational factor. Here δ is the difference of
+        // degrees.
         if gap > 0 {
             let numerator = lead.pow_within(gap, budget)?;
             let denominator = scale.pow_within(gap - 1, budget)?;
@@ -167,8 +165,8 @@ fn subresultants(
     }
 }
 
-/// Returns the remainder of lc^(δ+1)·dividend divided by `divisor`, as polynomials in `main`. Here
-/// lc is the leading coefficient of `divisor`, and δ is the difference of degrees.
+/// Returns the remainder of lc^(δ+1)·dividend by `divisor`. Here lc is the leading coefficient of
+/// `divisor`, and δ is the difference of degrees.
 fn pseudo_remainder(
     dividend: &Polynomial,
     divisor: &Polynomial,
@@ -189,7 +187,7 @@ fn pseudo_remainder(
     rest.mul_within(&lead.pow_within(steps_left, budget)?, budget)
 }
 
-/// Returns the part that is primitive in `main` and has coprime integer coefficients.
+/// Makes the polynomial primitive in `main`, with coprime integer coefficients.
 fn primitive_in(polynomial: &Polynomial, main: Variable, budget: &mut Budget) -> WithinBudget<Polynomial> {
     let content = gcd_all_within(polynomial.coefficients_in(main).values(), budget)?;
     let primitive = polynomial.div_within(&content, budget)?.expect("a content divides");

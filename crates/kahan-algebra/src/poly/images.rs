@@ -4,10 +4,9 @@
 //! variable v is at most that of the gcd of the images. An unlucky point makes the bound larger,
 //! but never wrong.
 //!
-//! *Proof.* Let a and b have integer coefficients, let a be primitive, and let g be their primitive
-//! gcd. By Gauss's lemma a = g·h, where h has integer coefficients, so lc_v(a) = lc_v(g)·lc_v(h)
-//! for the leading coefficients in v. If the image of a keeps its degree in v, the image of lc_v(g)
-//! is not zero. The image of g then has degree deg_v g, and it divides both images. ∎
+//! *Proof.* Let g be the primitive gcd of primitive a and integer b. By Gauss's lemma a = g·h with
+//! integer h, so lc(a) = lc(g)·lc(h) for leading coefficients in v. If the image of a keeps its
+//! degree in v, the image of g keeps its degree, too. The image of g divides both images. ∎
 
 use kahan_syntax::table::Table;
 
@@ -16,15 +15,14 @@ use crate::prime_field::{PrimeField, SplitMix64};
 
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// The number of products of residues that take about as long as one product of terms. Work modulo
-/// a prime is charged to a [`Budget`] at this rate.
+/// The number of products of residues that take as long as one product of terms. A [`Budget`] is
+/// charged at this rate.
 pub const RESIDUES_PER_TERM: u64 = 32;
 
 type Univariate = Vec<u64>;
 
-/// Returns for each common variable an upper bound on the degree of gcd(a, b) in that variable.
-/// Both polynomials must be primitive. The cost is a few multiplications in F_p for each factor of
-/// each term, and a univariate gcd for each variable.
+/// Returns upper bounds on the degrees of gcd(a, b) for primitive a and b. The cost is a few
+/// products in F_p for each factor of each term, and a univariate gcd for each variable.
 ///
 /// # Errors
 /// If the budget runs out.
@@ -76,15 +74,14 @@ fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
     powers
 }
 
-/// Returns for each variable the image in which all other variables are set to elements of F_p.
+/// Returns the image of each variable. All other variables are set to elements of F_p.
 fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
     let variables: Vec<Variable> = degrees.iter().map(|(variable, _)| *variable).collect();
     let points: Vec<Vec<u64>> = degrees.iter().map(|(&v, &degree)| powers_of_point(v, degree)).collect();
     let mut images: Vec<Univariate> = points.iter().map(|powers| vec![0; powers.len()]).collect();
     let mut before = vec![0; variables.len()];
     for (monomial, coefficient) in polynomial.terms() {
-        // In the image of v, the coefficient of a term is multiplied by the values of all other
-        // powers: those before v and those after it.
+        // In the image of v, a term is multiplied by the values of all powers before v and after v.
         let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
         for (index, variable) in variables.iter().enumerate() {
             before[index] = value;
@@ -115,8 +112,8 @@ fn trim(polynomial: &mut Univariate) {
     }
 }
 
-/// Returns the degree of the gcd by Euclid's algorithm. If both polynomials are zero, the degree is
-/// unknown, and the result is `u32::MAX`.
+/// Returns the degree of the gcd by Euclid's algorithm. Returns `u32::MAX` if both polynomials are
+/// 0.
 fn gcd_degree(a: &Univariate, b: &Univariate) -> u32 {
     let (mut a, mut b) = (a.clone(), b.clone());
     while let Some(&lead) = b.last() {

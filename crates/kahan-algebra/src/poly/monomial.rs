@@ -1,10 +1,8 @@
 //! Variables and monomials.
 //!
-//! A monomial is a sparse list of pairs (variable, exponent). Variables increase, and exponents are
-//! positive. The order is graded lexicographic: first by total degree, then by the exponent of the
-//! first variable (by index) in which two monomials differ. The order is admissible: 1 is the least
-//! monomial, and m < n implies mk < nk. Multiplying or dividing by a monomial therefore keeps terms
-//! sorted.
+//! A monomial is a sparse list of pairs (variable, exponent). The order is graded lexicographic: by
+//! total degree, then by the exponent of the first variable in which monomials differ. In this
+//! order, multiplication or division by a monomial keeps terms sorted.
 
 mod products;
 
@@ -31,7 +29,7 @@ pub struct Monomial {
 }
 
 impl Monomial {
-    /// Returns the empty product, which is 1.
+    /// Returns the monomial 1.
     pub fn one() -> Self {
         Self { degree: 0, powers: Powers::NONE }
     }
@@ -60,18 +58,17 @@ impl Monomial {
         self.degree == 0
     }
 
-    /// Returns the powers as pairs of variable and exponent. Variables increase, and exponents are
-    /// positive.
+    /// Returns the pairs of variable and exponent. Variables increase, and exponents are positive.
     pub fn powers(&self) -> &[(Variable, u32)] {
         self.powers.as_slice()
     }
 
-    /// Returns the total degree, which is the sum of all exponents.
+    /// Returns the sum of all exponents.
     pub fn degree(&self) -> u32 {
         self.degree
     }
 
-    /// Returns the exponent of `variable`, which is 0 if the variable does not occur.
+    /// Returns the exponent of `variable`, or 0.
     pub fn exponent(&self, variable: Variable) -> u32 {
         let powers = self.powers();
         let mut index = 0;
@@ -95,8 +92,7 @@ impl Monomial {
         degree
     }
 
-    /// Splits the monomial into a product of two: one in the variables that satisfy `belongs`, and
-    /// one in all others.
+    /// Splits the monomial into one in the variables that satisfy `belongs`, and one in all others.
     pub fn split(&self, mut belongs: impl FnMut(Variable) -> bool) -> (Self, Self) {
         self.parted(&mut belongs)
     }
@@ -147,8 +143,7 @@ impl Ord for Monomial {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
         let (left, right) = (self.powers(), other.powers());
-        // If two monomials have equal degree, neither list of powers is a proper prefix of the
-        // other.
+        // With equal degrees, neither list of powers is a proper prefix of the other.
         let mut index = 0;
         while index < left.len() && index < right.len() {
             let ((v, e), (w, f)): (Power, Power) = (left[index], right[index]);

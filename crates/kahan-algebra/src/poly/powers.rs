@@ -1,7 +1,5 @@
-//! Lists of powers. Short lists are the most frequent, and need no allocation.
-//!
-//! Making a plan takes thousands of short-lived polynomials. In an unoptimised expansion of the
-//! macro, allocating each list took a tenth of the time.
+//! Lists of powers. Short lists need no allocation. In an unoptimised expansion of the macro,
+//! allocating each list took a tenth of the time.
 
 use super::Variable;
 
@@ -11,7 +9,7 @@ pub(super) type Power = (Variable, u32);
 
 #[derive(Clone, Debug)]
 pub(super) enum Powers {
-    /// The length of the list, and an array that begins with its entries.
+    /// The length of the list, and an array that begins with the entries.
     Few(usize, [Power; FEW]),
     Many(Vec<Power>),
 }

@@ -7,12 +7,11 @@ use kahan_syntax::rational::Rational;
 use super::{Monomial, Polynomial};
 
 impl Polynomial {
-    /// Returns the square root with a positive leading coefficient; `None` if the polynomial is not
-    /// a square. The cost is one product of terms for every term of the root, plus one.
+    /// Returns the square root with positive leading coefficient. Returns `None` if the polynomial
+    /// is not a square. The cost is one product of terms for every term of the root, plus one.
     ///
-    /// The leading term of the root r is the root of the polynomial's leading term. The highest
-    /// term of polynomial − r² determines each further term. A root with more terms than its square
-    /// is not found; the shortest known example has 13 terms.
+    /// The highest term of polynomial − r² determines the next term of the root r. A root with more
+    /// terms than its square is not found. The shortest known example has 13 terms.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);
@@ -24,7 +23,7 @@ impl Polynomial {
             if root.len() > self.len() || next.leading_term()?.0 >= root.terms().next_back()?.0 {
                 return None;
             }
-            // If t is the next term, polynomial − (r + t)² = rest − t(2r + t).
+            // For the next term t, polynomial − (r + t)² is rest − t(2r + t).
             rest = &rest - &(&next * &(&(&root + &root) + &next));
             root = &root + &next;
         }

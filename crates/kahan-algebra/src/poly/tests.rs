@@ -166,10 +166,10 @@ fn products_and_powers_keep_to_their_budget() {
     assert_eq!(sum.pow_within(4, &mut Budget::new(15, 10)), Err(OverBudget));
     assert_eq!(sum.mul_within(&sum, &mut Budget::new(5, 100)), Err(OverBudget));
     assert_eq!(sum.mul_within(&sum, &mut Budget::new(6, 9)), Ok(&sum * &sum));
-    // The budget refuses this power before any work, because it has 10^12 terms.
+    // The budget refuses this power of 10^12 terms before any work.
     let many = (0..12).fold(c(1), |sum, index| &sum + &v(index));
     assert_eq!(many.pow_within(64, &mut Budget::new(100_000, u64::MAX)), Err(OverBudget));
-    // In one variable the power has few terms, although the binomial bound is large.
+    // The power has few terms, although the binomial bound is large.
     let dense = &(&(&v(0) * &v(0)) + &v(0)) + &c(1);
     assert_eq!(dense.pow_within(64, &mut Budget::new(129, 100_000)).unwrap().len(), 129);
     // Nested powers of one term overflow neither an exponent nor memory.
@@ -223,8 +223,7 @@ fn the_gcd_at_the_borders() {
     );
 }
 
-/// Returns the denominator, the first numerator and the common factor of a map of the form of E3.
-/// The denominator is D = (1+εz)(1+εz+2ε²(x²+y²)).
+/// Returns the denominator, the first numerator and the common factor of a map like that of E3.
 fn e3() -> (Polynomial, Polynomial, Polynomial) {
     let (x, y, z, e) = (v(0), v(1), v(2), v(3));
     let pole = &c(1) + &(&e * &z);
@@ -246,8 +245,7 @@ fn a_gcd_over_budget_says_so() {
     let (denominator, numerator, _) = e3();
     assert_eq!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 3)), Err(OverBudget));
     assert!(gcd_within(&denominator, &numerator, &mut Budget::new(1000, 10_000)).is_ok());
-    // The polynomials have few terms of high degree. Gcds modulo a prime and long quotients stay
-    // within the budget.
+    // The polynomials have few terms of high degree.
     let tall = |degree| &Polynomial::term(Monomial::power(Variable(0), degree), Rational::ONE) - &c(1);
     assert_eq!(
         gcd_within(&tall(1 << 20), &tall((1 << 20) - 1), &mut Budget::new(1000, 1_000_000)),
@@ -269,6 +267,5 @@ fn the_root_of_a_square_is_found_and_nothing_else_has_one() {
         assert_eq!((-&(&square + &(&z * &z))).square_root(), None, "{root:?}");
     }
     assert_eq!(c(2).square_root(), None);
-    // The highest terms of both factors are equal, but the other terms differ.
     assert_eq!((&(&x + &y) * &(&x + &z)).square_root(), None);
 }

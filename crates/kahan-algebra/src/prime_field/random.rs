@@ -1,5 +1,4 @@
-//! Reproducible random numbers, from a fast generator for samples and a cryptographic one for
-//! proofs.
+//! Reproducible random numbers, fast for samples and cryptographic for proofs.
 
 use keccak::Keccak;
 
@@ -23,27 +22,26 @@ pub trait Random {
     }
 }
 
-/// The hash function SHAKE256 (FIPS 202), whose digest has unlimited length and serves as random
-/// numbers.
+/// The hash function SHAKE256 (FIPS 202), whose digest serves as random numbers.
 ///
-/// A generator with a seed of 64 bits has at most 2⁶⁴ sequences of points, so no error probability
-/// below 2⁻⁶⁴ holds for it. An author could search for a text whose points satisfy a false claim.
-/// Against SHAKE256, the best known attack is to try texts.
+/// A generator with a seed of 64 bits has at most 2⁶⁴ sequences of points, so error probabilities
+/// are at least 2⁻⁶⁴. An author could search for a text whose points satisfy a false claim. Against
+/// SHAKE256, the best known attack is to try texts.
 ///
-/// One permutation of 1600 bits yields 17 numbers. It takes about a microsecond in optimised code
-/// and some tens of them in unoptimised code.
+/// A permutation yields 17 numbers in about a microsecond. Unoptimised code takes tens of
+/// microseconds.
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
     drawn: usize,
 }
 
-/// The number of 64-bit words of the state that absorb text and emit digest. The other 512 bits
-/// stay secret.
+/// The number of 64-bit words of the state that are read and written. The other 512 bits stay
+/// secret.
 const RATE: usize = 25 - 512 / 64;
 
 impl Shake256 {
-    /// Returns the random numbers that belong to a text.
+    /// Returns the random numbers of a text.
     #[must_use]
     pub fn new(text: &[u8]) -> Self {
         let mut padded = text.to_vec();
@@ -86,22 +84,20 @@ impl Random for Shake256 {
     }
 }
 
-/// SplitMix64, a small reproducible generator (Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", OOPSLA 2014). The generator serves samples only; proofs draw from
-/// [`Shake256`].
+/// SplitMix64, a small generator for samples (Steele, Lea, Flood, "Fast splittable pseudorandom
+/// number generators", OOPSLA 2014). Proofs draw from [`Shake256`].
 #[derive(Clone, Debug)]
 pub struct SplitMix64 {
     state: u64,
 }
 
 impl SplitMix64 {
-    /// Returns the random numbers that belong to a seed.
+    /// Returns the random numbers of a seed.
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// Returns the random numbers that belong to a text. The seed is the 64-bit FNV-1a hash of the
-    /// text.
+    /// Returns the random numbers of a text. The seed is the 64-bit FNV-1a hash of the text.
     pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         for byte in bytes {

@@ -13,7 +13,7 @@ fn primality_is_decided() {
     for prime in [(1 << 61) - 1, 18_446_744_073_709_551_557, 4_611_686_018_427_387_847] {
         assert!(is_prime_u64(prime), "{prime}");
     }
-    // The list has strong pseudoprimes to 4, 7 and 9 prime bases, a Carmichael number, and squares
+    // Some are strong pseudoprimes to 4, 7 and 9 bases. Others are a Carmichael number and squares
     // of large primes.
     let composites =
         [3_215_031_751, 341_550_071_728_321, 3_825_123_056_546_413_051, 561, 66_049, 4_295_098_369, u64::MAX];
@@ -77,8 +77,7 @@ fn the_generators_match_their_published_vectors() {
     let mut rng = SplitMix64::new(0);
     assert_eq!([rng.next_u64(), rng.next_u64()], [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4]);
     assert_eq!(SplitMix64::from_bytes(b"a").next_u64(), SplitMix64::new(0xaf63_dc4c_8601_ec8c).next_u64());
-    // The values are from Python's `hashlib.shake_256`. The cases are the empty text, padding of
-    // one byte and of a whole block, and digests beyond the first block.
+    // The values are from Python's `hashlib.shake_256`.
     let words = |text: &[u8], from: usize| {
         let mut stream = Shake256::new(text);
         let mut words = std::iter::repeat_with(|| stream.next_u64()).skip(from);
@@ -108,7 +107,7 @@ fn the_points_of_a_proof_depend_on_each_bit_of_their_seed() {
     });
     let distinct: std::collections::BTreeSet<u64> = primes.collect();
     assert_eq!(distinct.len(), 257);
-    // The seed of a block's proof depends on each token.
+    // The seed depends on each token.
     let seed = |text: &str| crate::seed(&kahan_syntax::lexer::lex(text).tokens);
     assert_ne!(seed("xdot = x;"), seed("xdot = y;"));
     assert_eq!(seed("xdot = x;"), seed("xdot  =x ;"));

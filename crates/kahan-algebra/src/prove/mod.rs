@@ -2,9 +2,8 @@
 //!
 //! A claim is an identity between rational functions of states, parameters and ε. `residual` turns
 //! it into pairs of values that must agree at points from `sample`. `modular` evaluates the pairs
-//! at random points modulo random primes, with error probability below 2⁻¹⁰⁰ (derived in
-//! [`sizes`]), and at one exact point. `normal_form` expands the pairs over ℚ, for `kahan verify`.
-//! `refute` finds a small exact counterexample to a false claim.
+//! at random points modulo random primes, with error probability below 2⁻¹⁰⁰ ([`sizes`]).
+//! `normal_form` expands the pairs over ℚ. `refute` finds a small exact counterexample.
 
 mod modular;
 mod normal_form;
@@ -34,21 +33,19 @@ use sample::{Samples, Scheme};
 pub enum Verdict {
     /// The claim holds.
     Proved(Proof),
-    /// The claim is false; the refutation is a counterexample.
+    /// The claim is false, as the counterexample shows.
     Refuted(Refutation),
-    /// The claim says nothing. Examples are an integral or a drift that depends on no state, and a
-    /// density or a bracket that is zero.
+    /// The claim says nothing. Examples are an integral without states and a bracket that is zero.
     Vacuous,
     /// The claim divides by zero at every point.
     Undefined,
-    /// The map does not exist, because det A vanishes identically under the conditions of the
-    /// claim.
+    /// The map does not exist, because det A is identically 0 under the conditions.
     NoMap,
-    /// The degree is so high that a proof would take too many points.
+    /// A proof would take too many points.
     TooLarge,
 }
 
-/// Decides every claim of a system, in the order of the claims.
+/// Decides every claim of a system in order.
 #[must_use]
 pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
     if system.claims.is_empty() {
@@ -77,13 +74,11 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     a.len() == b.len() && values(a) == values(b)
 }
 
-/// The most operations at a point that the claims of a block may take, as estimated by
-/// [`operations`].
+/// The most operations at a point for the claims of a block.
 const MOST_OPERATIONS: usize = 1_500_000;
 
-/// Estimates the number of operations at a point for all claims. The estimate counts the plans of
-/// claims, the terms of the field, and eliminations. Operations of eliminations are cheap modulo a
-/// prime.
+/// Estimates the number of operations at a point for all claims. Operations of eliminations are
+/// cheap modulo a prime.
 fn operations(system: &System) -> usize {
     let n = system.field.dimension();
     let terms: usize = system.field.numerators().map(Polynomial::len).sum();

@@ -1,5 +1,5 @@
-//! Proves claims fast, at random points modulo random primes and at one exact point
-//! ([`super::sizes`] bounds the error).
+//! Proves claims at random points modulo random primes and at one exact point. [`super::sizes`]
+//! bounds the error.
 
 use kahan_syntax::syntax::ClaimKind;
 
@@ -15,15 +15,13 @@ use super::sizes::points_for;
 /// The result of a successful proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Proof {
-    /// The number of points. Each is drawn modulo its own prime; the error probability is below
-    /// 2⁻¹⁰⁰.
+    /// The number of points. Each point has its own prime. The error probability is below 2⁻¹⁰⁰.
     pub points: u32,
 }
 
 struct Evidence {
     holds: bool,
-    /// Whether the claim says something: an integral or drift has a nonzero gradient, or a density
-    /// or bracket is nonzero.
+    /// Whether the claim has content: a nonzero gradient, density or bracket.
     says_something: bool,
 }
 
@@ -55,7 +53,8 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) 
     }
 }
 
-/// Returns whether the claim holds at a small exact point; `None` if no exact step is possible.
+/// Returns whether the claim holds at a small exact point. Returns `None` if no exact step is
+/// possible.
 fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, index)?;
@@ -63,8 +62,8 @@ fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples<'_>) -> Opt
             return Some(evidence.holds);
         }
     }
-    // If all small points are zeros of a divisor, no counterexample can be found, and the modular
-    // proof stands.
+    // If all small points are zeros of a divisor, the modular proof stands without a
+    // counterexample.
     Some(refute(scheme, claim) == Refutation::NoPoint)
 }
 

@@ -1,5 +1,4 @@
-//! Proves claims slowly, by expanding the difference of both sides of every identity over ℚ.
-//! Neither random points nor the modular proof are used.
+//! Proves claims slowly by expanding both sides of every identity over ℚ, without random points.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,12 +12,11 @@ use crate::system::{Claim, System};
 use super::residual::SampledClaim;
 use super::sample::{Sample, Scheme, evaluate_conditions, rows, run};
 
-/// The most terms of an intermediate result. With the limit on products of terms, a proof takes
-/// about a second at worst.
+/// The most terms of an intermediate result. A proof takes about a second at worst.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 1_000_000;
 
-/// Returns whether the claim holds; `None` if the work exceeds the budget.
+/// Returns whether the claim holds. Returns `None` if the work exceeds the budget.
 #[must_use]
 pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let map = RationalMap::of(&system.field)?;

@@ -1,5 +1,4 @@
-//! Searches for a counterexample, which is the first point of small rationals where both sides of
-//! an identity differ.
+//! Searches for a counterexample of small rationals.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -12,12 +11,11 @@ use crate::system::{Claim, upper_index};
 use super::residual::{Identity, SampledClaim};
 use super::sample::{Scheme, run, small_point, take_step};
 
-/// The largest height of the coordinates of points that are searched. The height of a fraction
-/// bounds its numerator and denominator.
+/// The largest numerator or denominator in the points of the search.
 const HIGHEST: u64 = 24;
 const POINTS_PER_HEIGHT: usize = 48;
 
-/// Explains why a claim is false.
+/// The reason why a claim is false.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refutation {
     /// The two sides of an identity differ at a point.
@@ -61,8 +59,8 @@ fn at(test: &SampledClaim<'_, Exact>) -> Option<Refutation> {
     Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
 }
 
-/// Returns the entries (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), where J = ∂x̃/∂x. A bracket P is invariant if
-/// both are equal.
+/// Returns the entries (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃) with J = ∂x̃/∂x. Both are equal for an invariant
+/// bracket P.
 fn bracket_entries_at(test: &SampledClaim<'_, Exact>, i: usize, j: usize) -> Option<(Rational, Rational)> {
     let SampledClaim { claim, sample, .. } = *test;
     let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;

@@ -1,4 +1,4 @@
-//! Computes the two sides of each identity in a claim. Both must agree at every point.
+//! Computes both sides of each identity in a claim.
 //!
 //! | claim | left | right |
 //! |---|---|---|
@@ -8,8 +8,8 @@
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
 //!
-//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x, written
-//! without an inverse. Derivatives are computed by dual numbers.
+//! Since ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the invariance is J P Jᵀ = P(x̃) with J = ∂x̃/∂x. Derivatives
+//! are computed by dual numbers.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
@@ -19,7 +19,7 @@ use crate::system::{Claim, upper_index};
 
 use super::sample::{Sample, run};
 
-/// Two values that must agree, with the identity to which they belong.
+/// Two values that must agree, and their identity.
 pub(super) struct Sides<V> {
     pub(super) place: Identity,
     pub(super) left: V,
@@ -76,8 +76,8 @@ impl<A: OverRationals> SampledClaim<'_, A> {
         pairs.map(|(place, (left, right))| Sides { place, left, right }).collect()
     }
 
-    /// Returns the entries (i, j), i < j, of M P Mᵀ: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ. M is `matrix`;
-    /// `upper` are the entries of P above the diagonal.
+    /// Returns the entries Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ, i < j, of M P Mᵀ. The list `upper` has
+    /// the entries of P above the diagonal.
     pub(super) fn congruence(&self, matrix: &[Vec<A::Value>], upper: &[A::Value]) -> Vec<A::Value> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let mut entries = Vec::new();
@@ -108,7 +108,6 @@ impl<A: OverRationals> SampledClaim<'_, A> {
         let (arithmetic, n) = (self.arithmetic, self.n());
         let zero = arithmetic.constant(&Rational::zero())?;
         let upper = self.gradients()?;
-        // The closure returns Pᵢⱼ for any i and j. Entries on the diagonal are zero.
         let entry = |i: usize, j: usize| -> Option<(&DualNumber<A::Value>, bool)> {
             (i != j).then(|| (&upper[upper_index(n, i.min(j), i.max(j))], i > j))
         };

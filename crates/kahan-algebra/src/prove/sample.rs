@@ -1,5 +1,4 @@
-//! Takes one step of the map at one point over any field, and keeps the values that tests of claims
-//! need.
+//! Takes one step of the map at a point over any field.
 
 use kahan_syntax::rational::Rational;
 
@@ -12,7 +11,7 @@ use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-/// The plans of the field's numerators p and of the matrix Â. Exact arithmetic uses expanded plans.
+/// The plans of the numerators of the field and of the matrix Â.
 pub(super) struct Scheme {
     pub(super) symbols: Symbols,
     pub(super) numerators: Plan,
@@ -39,7 +38,7 @@ pub(super) struct Sample<V> {
     pub(super) there: Vec<V>,
     pub(super) matrix: Vec<Vec<V>>,
     pub(super) back_matrix: Vec<Vec<V>>,
-    /// The Jacobian determinant det ∂x̃/∂x = det Â(x̃,−ε) / det Â(x,ε).
+    /// The determinant det ∂x̃/∂x = det Â(x̃,−ε) / det Â(x,ε).
     pub(super) jacobian_determinant: V,
 }
 
@@ -56,8 +55,7 @@ pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
     entries.chunks(n).map(<[V]>::to_vec).collect()
 }
 
-/// Takes one step from the point `here`. Returns `None` at a pole, or if a constant is undefined in
-/// this arithmetic.
+/// Takes one step from the point `here`. Returns `None` at a pole or for an undefined constant.
 pub(super) fn take_step<A: OverRationals>(
     scheme: &Scheme,
     arithmetic: &A,
@@ -82,12 +80,11 @@ pub(super) fn take_step<A: OverRationals>(
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }
 
-/// The most points that are drawn for one step. A claim may also take additional steps, fewer than
-/// this number. The bound on the error probability ([`super::sizes`]) grows with the square of this
-/// number.
+/// The most points drawn for one step. The bound on the error probability ([`super::sizes`]) grows
+/// with the square of this number.
 pub(super) const MOST_DRAWS: usize = 16;
 
-/// The random points that satisfy given conditions. Points are drawn when needed.
+/// Random points that satisfy given conditions, drawn when needed.
 pub(super) struct Samples<'a> {
     pub(super) conditions: &'a [Condition],
     random: Shake256,
@@ -100,7 +97,7 @@ impl<'a> Samples<'a> {
         Samples { conditions, random: Shake256::new(&seed), modular: Vec::new(), exact: Vec::new() }
     }
 
-    /// Returns point number `index`, modulo its own prime; `None` if [`MOST_DRAWS`] draws fail.
+    /// Returns a point modulo its own prime. Returns `None` if [`MOST_DRAWS`] draws fail.
     pub(super) fn modular(&mut self, scheme: &Scheme, index: usize) -> Option<&(Modular, Sample<u64>)> {
         let conditions = self.conditions;
         while self.modular.len() <= index {
@@ -116,8 +113,7 @@ impl<'a> Samples<'a> {
         self.modular.get(index)
     }
 
-    /// Returns exact point number `index`, which consists of small rationals; `None` if
-    /// [`MOST_DRAWS`] draws fail.
+    /// Returns an exact point of small rationals. Returns `None` if [`MOST_DRAWS`] draws fail.
     pub(super) fn exact(&mut self, scheme: &Scheme, index: usize) -> Option<&Sample<Rational>> {
         let conditions = self.conditions;
         while self.exact.len() <= index {
@@ -130,8 +126,7 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// Computes the values of the names for which the conditions are solved; `None` if one is
-/// undefined.
+/// Computes the values of the names in solved conditions. Returns `None` if a value is undefined.
 pub(super) fn evaluate_conditions<A: OverRationals>(
     conditions: &[Condition],
     arithmetic: &A,
@@ -145,9 +140,9 @@ pub(super) fn evaluate_conditions<A: OverRationals>(
     Some(())
 }
 
-/// Draws a random point whose coordinates have at most this height, then imposes the conditions. ε
-/// is positive and parameters are nonzero, unless the conditions fix them. Returns `None` if a
-/// condition divides by zero, or if ε = 0.
+/// Draws a random point of this height and imposes the conditions. ε is positive and parameters are
+/// nonzero, unless the conditions fix them. Returns `None` if a condition divides by zero, or if ε
+/// = 0.
 pub(super) fn small_point(
     scheme: &Scheme,
     conditions: &[Condition],

@@ -1,11 +1,10 @@
-//! Computes how many points prove a claim, from bounds on the degree and size of the claim's
-//! residuals.
+//! Computes how many points prove a claim.
 //!
 //! # Proof
 //!
-//! Let F/G be a residual as the evaluation forms it, with integer polynomials F and G in states,
-//! parameters and ε. If a claim is false, some F is nonzero. A point is a random prime p between
-//! 2⁶⁰ and 2⁶¹ with random residues. A false claim passes only if
+//! Let F/G be a residual with integer polynomials F and G in states, parameters and ε. If a claim
+//! is false, some F is nonzero. A point is a random prime p between 2⁶⁰ and 2⁶¹ with random
+//! residues. A false claim passes only if
 //!
 //! * the prime p divides every coefficient of F: with b = log₂ ‖F‖₁, at most b/60 primes do so, out
 //!   of more than 2⁵⁴ (about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
@@ -13,16 +12,15 @@
 //!   (Schwartz and Zippel).
 //!
 //! A false claim thus passes at one point with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰.
-//! If a step divides by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`), so a step
-//! passes with probability at most r·e. Steps where the claim is undefined are skipped, but fewer
-//! than r of them.
+//! If a step divides by zero, another point is drawn, up to r = 16 times (`MOST_DRAWS`). A step
+//! then passes with probability at most r·e. Fewer than r steps are skipped where the claim is
+//! undefined.
 //!
 //! With k points, a false claim is proved only if k of its first k + r − 1 independent steps pass.
 //! The probability is at most binomial(k + r − 1, k)·(r·e)ᵏ ≤ (r²·e)ᵏ. The number k ≥ 3 is chosen
 //! such that (r²·e)ᵏ < 2⁻¹⁰⁰. Evaluating the residuals in [`SizeArithmetic`] bounds deg F and b.
 //!
-//! The points come from SHAKE256 of the block's text. Builds are therefore reproducible, and
-//! authors can influence the primes only by trying texts.
+//! The points come from SHAKE256 of the block's text, so builds are reproducible.
 
 use crate::arithmetic::{Arithmetic, FractionSize, PolynomialSize, SizeArithmetic};
 use crate::system::Claim;
@@ -30,14 +28,15 @@ use crate::system::Claim;
 use super::residual::SampledClaim;
 use super::sample::{MOST_DRAWS, Sample, Scheme, evaluate_conditions, rows, run};
 
-/// The negative base-2 logarithm of the bound on the error probability of a proof.
+/// The bound on the error probability of a proof is 2 to the power −`ERROR_EXPONENT`.
 pub const ERROR_EXPONENT: u32 = 100;
 
-/// The largest degree of a claim that is proved. With higher degrees, numbers at the exact point
-/// would have millions of digits.
+/// The largest degree of a claim that is proved. At higher degrees, numbers would have millions of
+/// digits.
 pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
-/// Returns the number of points that proves a claim; `None` if no reasonable number suffices.
+/// Returns the number of points that prove a claim. Returns `None` if no reasonable number
+/// suffices.
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     let residuals =
         SampledClaim { claim, arithmetic: &SizeArithmetic, sample: &sample(scheme, claim)? }.pairs()?;
@@ -47,11 +46,10 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
 }
 
 /// Returns the least number k of points with (r²·e)ᵏ < 2⁻¹⁰⁰. The head of this module defines r and
-/// e; r²·e is rounded up to a power of two.
+/// e.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // The head of this module defines r, e and b. Compute r²·e in units of 2⁻⁶⁰ from e·2⁶⁰ ≤
-    // 64·(b/60 + 1) + deg F.
+    // With b and e as in the head of this module, e·2⁶⁰ is at most 64·(b/60 + 1) + deg F.
     let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(draws)?;
     let lost = u64::BITS - units.leading_zeros();
@@ -59,12 +57,10 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     Some(ERROR_EXPONENT.div_ceil(gained))
 }
 
-/// Takes one step in the arithmetic of sizes. The size of x̃ follows from Cramer's rule, those of
-/// determinants from expansion.
+/// Takes one step in the arithmetic of sizes. The size of x̃ follows from Cramer's rule.
 fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<FractionSize>> {
     let n = scheme.dimension();
     let mut here = vec![FractionSize::variable(); scheme.variables];
-    // A name for which a relation is solved becomes a quotient of polynomials in other names.
     evaluate_conditions(&claim.conditions, &SizeArithmetic, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
     let matrix = rows(&run(&SizeArithmetic, &scheme.matrix, &here)?, n);
@@ -73,8 +69,7 @@ fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<FractionSize>> {
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
-    // One bound holds for every n×n minor of the matrix (Â | p), hence for the map's denominator
-    // and its numerators.
+    // One bound holds for the minors in the denominator and the numerators of the map.
     let minor = SizeArithmetic.determinant(&extended);
     let increment =
         SizeArithmetic.multiply(&SizeArithmetic.add(&eps, &eps), &SizeArithmetic.divide(&minor, &minor)?);

@@ -1,17 +1,16 @@
-//! Operations on several rational functions, for common denominators and rows of linear equations.
+//! Common denominators and rows of linear equations.
 
 use super::{RationalFunction, divide, unlimited};
 use crate::poly::{Budget, Polynomial, WithinBudget, gcd_within};
 
-/// The nonzero entries of a row with their columns, by ascending column.
+/// The nonzero entries of a row by ascending column.
 pub(crate) type Row = Vec<(usize, RationalFunction)>;
 
-/// The cost of reducing a fraction of long integers, relative to the cost of multiplying them.
+/// The cost of reducing a fraction of long integers, relative to a product.
 const COST_OF_FRACTIONS: u64 = 50;
 
 impl RationalFunction {
-    /// Returns the numerators of the functions over their least common denominator, and this
-    /// denominator.
+    /// Returns the numerators over the least common denominator, and this denominator.
     pub fn over_common(functions: &[Self]) -> (Vec<Polynomial>, Polynomial) {
         unlimited(|budget| Self::over_common_within(functions.iter(), budget))
     }
@@ -52,8 +51,7 @@ pub(crate) fn reduced(
         while let Some(before) = own.next_if(|(other, _)| other < column) {
             difference.push(before.clone());
         }
-        // Reducing long fractions costs more than multiplying their numerators, and the budget
-        // counts only multiplications.
+        // Reducing long fractions costs more than multiplication, which the budget counts.
         let long = entry.numerator().coefficient_words().max(words) - 1;
         budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
         let product = entry.mul_within(factor, budget)?;

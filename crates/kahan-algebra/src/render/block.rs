@@ -1,4 +1,4 @@
-//! Prints a system as a block of `kahan!` in a canonical layout.
+//! Prints a system as a block of `kahan!`.
 
 use kahan_syntax::syntax::{Header, Reference};
 
@@ -63,13 +63,13 @@ fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     lines
 }
 
-/// Returns the expanded equations of a field as text, with one line for each.
+/// Returns the expanded equations of a field as lines of text.
 pub fn equation_lines(field: &Field) -> impl Iterator<Item = String> {
     let right = Formulas { field, map: None, notation: &Text }.field();
     field.symbols.states.iter().zip(right).map(|(state, value)| format!("{state}dot = {value};"))
 }
 
-/// Returns the lines of a block: the header, the expanded equations, and the claims as written.
+/// Returns the lines of a block. Equations are expanded, and claims are as written.
 #[must_use]
 pub fn block_lines(system: &System) -> Vec<String> {
     let header = system.header.as_ref();

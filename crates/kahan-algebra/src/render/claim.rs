@@ -30,8 +30,8 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     }
 }
 
-/// Returns the claim as formulas, in pairs of a name or bracket entry and its value. A drift has a
-/// second pair for F(x̃).
+/// Returns the claim as formulas. Each pair has a name or entry and its value. A drift has a second
+/// pair for F(x̃).
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
@@ -47,15 +47,13 @@ pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, S
     }
 }
 
-/// Returns the conditions as text such as `eps = 1, c = -a - b`. The text is empty for an
-/// unconditional claim.
+/// Returns the conditions as text such as `eps = 1, c = -a - b`, or an empty text.
 #[must_use]
 pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, &Text)
 }
 
-/// Returns the relations behind `when`. If a name has a number as its value, the relation is
-/// printed as `name = number`; others are printed as written.
+/// Returns the relations behind `when`. A relation for a number is printed as `name = number`.
 #[must_use]
 pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notation) -> String {
     let symbols = &system.field.symbols;
@@ -72,8 +70,8 @@ pub fn condition_statement(system: &System, claim: &Claim, notation: &dyn Notati
     parts.collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the condition that the polynomials by which solving divided are nonzero, such as
-/// `a2 != 0`. The text is empty if all divisors are numbers.
+/// Returns the conditions on divisors, such as `a2 != 0`. The text is empty if all divisors are
+/// numbers.
 #[must_use]
 pub fn condition_note(system: &System, claim: &Claim) -> String {
     let nonzero = claim.conditions.iter().flat_map(|condition| &condition.nonzero);

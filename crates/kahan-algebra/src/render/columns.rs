@@ -1,6 +1,6 @@
 //! Lays out plain text in columns.
 
-/// Returns the width of each column of `rows`, counted in characters.
+/// Returns the width of each column in characters.
 #[must_use]
 pub fn widths(rows: &[Vec<String>]) -> Vec<usize> {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -9,18 +9,17 @@ pub fn widths(rows: &[Vec<String>]) -> Vec<usize> {
     (0..columns).map(|column| width(column).unwrap_or(0)).collect()
 }
 
-/// Pads the cells of a row to these widths and joins them with two spaces. Spaces at the end are
-/// removed.
+/// Pads the cells of a row to these widths and joins them with two spaces.
 #[must_use]
 pub fn columns(row: &[String], widths: &[usize]) -> String {
     let cells = row.iter().zip(widths).map(|(cell, &width)| {
-        // A format string cannot be used, because it limits widths to 65 535 characters.
+        // A format string limits widths to 65 535 characters.
         cell.clone() + &" ".repeat(width.saturating_sub(cell.chars().count()))
     });
     cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
 }
 
-/// Lays out rows in aligned columns, with one line for each row.
+/// Lays out rows in aligned columns.
 ///
 /// ```
 /// let rows = [["x", "2"], ["speed", "3"]].map(|row| row.map(str::to_owned).to_vec());
@@ -32,7 +31,7 @@ pub fn aligned(rows: &[Vec<String>]) -> Vec<String> {
     rows.iter().map(|row| columns(row, &widths)).collect()
 }
 
-/// Cuts a text to at most `width` characters. If text was removed, the result ends in `…`.
+/// Cuts a text to at most `width` characters, with `…` in place of the rest.
 #[must_use]
 pub fn shorten(text: &str, width: usize) -> String {
     if text.chars().count() <= width {

@@ -4,8 +4,7 @@ use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 
 use super::notation::{Notation, Text};
 
-/// The precedence of the outermost operation in an expression. The precedence decides where
-/// parentheses are needed.
+/// The precedence of the outermost operation of an expression. Lower operations need parentheses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Precedence {
     /// A sum or a negation.
@@ -24,7 +23,7 @@ pub fn expression_text(expr: &Expr) -> String {
     Text.expression(expr)
 }
 
-/// Returns an expression in a notation, with the precedence of its outermost operation.
+/// Returns an expression in a notation with its precedence.
 pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Precedence) {
     match &expr.kind {
         ExprKind::Number(value) => {
@@ -56,8 +55,7 @@ pub fn written<N: Notation + ?Sized>(notation: &N, expr: &Expr) -> (String, Prec
     }
 }
 
-/// Returns an expression in a notation. The expression is in parentheses if its precedence is lower
-/// than `level`.
+/// Returns an expression in a notation, in parentheses if its precedence is lower than `level`.
 pub fn at_least<N: Notation + ?Sized>(notation: &N, expr: &Expr, level: Precedence) -> String {
     let (text, own) = written(notation, expr);
     if own >= level { text } else { notation.parenthesized(&text) }

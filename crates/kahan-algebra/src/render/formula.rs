@@ -8,12 +8,12 @@ use kahan_syntax::rational::Rational;
 
 use super::notation::Notation;
 
-/// Writes the objects of one field in one notation.
+/// The objects of one field in one notation.
 #[derive(Clone, Copy, Debug)]
 pub struct Formulas<'a> {
-    /// The field whose objects are written.
+    /// The field.
     pub field: &'a Field,
-    /// The map of the field in closed form; `None` if it exceeds the budget.
+    /// The map of the field. `None` if the budget is exceeded.
     pub map: Option<&'a RationalMap>,
     /// The notation of the formulas.
     pub notation: &'a dyn Notation,
@@ -70,7 +70,7 @@ impl Formulas<'_> {
         self.over_each(&bilinear_form(self.field))
     }
 
-    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d; `None` if it exceeds the budget.
+    /// Returns the reduced map x̃ᵢ = xᵢ + 2ε nᵢ/d. Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn map(&self) -> Option<Vec<String>> {
         let map = self.map?;
@@ -84,12 +84,11 @@ impl Formulas<'_> {
         Some(rows.collect())
     }
 
-    /// Returns ∂x̃/∂x with entries in lowest terms; `None` if the map or an entry exceeds the
-    /// budget. Each entry takes a greatest common divisor.
+    /// Returns ∂x̃/∂x in lowest terms, with a gcd for each entry. Returns `None` if the budget is
+    /// exceeded.
     #[must_use]
     pub fn jacobian(&self) -> Option<MatrixText> {
-        /// The most products of terms for an entry. Computing these products takes some tenths of a
-        /// second.
+        /// The most products of terms for an entry, in some tenths of a second.
         const WORK: u64 = 1 << 20;
 
         let map = &self.map?.reduced;
@@ -107,7 +106,7 @@ impl Formulas<'_> {
         variables.clone().map(|i| variables.clone().map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// Returns the determinant det A(x,ε); `None` if it exceeds the budget.
+    /// Returns det A(x,ε). Returns `None` if the budget is exceeded.
     #[must_use]
     pub fn determinant(&self) -> Option<String> {
         let map = self.map?;
@@ -118,7 +117,7 @@ impl Formulas<'_> {
         })
     }
 
-    /// Returns the factor that was divided out of the map; `None` if the factor is constant.
+    /// Returns the nonconstant factor that was divided out of the map.
     #[must_use]
     pub fn removed_factor(&self) -> Option<String> {
         let map = self.map?;

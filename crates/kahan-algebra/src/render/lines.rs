@@ -1,7 +1,7 @@
 //! Breaks long plain text into lines at spaces.
 
-/// Breaks a text into at least one line of at most `width` characters. A sign stays with the term
-/// after it, and `=` with the text before it. A word that is longer than `width` gets its own line.
+/// Breaks a text into lines of at most `width` characters. A sign stays with the next term, and `=`
+/// with the text before it. Longer words get their own line.
 ///
 /// ```
 /// let lines = kahan_algebra::render::lines("x~ = a*x + b*y - c*z", 10);
@@ -30,14 +30,13 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Breaks lines of more than `width` characters. Continuation lines are indented further. Rust
-/// comments are not broken, because their continuation would not be a comment.
+/// Breaks long lines. Continuation lines are indented further. Rust comments are not broken.
 #[must_use]
 pub fn folded(text: &str, width: usize) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
         let body = line.trim_start_matches(' ');
-        // A deep indent would leave no room for text, so limit it.
+        // A deep indent would leave no room for text.
         let indent = (line.len() - body.len()).min(width / 2);
         let further = (indent + 4).min(width / 2);
         let stays = length(line) <= width || body.starts_with("//");

@@ -1,4 +1,4 @@
-//! Defines the interface of notations, and the notation of `kahan!`.
+//! The interface of notations, and the notation of `kahan!`.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::symbols::{Symbol, Symbols};
 
 use super::expression::{Precedence, at_least, push_term, written};
 
-/// A notation for formulas. Implementations are [`Text`], and LaTeX in `kahan-latex`.
+/// A notation for formulas. [`Text`] and LaTeX in `kahan-latex` implement it.
 pub trait Notation: fmt::Debug {
     /// Writes a name.
     fn name(&self, name: &str) -> String;
@@ -34,35 +34,33 @@ pub trait Notation: fmt::Debug {
         format!("{base}^({exponent})")
     }
 
-    /// Writes a function call. If the name of the function is empty, writes the argument in
-    /// parentheses.
+    /// Writes a function call. Without a function name, writes the argument in parentheses.
     fn call(&self, function: &str, argument: &str) -> String {
         format!("{function}({argument})")
     }
 
-    /// Writes the product of factors that are already written.
+    /// Writes the product of written factors.
     fn product(&self, factors: &[String]) -> String;
 
-    /// Writes the quotient `above/below`, where both may be sums.
+    /// Writes the quotient `above/below`. Both may be sums.
     fn quotient(&self, above: &str, below: &str) -> String;
 
-    /// Writes x + 2ε·above/below for the state x with this name. The numerator `above` must not be
-    /// 0.
+    /// Writes x + 2ε·above/below for the state x. The numerator `above` must not be 0.
     fn moved(&self, symbols: &Symbols, name: &str, above: &Polynomial, below: &Polynomial) -> String;
 
-    /// Writes an expression as it is in the text, with the parentheses that it needs.
+    /// Writes an expression with the parentheses that it needs.
     fn expression(&self, expr: &Expr) -> String {
         written(self, expr).0
     }
 
-    /// Returns a product in a notation, with its precedence.
+    /// Returns a product with its precedence.
     fn written_product(&self, factors: &[Factor]) -> (String, Precedence) {
         let mut text = String::new();
         for (index, factor) in factors.iter().enumerate() {
             if index > 0 {
                 text.push(if factor.divides { '/' } else { '*' });
             }
-            // The text −a·b means (−a)·b, so a leading sign belongs to the first factor.
+            // A leading sign belongs to the first factor, as in (−a)·b.
             let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
             text.push_str(&at_least(
                 self,
@@ -73,12 +71,12 @@ pub trait Notation: fmt::Debug {
         (text, Precedence::Product)
     }
 
-    /// Returns the lowest precedence of an expression that may follow a sign without parentheses.
+    /// Returns the lowest precedence that needs no parentheses after a sign.
     fn behind_sign(&self) -> Precedence {
         Precedence::Power
     }
 
-    /// Writes the sum over all sites of a summand that is already written.
+    /// Writes the sum over all sites of a written summand.
     fn over_sites(&self, summand: &str) -> String {
         format!("sum({summand})")
     }
@@ -88,7 +86,7 @@ pub trait Notation: fmt::Debug {
         format!("({text})")
     }
 
-    /// Writes the fraction above/below of two polynomials.
+    /// Writes the fraction of two polynomials.
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
         self.quotient(&self.polynomial(symbols, above), &self.polynomial(symbols, below))
     }
@@ -101,7 +99,7 @@ pub trait Notation: fmt::Debug {
         }
     }
 
-    /// Writes the name of a variable. The second copy of a state gets a prime.
+    /// Writes the name of a variable. Second states get a prime.
     fn variable(&self, symbols: &Symbols, variable: Variable) -> String {
         match symbols.symbol(variable) {
             Symbol::SecondState(i) => format!("{}'", self.name(&symbols.states[i])),
@@ -122,7 +120,7 @@ pub trait Notation: fmt::Debug {
     }
 }
 
-/// Writes a monomial with a positive coefficient. Numbers, ε and parameters come before states.
+/// Writes a monomial with a positive coefficient. Numbers, ε and parameters precede states.
 fn term<N: Notation + ?Sized>(
     notation: &N,
     symbols: &Symbols,
@@ -144,7 +142,7 @@ fn term<N: Notation + ?Sized>(
     notation.product(&factors)
 }
 
-/// The language of `kahan!`, in which a term looks like `1/2*x^2`.
+/// The language of `kahan!`, with terms like `1/2*x^2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Text;
 

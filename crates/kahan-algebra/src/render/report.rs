@@ -1,12 +1,11 @@
-//! Prints a diagnostic as a paragraph with the message, the source line with a caret, and the help.
+//! Prints a diagnostic with the message, the source line with a caret, and the help.
 
 use std::fmt::Write;
 use std::ops::Range;
 
 use kahan_syntax::diagnostics::Diagnostic;
 
-/// Formats a diagnostic about `text`, which came from `origin`. `ranges` are the byte ranges of the
-/// tokens.
+/// Formats a diagnostic about `text` from `origin`. The `ranges` are the byte ranges of the tokens.
 #[must_use]
 pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], origin: &str) -> String {
     let mut out = format!("error: {}\n", diagnostic.message);
@@ -20,7 +19,7 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     let gutter = number.to_string();
     let (line, column) = shorten(line, column, WIDTH.saturating_sub(gutter.len() + 3));
     let margin = " ".repeat(gutter.len());
-    // Keep tabs, so that the caret stands below the right column.
+    // Tabs are kept, so the caret stands below the right column.
     let indent: String = line.chars().take(column).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
     let room = line.chars().count().saturating_sub(column).max(1);
     let carets = "^".repeat(marked.chars().count().clamp(1, room));
@@ -34,7 +33,7 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     out
 }
 
-/// Returns the line and the column where the mistake begins, counted from 1.
+/// Returns the line and the column of the mistake, counted from 1.
 #[must_use]
 pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [usize; 2] {
     let before = &text[..range(diagnostic.span.first, text, ranges).start];
@@ -42,8 +41,7 @@ pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [u
     [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
 }
 
-/// Returns the byte range of the token with this index, or of the last token if the index is too
-/// large.
+/// Returns the byte range of a token, or of the last token if the index is too large.
 fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
     let last = ranges.len().saturating_sub(1);
     ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())
@@ -57,8 +55,7 @@ fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     if length <= width {
         return (line.to_owned(), column);
     }
-    // Leave room for an ellipsis on both sides, and show more text after the mistake than before
-    // it.
+    // An ellipsis may stand on both sides. More text is shown after the mistake than before it.
     let kept = width.saturating_sub(2);
     let start = column.saturating_sub(kept / 3).min(length - kept);
     let cut: String = line.chars().skip(start).take(kept).collect();

@@ -1,11 +1,9 @@
-//! Compares how many digits the plans of the library lose with how many an evaluation of the text
-//! loses.
+//! Compares how many digits plans lose with how many an evaluation of the text loses.
 //!
-//! Each object is computed from the text in 24 runs, in which every operation is rounded up or down
-//! at random. Let E be the largest error of these runs. The error of the library must be at most 8
-//! E at each point, and at most 2 E in the median over a field's points. Errors are measured for
-//! each entry. Those of a step are relative to the largest component, because elimination mixes
-//! components. Errors below half an ulp count as half an ulp.
+//! Each object is computed from the text in 24 runs with random rounding up or down. Let E be the
+//! largest error of these runs. The error of a plan must be at most 8 E at each point, and at most
+//! 2 E in the median over a field's points. Errors of a step are relative to the largest component.
+//! Errors below half an ulp count as half an ulp.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -24,22 +22,21 @@ use kahan_algebra::system::System;
 
 use super::written::Written;
 
-/// Returns the number of random fields. The environment variable `KAHAN_FIELDS`, for example 2000,
-/// sets it.
+/// Returns the number of random fields. The environment variable `KAHAN_FIELDS` changes it.
 fn fields() -> usize {
     std::env::var("KAHAN_FIELDS")
         .map_or(200, |number| number.parse().expect("KAHAN_FIELDS is a whole number"))
 }
 
 const POINTS: usize = 7;
-/// The number of runs of the text at each point.
+/// The number of runs at each point.
 const RUNS: usize = 24;
-/// The largest permitted error of the library, relative to that of the text.
+/// The limit for ratios of errors.
 const EVERYWHERE: f64 = 8.0;
-/// The largest permitted median of these ratios of errors over a field's points.
+/// The limit for the median ratio of errors of a field.
 const IN_THE_MEDIAN: f64 = 2.0;
 
-/// The arithmetic of floats in which every inexact operation is rounded up or down at random.
+/// Floats in which every inexact operation is rounded up or down at random.
 struct Random {
     draws: RefCell<SplitMix64>,
     literals: RefCell<HashMap<Rational, (f64, f64)>>,
@@ -51,8 +48,7 @@ impl Random {
         Random { draws, literals: RefCell::default() }
     }
 
-    /// Returns `nearest`, or its neighbour on the side of `rest`, at random. An exact result is
-    /// returned unchanged.
+    /// Returns `nearest` or its neighbour on the side of `rest`, at random. Exact results stay.
     fn rounded(&self, nearest: f64, rest: f64) -> f64 {
         let other = if rest > 0.0 {
             nearest.next_up()
@@ -110,7 +106,7 @@ impl Arithmetic for Random {
 
 const OBJECTS: [&str; 5] = ["f", "f'", "A", "b", "step"];
 
-/// Returns the objects at a point, computed from the text; `None` if one is undefined.
+/// Returns the objects at a point, computed from the text. Returns `None` if one is undefined.
 fn of_text<A: Arithmetic<Constant = Rational>>(
     written: &Written,
     arithmetic: &A,
@@ -128,7 +124,6 @@ fn of_text<A: Arithmetic<Constant = Rational>>(
         if i == j { arithmetic.subtract(&one, &change) } else { arithmetic.negate(&change) }
     };
     let matrix: Vec<Vec<A::Value>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
-    // The linear part is B = f'(0), and the constant part is c = f(0).
     let constants = written.field(arithmetic, &at_origin)?;
     let linear = written.field_jacobian(arithmetic, &at_origin)?;
     let right = (0..n).map(|i| {
@@ -144,7 +139,7 @@ fn of_text<A: Arithmetic<Constant = Rational>>(
     Some([field, slopes.concat(), matrix.concat(), right, next])
 }
 
-/// Returns M⁻¹v for a matrix M, by elimination with partial pivoting and back substitution.
+/// Returns M⁻¹v by elimination with partial pivoting.
 fn eliminated<A: Arithmetic<Constant = Rational>>(
     arithmetic: &A,
     matrix: &[Vec<A::Value>],
@@ -187,7 +182,6 @@ fn eliminated<A: Arithmetic<Constant = Rational>>(
 /// An exact number, as a float and the difference from it.
 type Double = (f64, f64);
 
-/// Returns the error of each float. The error of NaN is infinite.
 fn errors(floats: &[f64], exact: &[Double]) -> Vec<f64> {
     let error = |(float, (high, low)): (&f64, &Double)| {
         let error = ((float - high) - low).abs();
@@ -200,9 +194,8 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
-/// Returns the error of a planned computation at one point. The error is divided by that of
-/// evaluating the formula as written. Returns `None` if evaluating the written formula keeps fewer
-/// than three digits.
+/// Returns the error of a planned computation, divided by that of the written formula. Returns
+/// `None` if the written formula keeps fewer than three digits.
 fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool) -> Option<f64> {
     let runs: Vec<Vec<f64>> = runs.iter().map(|run| errors(run, exact)).collect();
     let sizes: Vec<f64> = exact.iter().map(|(high, _)| high.abs()).collect();
@@ -220,12 +213,11 @@ fn lost(ours: Option<&[f64]>, runs: &[&[f64]], exact: &[Double], by_entry: bool)
     })
 }
 
-/// For each object of a field, by name, the ratios of errors at all points.
+/// The ratios of errors of each object at all points.
 #[derive(Default)]
 struct Losses(BTreeMap<&'static str, Vec<f64>>);
 
 impl Losses {
-    /// Returns whether an object loses too many digits.
     fn fail(ratios: &[f64]) -> bool {
         largest(ratios.iter().copied()) > EVERYWHERE || median(ratios) > IN_THE_MEDIAN
     }
@@ -324,12 +316,12 @@ fn slices(runs: &[Vec<f64>]) -> Vec<&[f64]> {
 
 struct Draw {
     random: SplitMix64,
-    /// The distances that numbers of a point may have from each other.
+    /// The distances between numbers of a point.
     nearness: &'static [f64],
 }
 
 impl Draw {
-    /// One field in four has no numbers near each other.
+    /// One field in four has no near numbers.
     fn of(name: &str, number: usize) -> Self {
         let nearness: [&[f64]; 4] = [&[1.0], &[1.0, 1e-3], &[1.0, 1e-6], &[1.0, 1e-3, 1e-6, 1e-9]];
         Draw {
@@ -354,7 +346,6 @@ impl Draw {
         low + (high - low) * self.share()
     }
 
-    /// Draws a distance, which may be negative.
     fn distance(&mut self) -> f64 {
         let size = *self.one(self.nearness);
         let sign = *self.one(&[1.0, -1.0]);
@@ -362,7 +353,7 @@ impl Draw {
     }
 
     /// Draws a point. The parameters p, q and s are near each other, r is near −1, and states are
-    /// near 1 and near each other.
+    /// near 1.
     fn point(&mut self, system: &System) -> Point<f64> {
         let p = self.between(0.5, 2.0);
         let q = p - self.distance();
@@ -387,9 +378,8 @@ impl Draw {
         Point { state, parameters, eps: self.between(0.01, 0.2) }
     }
 
-    /// Draws a field in two or three variables. Each equation has up to three terms of degree at
-    /// most 2. The coefficients of the terms contain differences of parameters, and divisors that
-    /// contain parameters.
+    /// Draws a field in two or three variables. Coefficients contain differences and divisors with
+    /// parameters.
     fn field(&mut self) -> String {
         let states = &["x", "y", "z"][..2 + self.below(2)];
         let mut text = String::new();
@@ -420,7 +410,6 @@ impl Draw {
     }
 }
 
-/// A field written by hand, with values for its parameters.
 struct Example {
     name: &'static str,
     text: &'static str,
@@ -454,7 +443,7 @@ const EXAMPLES: [Example; 5] = [
         text: "xdot = p*(x - 1)*(y - 1); ydot = x - y;",
         parameters: |draw| vec![("p", 1e9 * draw.between(0.5, 1.0))],
     },
-    // The expanded product of both differences is below half an ulp of its terms.
+    // The product of both differences is below half an ulp of its expanded terms.
     Example {
         name: "two-small-differences",
         text: "xdot = 0.1*x - x*y/(q - s) + x/(p - q); ydot = x - y;",
@@ -462,7 +451,7 @@ const EXAMPLES: [Example; 5] = [
     },
 ];
 
-/// Returns the blocks of the catalog that claim integrals, with their file names.
+/// Returns the blocks of the catalog with integrals, by file name.
 fn catalog() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../systems/src/catalog");
     let files = fs::read_dir(folder).expect("the catalog").map(|file| file.expect("a file").path());
@@ -541,7 +530,6 @@ fn the_digits_of_the_text_are_kept() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// A chain of a family is compared with its text, which is written out site by site.
 #[test]
 fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
     let site = "{x}*({right} - {left})/(p - q) + (p - q)*{x}/(1 + p) - {x}/(1 + p)";
@@ -571,7 +559,6 @@ fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
     }
 }
 
-/// A specialised system is compared with its text at the given values.
 #[test]
 fn the_digits_of_a_text_are_kept_where_parameters_have_values() {
     let text = "xdot = (x - a)*(y - 1)/(p - q) + x/(a + q); ydot = (1 + a)*(x - y)^2/q;";

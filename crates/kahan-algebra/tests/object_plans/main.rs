@@ -1,6 +1,5 @@
-//! Runs the plans of all objects over ℚ. The results are compared with the defining formulas, which
-//! use only the text of the block. Also reads the listing of a step back and computes it line by
-//! line.
+//! Compares the plans of all objects over ℚ with the defining formulas. Also reads the listing of a
+//! step back.
 
 mod digits;
 mod written;
@@ -41,8 +40,7 @@ fn system(text: &str) -> System {
     reading.system().expect("a system")
 }
 
-/// Returns two test points. One point has positive numbers, and the other point has negative
-/// numbers.
+/// Returns a test point of positive numbers and one of negative numbers.
 fn places(system: &System) -> [Place; 2] {
     [1, -1].map(|sign| {
         let n = system.field.dimension() as i64;
@@ -59,14 +57,14 @@ fn places(system: &System) -> [Place; 2] {
     })
 }
 
-/// A test point, with a second point for bilinear objects.
+/// A test point with a second point for bilinear objects.
 struct Place {
     point: Point<Rational>,
     second: Vec<Rational>,
 }
 
 impl Place {
-    /// Returns the outputs of a plan. `prepared` has the values of the prepared constants.
+    /// Returns the outputs of a plan for these prepared constants.
     fn run(&self, plan: &Plan, symbols: &Symbols, prepared: &[Rational]) -> Vec<Option<Rational>> {
         let prepared: Vec<Option<Rational>> = prepared.iter().cloned().map(Some).collect();
         let value = |variable| {
@@ -98,7 +96,7 @@ fn combination(terms: &[(Rational, &[Rational])]) -> Vec<Rational> {
     (0..terms[0].1.len()).map(entry).collect()
 }
 
-/// Solves M X = R by elimination with the first nonzero pivot. Returns the columns of X, and det M.
+/// Solves M X = R by elimination. Returns the columns of X and det M.
 fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rational>>, Rational) {
     let n = matrix.len();
     let rows = matrix.iter().zip(right);
@@ -121,8 +119,7 @@ fn solved(matrix: &[Vec<Rational>], right: &[Vec<Rational>]) -> (Vec<Vec<Rationa
     (rows.into_iter().map(|row| row[n..].to_vec()).collect(), determinant)
 }
 
-/// Computes the objects by their definitions from f alone. Differences of a quadratic f give exact
-/// derivatives.
+/// The objects by their definitions. Differences of a quadratic f give exact derivatives.
 struct Definitions<'a> {
     written: &'a Written,
     place: &'a Place,
@@ -138,7 +135,7 @@ impl Definitions<'_> {
         vec![Rational::zero(); self.place.point.state.len()]
     }
 
-    /// Returns f′(x). Column j is (f(x + eⱼ) − f(x − eⱼ))/2 with the unit vector eⱼ.
+    /// Returns f′(x). Column j is (f(x + e) − f(x − e))/2 with the unit vector e of xⱼ.
     fn slopes(&self, x: &[Rational]) -> Vec<Vec<Rational>> {
         let n = x.len();
         let columns: Vec<Vec<Rational>> = (0..n)
@@ -191,7 +188,6 @@ impl Definitions<'_> {
         combination(&[(half(1), &self.field(x)), (half(-1), &self.field(&opposite))])
     }
 
-    /// Returns the matrix A(x,ε) = I − εf′(x).
     fn matrix(&self, x: &[Rational], eps: &Rational) -> Vec<Vec<Rational>> {
         let mut matrix = self.slopes(x);
         for (i, row) in matrix.iter_mut().enumerate() {
@@ -201,13 +197,12 @@ impl Definitions<'_> {
         matrix
     }
 
-    /// Returns the right-hand side b(x,ε) = x + εBx + 2εc.
     fn right_hand_side(&self, x: &[Rational], eps: &Rational) -> Vec<Rational> {
         let constant = self.field(&self.origin());
         combination(&[(Rational::one(), x), (eps.clone(), &self.linear(x)), (eps + eps, &constant)])
     }
 
-    /// Returns the solution x̃ of A x̃ = b, and det A.
+    /// Returns the solution x̃ of A x̃ = b and det A.
     fn next(&self) -> (Vec<Rational>, Rational) {
         let Point { state, eps, .. } = &self.place.point;
         let right: Vec<Vec<Rational>> =
@@ -227,7 +222,7 @@ impl Definitions<'_> {
         claims.map(|(name, value)| (name, value.expect("the claim has a value"))).collect()
     }
 
-    /// Returns the value of the object that has this name in [`Derived::functions`].
+    /// Returns the value of an object by its name in [`Derived::functions`].
     fn object(&self, name: &str, derived: &Derived) -> Vec<Rational> {
         let Place { point: Point { state, .. }, second } = self.place;
         let (next, determinant) = self.next();
@@ -242,8 +237,7 @@ impl Definitions<'_> {
             "step" | "general step" => next,
             "det A" => vec![determinant],
             "(N, D)" => over(determinant),
-            // The denominator is determined only up to a factor, so take its value from the
-            // polynomial.
+            // The denominator is determined only up to a factor, so the polynomial gives its value.
             "(N, D) reduced" => {
                 let map = derived.map.as_ref().expect("there is a reduced map");
                 over(self.place.polynomial(&map.reduced.denominator))
@@ -266,7 +260,7 @@ fn half(n: i64) -> Rational {
     Rational::new(n, 2)
 }
 
-/// The plan of an object, and its values at the two test points by definition.
+/// The plan of an object, and its values by definition.
 struct Object<'a> {
     name: String,
     plan: Plan,
@@ -294,7 +288,7 @@ fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> 
         if name.ends_with(" constants") {
             return None;
         }
-        // For Clebsch's field, N and D exceed the budget, but the step does not.
+        // For Clebsch's field, only the step is within the budget.
         let Some(plan) = plan else {
             assert!(["det A", "(N, D)"].contains(&name.as_str()) && derived.map.is_none());
             return None;
@@ -310,7 +304,7 @@ fn objects<'a>(derived: &'a Derived, written: &Written, places: &[Place; 2]) -> 
     functions.collect()
 }
 
-/// Returns the plan in which operation `index` is changed; `None` if it is an input.
+/// Returns the plan with a changed operation. Returns `None` if the operation is an input.
 fn broken(plan: &Plan, index: usize) -> Option<Plan> {
     let mut plan = plan.clone();
     let operation = &mut plan.operations[index];
@@ -465,7 +459,7 @@ fn a_field_beyond_straight_lines_has_no_plan_of_its_step() {
     assert_eq!(without, ["prepared constants", "step", "det A", "(N, D)"]);
 }
 
-/// Computes one line `name = right` of a listing from the values known so far.
+/// Computes one line `name = right` of a listing.
 fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
     let (name, right) = line.split_once(" = ").expect("an equation");
     let lookup = |text: &str| -> Rational {

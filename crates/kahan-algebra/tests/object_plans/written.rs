@@ -1,5 +1,4 @@
-//! Evaluates a block as written in any arithmetic. The polynomials and plans of the library are not
-//! used.
+//! Evaluates a block as written in any arithmetic, without polynomials and plans of the library.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual};
 use kahan_algebra::diagnostics::Diagnostics;
@@ -10,14 +9,13 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind, InFamily};
 use kahan_syntax::parse::parse;
 
-/// A block with the order in which points give the values of its names.
 pub(crate) struct Written {
     block: Block,
     symbols: Symbols,
 }
 
 impl Written {
-    /// Parses a text. `symbols` gives the order in which points have the values of its names.
+    /// Parses a text. Points give values in the order of `symbols`.
     pub(crate) fn new(text: &str, symbols: &Symbols) -> Self {
         let mut diagnostics = Diagnostics::default();
         let block = parse(&lex(text).tokens, &mut diagnostics);
@@ -25,7 +23,7 @@ impl Written {
         Written { block, symbols: symbols.clone() }
     }
 
-    /// Returns f(x), equation by equation; `None` at a division by zero.
+    /// Returns f(x). Returns `None` at a division by zero.
     pub(crate) fn field<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -37,7 +35,7 @@ impl Written {
             .collect()
     }
 
-    /// Returns f′(x), row by row. Sums, products and quotients are differentiated by their rules.
+    /// Returns f′(x) by the rules for sums, products and quotients.
     pub(crate) fn field_jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -56,8 +54,8 @@ impl Written {
         Some(rows.map(|row| if row.is_empty() { vec![zero.clone(); n] } else { row }).collect())
     }
 
-    /// Returns the unconditional claims of one kind, by name. A function has its value, and a
-    /// bracket its entries above the diagonal.
+    /// Returns the unconditional claims of one kind by name. A bracket has its entries above the
+    /// diagonal.
     pub(crate) fn claims<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -78,7 +76,7 @@ impl Written {
             .collect()
     }
 
-    /// Returns the entries {xᵢ,xⱼ}, i < j, row by row. Entries that are not written are 0.
+    /// Returns the entries {xᵢ,xⱼ}, i < j, row by row. Unwritten entries are 0.
     fn above_the_diagonal<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -105,7 +103,6 @@ impl Written {
         Some(above)
     }
 
-    /// Evaluates an expression from left to right.
     fn value<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -159,8 +156,7 @@ impl Written {
         }
     }
 
-    /// Returns the value of a name, which is a state, a parameter, ε, a constant, or an earlier
-    /// claim.
+    /// Returns the value of a state, a parameter, ε, a constant, or an earlier claim.
     fn named<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

@@ -1,4 +1,4 @@
-//! Shows the results of a search as HTML and as a table: proved formulas, and numbers.
+//! Shows the results of a search, as HTML and as a table.
 
 use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::render::{Notation, Text};
@@ -50,7 +50,7 @@ pub(super) fn html(found: &Discovered) -> Markup {
     }
 }
 
-/// Returns the numbers that the search found, with one row for each kind.
+/// Returns a table of the numbers that the search found.
 #[must_use]
 pub fn numbers(found: &Discovered) -> Table {
     let report = &found.report;
@@ -72,8 +72,7 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    // If there are no relations, all monomials are independent on an orbit, so the degree alone is
-    // shown.
+    // Without relations, all monomials on an orbit are independent, so only the degree is shown.
     let hilbert = report.hilbert.as_ref();
     if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
         rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);
@@ -104,8 +103,8 @@ pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2
     ]
 }
 
-/// Describes which quotients of a basis's coefficients are integrals, and how many points of an
-/// orbit determine the coefficients. `mark` encloses each quotient.
+/// Says which quotients of a basis's coefficients are integrals, and how many points determine the
+/// coefficients. The text `mark` encloses each quotient.
 #[must_use]
 pub fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
     let quotient = |(above, below): (usize, usize)| {

@@ -1,5 +1,5 @@
-//! Shows answers as HTML for pages, and as tables that text output also prints. Commands and their
-//! arguments are deliberately absent.
+//! Shows answers as HTML, and as tables that text output also prints. Commands are deliberately
+//! absent.
 
 mod discovered;
 mod lifted;
@@ -22,8 +22,8 @@ pub use traded::{choice, front};
 
 const MOST_VARIABLES: usize = 8;
 
-/// Returns the HTML of an answer; `None` for answers that pages omit, or that [`crate::picture`]
-/// draws. Formulas come from the LaTeX in the answer.
+/// Returns the HTML of an answer. Returns `None` for answers that pages omit or that
+/// [`crate::picture`] draws.
 #[must_use]
 pub fn html(answer: &Answer) -> Option<Markup> {
     Some(match answer {

@@ -75,8 +75,7 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
     tables.map(|(caption, rows)| Table { caption, rows }).collect()
 }
 
-/// Describes the errors of Lyapunov exponents, and whether the largest exponent may be 0. Returns
-/// `None` if no exponent has a finite error.
+/// Describes the errors of Lyapunov exponents. Returns `None` if no exponent has a finite error.
 #[must_use]
 pub fn convergence(observed: &Observed) -> Option<String> {
     let largest = |observable| match observed.of(observable)? {
@@ -132,11 +131,10 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Writes the digits of a value up to the first digit that an error of this size changes.
+/// Writes the digits of a value that an error of this size leaves unchanged.
 fn known(value: f64, error: f64) -> String {
     let places = -libm::log10(error).floor();
-    // Eight digits are written if there is no error estimate, or if more than eight decimals are
-    // certain.
+    // Eight digits are enough, also without an error estimate.
     if !(value.is_finite() && (..=8.0).contains(&places)) {
         return number(value);
     }
@@ -144,7 +142,6 @@ fn known(value: f64, error: f64) -> String {
     if shown.parse() == Ok(0.0) { shown.trim_start_matches('-').to_owned() } else { shown }
 }
 
-/// Writes two significant digits, or `-` for NaN.
 fn short(value: f64) -> String {
     if value.is_nan() { "-".to_owned() } else { format!("{value:.1e}") }
 }

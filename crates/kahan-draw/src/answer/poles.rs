@@ -1,12 +1,11 @@
-//! A table of singularity patterns: the curves that the map contracts or sends to infinity, and the
-//! images of these curves.
+//! A table of singularity patterns. A pattern is a curve that the map contracts or sends to
+//! infinity, and its images.
 
 use kahan_study::PolesFound;
 
 use crate::document::Table;
 
-/// The largest number of characters of a polynomial that is written out. Of a longer polynomial,
-/// degree and size are shown.
+/// Longer polynomials are shown by degree and size. The length counts characters.
 const LONGEST: usize = 1000;
 
 /// Returns a table with one row for each pattern.

@@ -1,6 +1,7 @@
 //! Sentences about Poincaré sections.
 
-/// Describes how many sign changes of `plane` are jumps instead of crossings; `None` for 0 jumps.
+/// Says how many sign changes of `plane` are jumps instead of crossings. Returns `None` for no
+/// jumps.
 #[must_use]
 pub fn jumps(plane: &str, jumps: u64) -> Option<String> {
     let count = match jumps {

@@ -1,5 +1,4 @@
-//! HTML for the integrator settings of one scene: the picture, the cheapest setting, and the Pareto
-//! front.
+//! HTML for the integrator settings of one scene.
 
 use kahan_study::trade::{Choice, Measured, Traded};
 use maud::{Markup, html};
@@ -21,7 +20,8 @@ pub(super) fn html(traded: &Traded) -> Markup {
     }
 }
 
-/// Returns the chosen setting in words and as Rust code; `None` if no setting meets the tolerance.
+/// Returns the chosen setting in words and as Rust code. Returns `None` if no setting meets the
+/// tolerance.
 #[must_use]
 pub fn choice(traded: &Traded) -> Option<[String; 2]> {
     let Choice { setting: choice, rust } = traded.choice.as_ref()?;
@@ -44,7 +44,7 @@ const ERRORS: [(&str, Error); 3] = [
     ("return", |measured| measured.return_error),
 ];
 
-/// Returns the Pareto front of price and error, cheapest first, with all errors that were measured.
+/// Returns the Pareto front of price and error, ordered by price.
 #[must_use]
 pub fn front(traded: &Traded) -> Table {
     let front = || traded.settings.iter().filter(|measured| measured.on_front);

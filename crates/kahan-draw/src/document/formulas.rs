@@ -1,4 +1,4 @@
-//! Shows a field's formulas and claims as HTML, from the LaTeX in answers.
+//! Shows the formulas and claims of a field as HTML.
 
 use kahan_algebra::render::Notation;
 use kahan_algebra::syntax::ClaimKind;
@@ -14,7 +14,7 @@ pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\
     \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
 
-/// Writes the field, A, b (unless b = x), det A and the reduced map from a sheet in LaTeX.
+/// Writes the field, the matrix A, the vector b, the determinant of A and the map.
 pub fn formulas(sheet: &FormulaSheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
@@ -42,8 +42,7 @@ pub fn formulas(sheet: &FormulaSheet) -> Markup {
     }
 }
 
-/// Writes a claim about a field with this number of variables: its kind, condition, source and
-/// formulas, and then the text `besides`.
+/// Writes a claim with its condition, source and formulas, then the text `besides`.
 pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let is = |kind: ClaimKind| claim.kind == kind.keyword();
     let (kind, index) = match &claim.name {

@@ -10,11 +10,10 @@ pub fn inline(latex: &str) -> Markup {
     mathml(latex, DisplayMode::Inline)
 }
 
-/// The length, in characters, of a line that is as wide as the page.
+/// The number of characters on a line of the page.
 pub const LINE: usize = 84;
-/// The length, in characters, of a line in the column of statements.
+/// The number of characters on a line in the column of statements.
 pub const COLUMN: usize = 56;
-/// The length, in characters, of a line in a cell of a table of formulas.
 const CELL: usize = 44;
 
 /// Renders a displayed formula with at most `width` characters on a line.
@@ -23,7 +22,7 @@ pub fn display(latex: &str, width: usize) -> Markup {
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
-/// Renders a formula for a cell of a table, in display style and without a box.
+/// Renders a formula for a table cell in display style.
 pub fn cell(latex: &str) -> Markup {
     inline(&format!("\\displaystyle {}", breaking::boxed(latex, CELL)))
 }
@@ -33,8 +32,7 @@ pub fn displays(formulas: &[String], width: usize) -> Markup {
     html! { @for formula in formulas { (display(formula, width)) } }
 }
 
-/// Converts LaTeX to MathML. If this fails, returns the LaTeX in the class `unset`, which tests
-/// search for.
+/// Converts LaTeX to MathML. LaTeX that cannot be converted is returned in the class `unset`.
 fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
     let storage = Storage::new();
     let events: Result<Vec<Event<'_>>, _> = Parser::new(latex, &storage).collect();
@@ -44,7 +42,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
         push_mathml(&mut text, events, RenderConfig { display_mode, ..RenderConfig::default() })
     });
     match set {
-        // The library writes `\\mu` as the micro sign, which browsers would set upright.
+        // The library writes `\\mu` as the micro sign, which browsers set upright.
         Ok(Ok(())) => PreEscaped(text.replace('\u{b5}', "μ")),
         _ => html! { code.unset { (latex) } },
     }

@@ -1,5 +1,4 @@
-//! HTML pages that need no network and no script. Formulas are MathML, drawings are SVG, and a
-//! policy forbids the browser to fetch anything.
+//! HTML pages that need no network and no script. Formulas are MathML, and drawings are SVG.
 
 mod formulas;
 mod math;
@@ -15,7 +14,7 @@ pub use math::{COLUMN, LINE, cell, display, displays, inline};
 pub use readable::readable;
 pub use tables::{Rows, Table, table_of_formulas};
 
-/// The date on which a page was made, and the time that this took, for the footer.
+/// The date of a page and the time spent on it.
 #[derive(Clone, Debug)]
 pub struct PageCreation {
     /// The day, such as `2026-01-31`.
@@ -24,7 +23,7 @@ pub struct PageCreation {
     pub seconds: f64,
 }
 
-/// The content security policy of pages, which allows only inline styles and `data:` images.
+/// The content security policy of pages. Only inline styles and `data:` images are allowed.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 /// Returns the style of pages, formulas and inline drawings, for light and dark viewers.
@@ -33,8 +32,7 @@ pub fn style_sheet() -> String {
     [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
 }
 
-/// Returns a document. `main` is the anchor and the name of the part to which a link at the top
-/// skips.
+/// Returns a page. A link at the top skips to the part with this anchor and name.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)
@@ -56,7 +54,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
     document.into_string()
 }
 
-/// Writes the footer: version, time, and the command `again` that makes the page again.
+/// Writes the footer. The text `again` is the command that makes the page again.
 pub fn colophon(making: &PageCreation, again: &Markup) -> Markup {
     html! {
         footer {

@@ -1,5 +1,4 @@
-//! Rewrites plain text, such as references to the paper and details of results, with typographic
-//! signs.
+//! Rewrites plain text with typographic signs.
 
 use crate::plot::{lowered, raised};
 
@@ -19,8 +18,7 @@ const GREEK: [(&str, char); 13] = [
     ("zeta", 'ζ'),
 ];
 
-/// Replaces names, indices, powers and signs: `eps` → ε, `alpha1` → α₁, `x~` → x̃, `2^-100` →
-/// 2⁻¹⁰⁰, `K_9` → K₉, `1e-70` → 10⁻⁷⁰, `2.500000` → 2.5.
+/// Replaces names, indices, powers and signs, for example `alpha1` by α₁ and `2^-100` by 2⁻¹⁰⁰.
 pub fn readable(text: &str) -> String {
     let mut readable = String::with_capacity(text.len());
     let mut rest = text;
@@ -45,15 +43,14 @@ fn digits(text: &str) -> &str {
     &text[..text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())]
 }
 
-/// Reads the power after `^`, digits with an optional sign. Returns the power with its length in
-/// bytes.
+/// Reads the power after `^`. Returns the power and its length in bytes.
 fn power(text: &str) -> Option<(String, usize)> {
     let after = text.strip_prefix('-').unwrap_or(text);
     let length = text.len() - after.len() + digits(after).len();
     (!digits(after).is_empty()).then(|| (raised(&text[..length]), length))
 }
 
-/// Reads the index after `_`, digits or n. Returns the index with its length in bytes.
+/// Reads the index after `_`. Returns the index and its length in bytes.
 fn index(text: &str) -> Option<(String, usize)> {
     match digits(text) {
         "" => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
@@ -62,14 +59,14 @@ fn index(text: &str) -> Option<(String, usize)> {
     }
 }
 
-/// Returns a minus sign for a hyphen that begins a word, or that has spaces on both sides.
+/// Returns a minus sign for a hyphen that begins a word or stands between spaces.
 fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
     let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | ',' | '='));
     let alone = before == Some(' ') && after.starts_with(' ');
     (alone || opens && after.starts_with(char::is_alphanumeric)).then_some("−")
 }
 
-/// Reads `1e-N` as a power of ten. Reads a decimal fraction without its trailing zeros.
+/// Reads `1e-N` as a power of ten, and removes trailing zeros of decimal fractions.
 fn number(text: &str) -> Option<(String, usize)> {
     if let Some(after) = text.strip_prefix("1e-") {
         let exponent = digits(after);
@@ -77,7 +74,7 @@ fn number(text: &str) -> Option<(String, usize)> {
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
-    // Section numbers have one decimal, and stay unchanged.
+    // Section numbers have one decimal and stay unchanged.
     if whole.is_empty() || decimals.len() < 2 {
         return None;
     }
@@ -86,14 +83,14 @@ fn number(text: &str) -> Option<(String, usize)> {
     Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
 }
 
-/// Rewrites a Greek name, or `a`, with digits after it: the digits become an index.
+/// Rewrites digits after `a` or a Greek name as an index.
 fn word(word: &str) -> String {
     let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let letter = match stem {
         "a" => 'a',
         _ => match GREEK.iter().find(|(name, _)| *name == stem) {
             Some((_, letter)) => *letter,
-            // Names of systems, such as E1 and (e1), keep their digits.
+            // Names of systems, such as E1, keep their digits.
             None => return word.to_owned(),
         },
     };

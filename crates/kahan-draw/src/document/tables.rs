@@ -2,11 +2,11 @@
 
 use maud::{Markup, Render, html};
 
-/// The cells of a table, row by row. The first row has the column headings; the first cell of
-/// another row names its subject.
+/// The rows of a table. The first row holds headings. In every other row, the first cell is the
+/// heading.
 pub type Rows = Vec<Vec<String>>;
 
-/// A table of an answer. Pages show it with its caption; text output prints the rows only.
+/// A table of an answer. Text output omits the caption.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     /// The caption.
@@ -35,8 +35,7 @@ impl Render for Table {
     }
 }
 
-/// Writes a table of formulas with an anchor. The first cell of each row names the subject of the
-/// row.
+/// Writes a table of formulas with an anchor. The first cell of each row is its heading.
 pub fn table_of_formulas(
     id: &str,
     caption: &str,

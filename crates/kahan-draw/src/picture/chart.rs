@@ -1,4 +1,4 @@
-//! Charts of an observable, as a curve over one range, or as colours over two ranges.
+//! Charts of an observable over one range or two.
 
 use kahan_latex::symbol;
 use kahan_study::{
@@ -11,9 +11,9 @@ use crate::plot::{Grid, Mark, NumberLine, Plot, Series, TickKind};
 /// Values of an observable over one range or two.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// The ranges; the first is the abscissa.
+    /// The ranges. The first range is the abscissa.
     pub axes: Vec<Axis>,
-    /// The values, row by row from below; empty cells are NaN.
+    /// The values, row by row from below. Empty cells are NaN.
     pub values: Vec<f64>,
     /// The system, or the file that holds the values.
     pub name: String,
@@ -23,21 +23,22 @@ pub struct Chart {
     pub is_logarithm: bool,
     /// Whether some values are lower bounds.
     pub is_lower_bound: bool,
-    /// For each cell, how its orbit ended and after how many steps; empty for rows of a file.
+    /// The end of each cell's orbit and the number of its steps. The list is empty for rows of a
+    /// file.
     pub ended: Vec<(String, i64)>,
     steps: Option<u64>,
 }
 
-/// Returns the logarithm to base 10. Smaller values than `f64::EPSILON` count as `f64::EPSILON`.
+/// Returns the logarithm to base 10. Numbers below `f64::EPSILON` count as `f64::EPSILON`.
 fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { libm::log10(f64::EPSILON) } else { libm::log10(value) }
 }
 
 impl Chart {
-    /// Makes the chart of one column of an [`Observe`](kahan_study::Observe) over one or two
-    /// ranges. The question's last axis becomes the abscissa. A cell is empty if its orbit leaves
-    /// the range of doubles or escapes. For the column `escape`, a cell is empty if its orbit does
-    /// neither. Panics if the question is of another kind, or if an axis is not a range.
+    /// Charts one column of an [`Observe`](kahan_study::Observe) over one or two ranges. The last
+    /// axis of the question becomes the abscissa. Cells of orbits that end early are empty. For the
+    /// column `escape`, cells of complete orbits are empty. Panics if the question is of another
+    /// kind, or if an axis is not a range.
     #[must_use]
     pub fn of(asked: &Over, found: &OverFound, shade: &ColourColumn) -> Self {
         let Question::Observe(observe) = &*asked.question else { panic!("a chart shows what is observed") };
@@ -63,19 +64,19 @@ impl Chart {
         Chart { is_lower_bound, ended, steps: Some(observe.steps), ..chart }
     }
 
-    /// Returns whether a column spans many powers of ten, so that charts show its logarithm.
+    /// Returns whether charts show the logarithm of a column.
     #[must_use]
     pub fn is_logarithmic(column: &str) -> bool {
         Observable::of_column(column).is_some_and(Observable::is_logarithmic)
     }
 
-    /// Returns the function that scales a column: the logarithm to base 10, or the identity.
+    /// Returns the function that charts apply to a column, the logarithm or the identity.
     #[must_use]
     pub fn scale(column: &str) -> fn(f64) -> f64 {
         if Self::is_logarithmic(column) { logarithm } else { |value| value }
     }
 
-    /// Makes the chart of a file's column, on its [scale](Chart::scale).
+    /// Charts a column of a file on its [scale](Chart::scale).
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
         let is_logarithm = Self::is_logarithmic(&column);
@@ -83,7 +84,7 @@ impl Chart {
         Chart { axes, values, name, column, is_logarithm, is_lower_bound, ended, steps: None }
     }
 
-    /// Returns the name of the values, for the axis or the legend.
+    /// Returns the name of the shown values.
     #[must_use]
     pub fn label(&self) -> String {
         let quantity = self.quantity();
@@ -95,8 +96,7 @@ impl Chart {
         if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
-    /// Describes the ranges of the axes: between end points for a curve, and between outer cell
-    /// edges for a grid.
+    /// Describes the ranges of the axes. Ranges of grids end at the outer edges of cells.
     fn description(&self) -> String {
         let through = |axis: &Axis| {
             let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
@@ -125,7 +125,7 @@ impl Chart {
         if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
     }
 
-    /// Describes empty cells, values that are all equal, and values beyond the colour scale.
+    /// Describes empty cells, equal values, and values outside the colour scale.
     fn note(&self, scale: Option<&NumberLine>) -> String {
         const ROUNDING: f64 = 1e-13;
 
@@ -167,7 +167,7 @@ pub fn chart(shown: &Chart, look: &PictureOptions) -> Picture {
     let picture = if let [axis] = &shown.axes[..] {
         let places = axis.range.values().map(|value| value.to_f64());
         let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
-        // Lines do not show a value between two empty cells, so dots are drawn, too.
+        // A line cannot show a value between two empty cells, so dots are drawn too.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&description, [&*symbol(&axis.name), &*quantity], marked.into());
         let y = NumberLine { marks, ..plot.y };

@@ -8,9 +8,8 @@ use kahan_study::HeightsFound;
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, TickKind};
 
-/// Draws ln h, where h are the heights of each variable. If h grows exponentially, the abscissa is
-/// n; otherwise it is ln n, so that powers of n become straight lines. `eps` appears in the
-/// description.
+/// Draws the logarithms of the heights of each variable. For exponential growth, the abscissa is n.
+/// Otherwise it is ln n, so powers of n become straight lines.
 #[must_use]
 pub fn heights(found: &HeightsFound, eps: &Rational, look: &PictureOptions) -> Picture {
     let survey = &found.survey;

@@ -1,7 +1,7 @@
 //! Pictures of answers.
 //!
-//! In: answers, or the rows of orbits as they arrive, and options for the look of the picture. Out:
-//! a [`Picture`]. Questions and time limits are deliberately absent.
+//! The input consists of answers, or of rows of orbits, and of options for the picture. Questions
+//! and time limits are deliberately absent.
 
 mod chart;
 mod heights;
@@ -19,22 +19,21 @@ pub use trade::{trade, trade_canvas};
 
 use crate::plot::{Canvas, Drawing, NumberLine, Plot};
 
-/// The number of colours that successive series use in turn. The sixth colour is grey, for
-/// references.
+/// Successive series use this many colours in turn. The sixth colour is grey, for references.
 const COLOURS: usize = 5;
 
-/// The looks of a picture.
+/// The appearance of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureOptions {
     /// The canvas to draw on.
     pub sheet: Canvas,
-    /// The ends of some axes, by name. Other axes show nearly all values.
+    /// The ends of some axes by name. Other axes show nearly all values.
     pub windows: Vec<(String, [f64; 2])>,
     /// Whether lines join the points of an orbit.
     pub lines: bool,
 }
 
-/// A drawing, with counts of the points in it.
+/// A drawing with counts of its points.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The drawing.
@@ -43,8 +42,7 @@ pub struct Picture {
     pub points: usize,
     /// The number of points outside the axes.
     pub outside: usize,
-    /// For portraits and sections, the numbers of points and of distinguishable positions of each
-    /// orbit.
+    /// The extent of each orbit of a portrait or section.
     pub visits: Vec<OrbitExtent>,
 }
 

@@ -8,8 +8,8 @@ use kahan_study::{CycleFound, DiagramFound, Range};
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series};
 
-/// Draws several orbit diagrams of one field over one range. Each begins at its own initial state,
-/// and shows the orbit after `transient` steps. Panics if `diagrams` is empty.
+/// Draws several orbit diagrams of one field over one range. The first `transient` steps of each
+/// orbit are omitted. Panics if `diagrams` is empty.
 #[must_use]
 pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &PictureOptions) -> Picture {
     let DiagramFound { system, axis, variable, .. } = &diagrams[0];
@@ -31,8 +31,8 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
     Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
-/// Draws the branch of a cycle, as its first variable against the parameter. Stable cycles have a
-/// style of their own. For a cycle of the flow, only the maximum and the minimum are drawn.
+/// Draws the first variable of a cycle against the parameter. Stable cycles have a style of their
+/// own. For cycles of the flow, only the extrema are drawn.
 #[must_use]
 pub fn branch(found: &CycleFound, look: &PictureOptions) -> Picture {
     let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));

@@ -1,4 +1,4 @@
-//! Phase portraits and sections: orbits in the plane or in space.
+//! Phase portraits and sections of orbits in the plane or in space.
 
 use std::collections::HashSet;
 use std::ops::ControlFlow;
@@ -10,35 +10,32 @@ use kahan_study::{Column, Rows, Values};
 use super::{COLOURS, Picture, PictureOptions};
 use crate::plot::{Mark, NumberLine, Plot, Series, SpacePlot, SpaceSeries};
 
-/// A coordinate of an orbit's points, which one axis shows.
+/// A coordinate that one axis shows.
 #[derive(Clone, Debug)]
 pub enum Coordinate {
     /// The time t = 2εn.
     Time,
     /// The variable with this index.
     Variable(usize),
-    /// A formula in the variables and in the integrals, which come after the variables in rows.
+    /// A formula in the variables and integrals.
     Formula {
         /// The text of the formula, or the name of an integral.
         text: String,
         /// The compiled formula.
         formula: Formula,
-        /// The index of `t` among the formula's variables; `None` if a column of the rows holds
-        /// `t`.
+        /// The index of `t` among the variables of the formula. `None` if a column holds `t`.
         time: Option<usize>,
     },
 }
 
-/// The points of one orbit, in the coordinates of two or three axes. Receives the orbit's rows in
-/// doubles, and stores only the coordinates.
+/// The points of one orbit in the coordinates of two or three axes.
 #[derive(Clone, Debug)]
 pub struct Trace {
     axes: Vec<Coordinate>,
-    /// The coordinates, one column for each axis; a column has one entry for each point.
     columns: Vec<Vec<f64>>,
 }
 
-/// The extent of an orbit in a picture: numbers of points and of distinguishable positions.
+/// The numbers of points and of distinguishable positions of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OrbitExtent {
     /// The number of points.
@@ -58,7 +55,7 @@ impl Coordinate {
         }
     }
 
-    /// Returns the coordinate at a point; `point` holds the values that follow the time `t` in a
+    /// Returns the coordinate at a point. The list `point` holds the values after the time in a
     /// row.
     fn value(&self, t: f64, mut point: Vec<f64>) -> f64 {
         match self {
@@ -103,7 +100,6 @@ impl Trace {
         self.columns[0].len()
     }
 
-    /// Counts the points, and the distinguishable positions of the points within the axes.
     fn visits(&self, axes: &[NumberLine]) -> OrbitExtent {
         const PARTS: f64 = 200.0;
 
@@ -139,8 +135,8 @@ impl Rows for Trace {
     }
 }
 
-/// Draws orbits of a field with these variables. `description` is the text for screen readers.
-/// Panics if `orbits` is empty.
+/// Draws orbits of a field with these variables. Screen readers read the description. Panics if
+/// `orbits` is empty.
 #[must_use]
 pub fn portrait(
     description: String,
@@ -180,11 +176,10 @@ pub fn portrait(
     Picture { visits, ..picture }
 }
 
-/// Chooses marks by the number of points. An orbit with few distinguishable positions gets larger
-/// dots.
+/// Chooses marks by the number of points. Orbits with few distinguishable positions get large dots.
 fn marks(visits: &[OrbitExtent], look: &PictureOptions) -> Vec<Mark> {
     const FEW: usize = 24;
-    /// Beyond this number of points, lines of the usual width would merge into an area.
+    /// More points need thin lines.
     const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);

@@ -1,6 +1,5 @@
-//! The work–precision diagram, price against error. Double and double-double have a line for each
-//! order; other scalars and compensated sums have small dots. The Pareto front is drawn below the
-//! lines and dots.
+//! The work–precision diagram of price against error. Lines join settings of one order in double or
+//! double-double. Other settings are small dots.
 
 use kahan_dynamics::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
@@ -14,13 +13,13 @@ pub fn trade_canvas() -> Canvas {
     Canvas::page(720, 480)
 }
 
-/// Draws all measured settings, except those whose errors are too large to be useful.
+/// Draws all settings with useful errors.
 #[must_use]
 pub fn trade(traded: &Traded, look: &PictureOptions) -> Picture {
     const LARGEST: f64 = 10.0;
 
     let what = traded.error_name();
-    // An error of 0 has no position on a logarithmic axis.
+    // An error of 0 has no logarithm.
     let shown = traded.settings.iter().filter(|measured| place(measured).1.is_finite());
     let (shown, beyond): (Vec<&Measured>, Vec<_>) = shown.partition(|measured| measured.error() <= LARGEST);
     let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {

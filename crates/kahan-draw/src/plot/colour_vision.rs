@@ -1,6 +1,5 @@
-//! Simulates colour vision deficiency, for tests of the palette. The matrices, for severity 1, are
-//! those of Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color
-//! vision deficiency" (2009).
+//! Simulates colour vision deficiency. The matrices are those of Machado, Oliveira and Fernandes,
+//! "A physiologically-based model for simulation of color vision deficiency" (2009).
 
 pub(super) type Linear = [f64; 3];
 
@@ -23,7 +22,6 @@ pub(super) fn rgb(hex: &str) -> Linear {
     })
 }
 
-/// Converts one byte of an sRGB channel to linear light.
 pub(super) fn linear(byte: u8) -> f64 {
     let c = f64::from(byte) / 255.0;
     if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
@@ -67,7 +65,7 @@ pub(super) fn lab([r, g, b]: Linear) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Returns the Euclidean distance of two colours in L*a*b*.
+/// Returns the distance of two colours in L*a*b*.
 pub(super) fn distance(one: Linear, other: Linear) -> f64 {
     let (one, other) = (lab(one), lab(other));
     one.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()

@@ -37,8 +37,8 @@ pub struct Canvas {
 }
 
 impl Drawing {
-    /// Returns the SVG for use within a [`document`](crate::document::document), which supplies the
-    /// style sheet.
+    /// Returns the SVG for a [`document`](crate::document::document), which supplies the style
+    /// sheet.
     #[must_use]
     pub fn inline(&self) -> Markup {
         let (width, height) = self.sheet.view_box;
@@ -53,7 +53,7 @@ impl Drawing {
         let Canvas { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
-        // Printers have fonts like these two; in both, a letter has the same width.
+        // Printers have fonts like these two, with equal widths of letters.
         let fonts =
             if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
@@ -88,7 +88,7 @@ pub enum DrawingFileError {
     Ending,
     /// This build has no renderer for the format.
     NotBuilt(Format),
-    /// The renderer failed; holds its message.
+    /// The renderer failed with this message.
     Renderer(String),
 }
 
@@ -121,8 +121,8 @@ impl fmt::Display for Format {
 }
 
 impl Format {
-    /// Returns the format for a file's extension. Fails if no format has this extension, or if this
-    /// build cannot write the format.
+    /// Returns the format for the extension of a file. Fails if no format has this extension, or if
+    /// this build cannot write the format.
     pub fn of(path: &Path) -> Result<Self, DrawingFileError> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let format = [Format::Svg, Format::Png, Format::Pdf];
@@ -134,8 +134,7 @@ impl Format {
         }
     }
 
-    /// Returns the file extension, which is also the name of the crate feature that the format
-    /// needs. SVG needs no feature.
+    /// Returns the file extension. The crate feature for the format has the same name.
     #[must_use]
     pub fn feature(self) -> &'static str {
         match self {
@@ -148,11 +147,11 @@ impl Format {
 
 impl Canvas {
     const INCH: f64 = 300.0;
-    /// The size, in pixels, of a picture that fills a column in print (86 mm wide).
+    /// The pixels of a picture that fills a column in print (86 mm wide).
     pub const COLUMN: (u32, u32) = (1016, 762);
 
-    /// Makes the canvas of a file. On screens the view box is small enough for text to be legible
-    /// on telephones. In print, at 300 pixels per inch, text has its size on paper.
+    /// Makes the canvas of a file. On screens, text is legible on telephones. In print, 300 pixels
+    /// are an inch.
     #[must_use]
     pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
         let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
@@ -164,8 +163,8 @@ impl Canvas {
         Canvas { pixels, view_box: (scale * width, scale * height), theme }
     }
 
-    /// Makes the canvas of a drawing within a page. Width and height are units of the view box; in
-    /// a file, pixels.
+    /// Makes the canvas of a drawing within a page. A file has one pixel for each unit of the view
+    /// box.
     #[must_use]
     pub fn page(width: u32, height: u32) -> Self {
         Canvas {
@@ -175,7 +174,7 @@ impl Canvas {
         }
     }
 
-    /// Returns width and height for an SVG file, in pixels; for print, in millimetres.
+    /// Returns width and height for an SVG file. Prints are measured in millimetres.
     fn lengths(&self) -> [String; 2] {
         const MILLIMETRES: f64 = 25.4;
         [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {

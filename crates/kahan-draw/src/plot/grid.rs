@@ -1,4 +1,4 @@
-//! A grid of numbers over two axes, drawn in colours with a colour bar.
+//! A grid of numbers drawn in colours, with a colour bar.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -11,28 +11,28 @@ use super::path::{line, tenths};
 use super::ramp::{Rgb, colour};
 use super::{Canvas, Drawing, Frame, NumberLine, name, placed};
 
-/// Numbers over a rectangle, cell by cell.
+/// A number for each cell of a rectangle.
 #[derive(Clone, Debug)]
 pub struct Grid {
     /// The description for screen readers.
     pub description: String,
     /// The canvas to draw on.
     pub sheet: Canvas,
-    /// The horizontal axis, from the first cell's left edge to the last cell's right edge.
+    /// The horizontal axis. The axis ends at the edges of the outermost cells.
     pub x: NumberLine,
-    /// The vertical axis, from the lowest cell's lower edge to the highest cell's upper edge.
+    /// The vertical axis. The axis ends at the edges of the outermost cells.
     pub y: NumberLine,
-    /// The axis of the colour bar. A number beyond an end has the colour of this end.
+    /// The axis of the colour bar. Numbers beyond an end have the colour of the end.
     pub scale: NumberLine,
     /// The number of cells in a row.
     pub columns: usize,
-    /// The numbers, row by row from below; a NaN leaves its cell empty.
+    /// The numbers, row by row from below. Cells with NaN are empty.
     pub values: Vec<f64>,
-    /// A note above the grid; may be empty.
+    /// A note above the grid. An empty note is omitted.
     pub note: String,
 }
 
-/// The number of colours. One further index is transparent, for empty cells.
+/// One further index is transparent, for empty cells.
 const COLOURS: usize = 255;
 const COLUMN: [f64; 2] = [12.0, 26.0];
 const NAME: f64 = 28.0;
@@ -44,7 +44,7 @@ impl Grid {
         let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
         let (numbers, columns) = (self.values.len(), self.columns);
         assert!(rows > 0 && rows * columns == numbers, "{numbers} numbers are no rows of {columns} cells");
-        // The numbers begin at the lower left, but images begin at the upper left.
+        // Numbers begin at the lower left, but images begin at the upper left.
         let cells: Vec<u8> = self.values.chunks(columns).rev().flatten().map(|v| self.index(*v)).collect();
         let note = Legend::of(&[], &self.note, self.sheet);
         let frame = |beside: f64| Frame::around(self.sheet, note.height(), beside, &self.x, &self.y);
@@ -86,9 +86,8 @@ impl Grid {
     }
 }
 
-/// Draws cells, given from the upper left, as an image; the list holds the image's left, top, right
-/// and bottom. Cells are enlarged to about 1024 pixels a side, because some programs ignore
-/// `image-rendering` and blur enlarged images.
+/// Draws cells from the upper left as an image. Cells are enlarged to about 1024 pixels a side,
+/// because some programs blur enlarged images.
 fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), cells: &[u8]) -> Markup {
     const SIDE: usize = 1024;
 
@@ -97,7 +96,7 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     let pixels = cells.chunks(columns).map(|cells| row(cells).repeat(upwards)).collect::<Vec<_>>().concat();
     let png = png(across * columns, upwards * rows, &pixels)
         .expect("there are cells, and memory takes what is written");
-    // `xlink:href` is the old name of `href`, and the only one that Inkscape reads.
+    // Inkscape reads only this old name of `href`.
     html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
             preserveAspectRatio="none" style="image-rendering:pixelated"
@@ -105,14 +104,13 @@ fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), 
     }
 }
 
-/// Encodes cells as an indexed PNG, which is far smaller than a rectangle for each cell.
 fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
     let palette = (0..COLOURS).flat_map(|i| colour(i as f64 / (COLOURS - 1) as f64));
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, columns as u32, rows as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
-    // Enlarged rows are repeated, so that differences to the row above are zero.
+    // Enlarged rows are repeated, so their differences are zero.
     encoder.set_filter(png::Filter::Up);
     encoder.set_palette(palette.chain(Rgb::default()).collect::<Vec<u8>>());
     encoder.set_trns([vec![255; COLOURS], vec![0]].concat());

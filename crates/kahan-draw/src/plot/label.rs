@@ -1,19 +1,18 @@
-//! Draws labels. Single letters are variables, set in italic. Superscripts and subscripts are
-//! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Some fonts lack these characters, so
-//! drawings use small digits above or below the baseline.
+//! Draws labels. Single letters are variables in italic. Superscripts and subscripts are drawn as
+//! small digits, because some fonts lack these characters.
 
 use maud::{Markup, html};
 
 use super::path::{Place, tenths};
 use super::script::{LOWERED, RAISED};
 
-/// The font size of tick labels and legends; 8.6 points in print.
+/// The font size of tick labels and legends, which is 8.6 points in print.
 pub(super) const SMALL: f64 = 12.0;
 pub(super) const LARGE: f64 = 13.0;
-/// The smallest font size; 6 points in print.
+/// The smallest font size, which is 6 points in print.
 const LEAST: f64 = 8.4;
 
-/// Returns the width of a label in DejaVu Sans, one of the wider common fonts.
+/// Returns the width of a label in DejaVu Sans, a wide common font.
 pub(super) fn width(words: &str, size: f64) -> f64 {
     let part = |c: char| match c {
         ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '/' | '|' | 'f' | 'i' | 'j' | 'l' | 'r' | 't' => 0.41,
@@ -30,12 +29,13 @@ fn small(size: f64) -> f64 {
 
 const USUAL: f64 = 0.92;
 
-/// Returns the largest distance between the middle and the ends of a label, in any common font.
+/// Returns an upper bound on the distance between the middle and the ends of a label in common
+/// fonts.
 pub(super) fn reach(words: &str, size: f64) -> f64 {
     (1.0 - USUAL / 2.0) * width(words, size)
 }
 
-/// Shrinks a label to the width `room`. If the font would become too small, also shortens the text.
+/// Shrinks a label to the width `room`. Text that would become too small is shortened.
 pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
     let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST);
     let mut shown = words.to_owned();
@@ -55,7 +55,7 @@ enum FontStyle {
 }
 
 impl FontStyle {
-    /// Returns the distance below the baseline, as a multiple of the font size.
+    /// Returns the distance below the baseline in units of the font size.
     fn drop(self) -> f64 {
         match self {
             FontStyle::Raised => -0.35,
@@ -88,7 +88,7 @@ fn parts(words: &str) -> Vec<(FontStyle, String)> {
     parts
 }
 
-/// Writes a label at a position, rotated by `turn` degrees; `anchor` is `start`, `middle` or `end`.
+/// Writes a label, rotated by `turn` degrees. The anchor is `start`, `middle` or `end`.
 pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -> Markup {
     let transform =
         (turn != 0).then(|| format!("translate({} {}) rotate({turn})", tenths(at.0), tenths(at.1)));
@@ -102,7 +102,7 @@ pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -
             }
         };
     }
-    // Programs disagree about the end of a label with several parts, but agree about its start.
+    // Programs disagree about the end of a label with several parts, but not about the start.
     let before = match anchor {
         "start" => 0.0,
         "middle" => 0.5,

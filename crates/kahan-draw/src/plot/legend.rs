@@ -1,4 +1,4 @@
-//! The legend above the axes, on as many lines as needed.
+//! The legend above the axes.
 
 use maud::{Markup, html};
 
@@ -13,13 +13,12 @@ const FREE: f64 = 8.0;
 
 pub(super) struct Legend<'a> {
     sheet: Canvas,
-    /// The position, the text with its font size, and the series of each entry; a note has no
-    /// series.
+    /// The position, text, font size and series of each entry. A note has no series.
     entries: Vec<(Place, (String, f64), Option<&'a Series>)>,
 }
 
 impl<'a> Legend<'a> {
-    /// Makes the legend of all series that have a label; the note, if any, comes last.
+    /// Makes the legend of all series with labels. The note comes last.
     pub(super) fn of(series: &'a [Series], note: &str, sheet: Canvas) -> Self {
         let series = series.iter().filter(|series| !series.label.is_empty());
         let named = series.map(|series| (series.label.as_str(), Some(series)));

@@ -1,12 +1,13 @@
-//! Axes with round ticks. If values share leading digits, a [`NumberLine`] subtracts a number from
-//! them; it divides very large or small values by a power of ten. The name of the axis states both.
+//! Axes with round ticks. A number is subtracted from values that share leading digits. Very large
+//! or small values are divided by a power of ten. The name of the axis states the number and the
+//! power.
 
 use super::script::raised;
 
 /// An axis.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// The label. Single letters in it are variables: `t`, `ln n`.
+    /// The label. Single letters are variables, as in `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,
@@ -23,8 +24,8 @@ pub enum TickKind {
     Round,
     /// Whole numbers, for counts.
     Whole,
-    /// Powers of ten; the values are decimal logarithms. An axis with fewer than two whole numbers
-    /// shows the logarithms instead, and the name of the axis says so.
+    /// Powers of ten for values that are decimal logarithms. A short axis shows the logarithms
+    /// instead.
     Powers,
 }
 
@@ -41,8 +42,8 @@ impl NumberLine {
         NumberLine { label: label.to_owned(), low, high, marks: TickKind::Round }
     }
 
-    /// Makes an axis that shows all finite values, with small margins. Values that differ only by
-    /// rounding errors are treated as equal.
+    /// Makes an axis that shows all finite values with small margins. Values that differ by
+    /// rounding errors count as equal.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         const ROUNDING: f64 = 1e-13;
@@ -59,8 +60,7 @@ impl NumberLine {
         NumberLine::new(label, low - room, high + room)
     }
 
-    /// Makes an axis that shows nearly all values. A few distant values, as near a pole, are left
-    /// out.
+    /// Makes an axis that shows nearly all values. A few distant values are left out.
     #[must_use]
     pub fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
@@ -75,7 +75,7 @@ impl NumberLine {
         NumberLine::around(label, ends.into_iter())
     }
 
-    /// Returns the label with the shift and scale of the tick labels: `(x − 2.5) / 10⁻⁸`.
+    /// Returns the label with shift and scale, such as `(x − 2.5) / 10⁻⁸`.
     pub(super) fn name(&self) -> String {
         let label = match self.marks {
             TickKind::Powers if !self.has_powers() => format!("log₁₀ of {}", self.label),
@@ -94,12 +94,12 @@ impl NumberLine {
         }
     }
 
-    /// Returns the largest power of ten that is not longer than the axis.
+    /// Returns the largest power of ten up to the length of the axis.
     fn unit(&self) -> f64 {
         libm::exp10(libm::log10(self.high - self.low).floor())
     }
 
-    /// Returns the number to subtract from values that share their leading digits; otherwise 0.
+    /// Returns the number to subtract from values that share leading digits. Otherwise returns 0.
     fn offset(&self) -> f64 {
         const SHARED: f64 = 1e4;
         let unit = self.unit();
@@ -107,8 +107,7 @@ impl NumberLine {
         if is_far { ((self.low / 2.0 + self.high / 2.0) / unit).round() * unit } else { 0.0 }
     }
 
-    /// Returns the exponent of the power of ten by which tick labels are divided; 0 unless values
-    /// are very large or small.
+    /// Returns the exponent of the power of ten that divides tick labels.
     fn power(&self) -> i32 {
         let offset = self.offset();
         let largest = (self.low - offset).abs().max((self.high - offset).abs());
@@ -119,11 +118,11 @@ impl NumberLine {
         self.high.floor() - self.low.ceil() >= 1.0
     }
 
-    /// Returns four to seven ticks at round values, or fewer if `fits` rejects overlapping labels.
+    /// Returns four to seven ticks at round values. Fewer ticks are returned if `fits` rejects the
+    /// labels.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let unit = self.unit();
-        // Successive step sizes differ by factors of 2 or 2.5, so one of them gives four to seven
-        // ticks.
+        // Steps differ by factors of 2 or 2.5, so one of them gives four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
@@ -133,8 +132,7 @@ impl NumberLine {
             steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
         let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
-        // The sort is stable. Choices with four to seven ticks come first, coarse before fine, and
-        // steps of 2.5 last. Then choices with fewer ticks come, ordered from many ticks to few.
+        // The sort is stable, so coarse steps come first among choices with four to seven ticks.
         marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
         let chosen = marked.iter().position(|ticks| fits(ticks));
         chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
@@ -144,8 +142,8 @@ impl NumberLine {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
-        // The decimals remove rounding errors such as that of 0.1 + 0.2. A step of 0.25 needs one
-        // decimal more than its size suggests.
+        // Limited decimals remove rounding errors such as that of 0.1 + 0.2. A step of 0.25 needs
+        // one more decimal.
         let size = (-libm::log10(step * scale * 1.001).floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
             let digits = step * scale * 10_f64.powi(decimals as i32);
@@ -160,7 +158,7 @@ impl NumberLine {
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
     }
 
-    /// Returns the position of a value, if `low` is drawn at `from` and `high` at `to`.
+    /// Returns the position of a value, where `low` is at `from` and `high` at `to`.
     #[must_use]
     pub fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         from + (value - self.low) / (self.high - self.low) * (to - from)
@@ -173,13 +171,13 @@ impl NumberLine {
     }
 }
 
-/// Writes a number with `decimals` decimals and a typographic minus sign.
+/// Writes a number with a typographic minus sign.
 #[must_use]
 pub fn decimal(value: f64, decimals: usize) -> String {
     format!("{value:.decimals$}").replace('-', "−")
 }
 
-/// Writes a number with up to fourteen significant digits.
+/// Writes a number with at most fourteen significant digits.
 fn number(value: f64) -> String {
     let digits = format!("{value:.13e}");
     let (digits, power) = digits.split_once('e').expect("digits and a power");

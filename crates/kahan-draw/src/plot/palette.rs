@@ -1,6 +1,5 @@
-//! Colours of drawings. The six colours of curves can be distinguished in grey print, and by
-//! readers who lack one kind of cones. Against the background, each colour has the contrast that
-//! text needs.
+//! Colours of drawings. The six colours of curves differ in grey print, and for readers who lack
+//! one kind of cones. Each colour has the contrast that text needs.
 
 use std::fmt::Write as _;
 
@@ -20,7 +19,7 @@ impl Colour {
         Colour { name, light, dark, print }
     }
 
-    /// Makes a colour of curves; its light variant must be dark enough for print.
+    /// Makes a colour of curves. The light variant is also the colour in print.
     const fn curve(name: &'static str, light: &'static str, dark: &'static str) -> Self {
         Colour::new(name, light, dark, light)
     }
@@ -48,9 +47,9 @@ const CURVES: [Colour; 6] = [
     Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
-/// The fill and stroke of one kind of element. Elements carry the theme's colours as attributes,
-/// which all programs read. For [`Theme::Viewer`] the attributes are the light colours, and a style
-/// sheet replaces them by the dark colours.
+/// The fill and stroke of one kind of element. Elements carry colours as attributes, because all
+/// programs read these. For [`Theme::Viewer`], a style sheet replaces light colours by dark
+/// colours.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,
@@ -124,19 +123,18 @@ pub enum Theme {
     Light,
     /// Always dark.
     Dark,
-    /// Black on white with thin lines, for print; a unit of the view box is 0.01 inch.
+    /// Black on white with thin lines, for print. A unit of the view box is 0.01 inch.
     Paper,
 }
 
 impl Theme {
-    /// Scales a line width, given for screens.
     pub(super) fn line(self, width: f64) -> f64 {
         const THIN: f64 = 0.6;
         if self == Theme::Paper { THIN * width } else { width }
     }
 }
 
-/// Returns the style sheet of drawings: the dark colours of [`Theme::Viewer`].
+/// Returns the style sheet with the dark colours of [`Theme::Viewer`].
 pub(crate) fn style(theme: Theme) -> String {
     match theme {
         Theme::Viewer => {
@@ -147,7 +145,7 @@ pub(crate) fn style(theme: Theme) -> String {
     }
 }
 
-/// Declares the colours as CSS variables of a page, light or dark as the reader prefers.
+/// Declares the light and dark colours of a page as CSS variables.
 pub(crate) fn variables() -> String {
     let colours = || [PAPER, INK, SOFT, RULE].into_iter().chain(CURVES);
     let declared = |value: fn(Colour) -> &'static str| {
@@ -174,12 +172,11 @@ mod tests {
         for theme in [Theme::Light, Theme::Dark, Theme::Paper] {
             let (paper, curves) = (rgb(PAPER.on(theme)), CURVES.map(|colour| rgb(colour.on(theme))));
             for (i, &one) in curves.iter().enumerate() {
-                // This is the contrast that web guidelines (WCAG) require of text.
+                // The web guidelines (WCAG) require this contrast of text.
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
                 for (j, &other) in curves.iter().enumerate().skip(i + 1) {
                     for kind in KINDS {
-                        // This is about nine times the smallest difference that is visible side by
-                        // side.
+                        // The smallest visible difference is about a ninth of this.
                         let apart = distance(seen(one, kind), seen(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }

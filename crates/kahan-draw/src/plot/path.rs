@@ -1,4 +1,4 @@
-//! SVG elements (lines, paths, dots and rings), with numbers rounded to tenths of a unit.
+//! SVG elements with numbers rounded to tenths.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
@@ -11,8 +11,7 @@ pub(super) fn line(from: Place, to: Place) -> Markup {
     html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
 }
 
-/// Draws a path that [`polyline`], [`dots`] or [`rings`] returned, with a width and optional
-/// dashes.
+/// Draws a path that [`polyline`], [`dots`] or [`rings`] returned.
 pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>) -> Markup {
     html! {
         path.(class) d=(shape) stroke-width=((100.0 * width).round() / 100.0) stroke-dasharray=[dashes]
@@ -28,11 +27,10 @@ pub(super) fn rings(places: &[Place], radius: f64) -> String {
     places.iter().map(ring).collect()
 }
 
-/// The path command of a dot. A length of 0 would not do, because some programs omit such paths.
+/// The path of a dot. Some programs omit paths of length 0.
 const DOT: &str = "h.01";
 
-/// Returns the path of a line through positions. Equal neighbours are merged; a single position
-/// becomes a dot.
+/// Returns the path of a line. Equal neighbours are merged, and a single position becomes a dot.
 pub(super) fn polyline(places: &[Place]) -> String {
     let mut path = String::new();
     let mut before = None;
@@ -50,12 +48,12 @@ pub(super) fn polyline(places: &[Place]) -> String {
     path
 }
 
-/// The largest number of dots in a path, which takes about a megabyte of SVG.
+/// More dots would take more than about a megabyte of SVG.
 const MOST_DOTS: usize = 100_000;
 
-/// Returns the path of a dot at each position. A dot is a line of nearly zero length with round
-/// ends, which takes a third of the bytes of a circle. Coinciding dots are merged; if there are
-/// very many, also dots within 0.5 or 1 unit, about the size of a dot.
+/// Returns the path of a dot at each position. A dot is a short line with round ends, because
+/// circles take three times the bytes. Coinciding dots are merged. Among very many dots, close dots
+/// are merged too.
 pub(super) fn dots(places: &[Place]) -> String {
     let distinct = |units: f64| {
         let mut seen = HashSet::new();

@@ -1,6 +1,5 @@
 //! The colour map viridis (Van der Walt and Smith, matplotlib 2015), from dark to light. Equal
-//! steps in the number look about equally large. Lightness increases with the number, so that
-//! readers see the order in grey, and without any one kind of cones.
+//! steps look about equally large. The order is visible in grey, and without one kind of cones.
 
 pub(super) type Rgb = [u8; 3];
 
@@ -16,7 +15,6 @@ const EIGHTHS: [Rgb; 9] = [
     [0xfd, 0xe7, 0x25],
 ];
 
-/// Returns the colour of a number in [0, 1], interpolated linearly.
 pub(super) fn colour(part: f64) -> Rgb {
     let at = part.clamp(0.0, 1.0) * (EIGHTHS.len() - 1) as f64;
     let below = (at as usize).min(EIGHTHS.len() - 2);
@@ -41,7 +39,7 @@ mod tests {
             let mean = (light[64] - light[0]) / 64.0;
             assert!(mean > 1.0, "{kind:?}: {mean}");
             for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
-                // For readers without short cones, violet and dark blue are nearly equal.
+                // Without short cones, violet and dark blue are nearly equal.
                 let least = if matches!(kind, ColourVision::NoShort) { 0.0 } else { mean / 3.0 };
                 assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
             }

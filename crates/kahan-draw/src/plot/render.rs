@@ -1,5 +1,4 @@
-//! Makes PNG and PDF files from a drawing's SVG. An embedded font makes them equal on every
-//! machine.
+//! Makes PNG and PDF files from SVG. An embedded font makes files equal on every machine.
 
 use std::sync::Arc;
 
@@ -35,13 +34,13 @@ pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, Dra
     pixels.encode_png().map_err(|error| failed(&error))
 }
 
-/// Renders a PDF with one page of the drawing's size, whose text can be searched.
+/// Renders a PDF page whose text can be searched.
 #[cfg(feature = "pdf")]
 pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, DrawingFileError> {
     use krilla::{Document, geom::Size, page::PageSettings};
     use krilla_svg::{SurfaceExt, SvgSettings};
 
-    /// The number of points (1/72 inch) in a CSS pixel (1/96 inch).
+    /// A point is 1/72 inch, and a CSS pixel is 1/96 inch.
     const POINTS: f32 = 0.75;
 
     let tree = read(svg)?;
@@ -85,7 +84,7 @@ mod tests {
                 pixels.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
             assert_eq!(colours[0], paper);
             assert!(colours.iter().filter(|colour| **colour == curve).count() > 400, "the line");
-            // Left of the vertical axis, all dark pixels belong to letters.
+            // Dark pixels left of the vertical axis belong to letters.
             let margin = colours.chunks(900).flat_map(|row| &row[..105]).filter(|colour| **colour != paper);
             assert!(margin.count() > 100, "letters");
         }

@@ -1,5 +1,4 @@
-//! Draws orbits in space, in parallel projection. Near points and lines are wider than distant
-//! points and lines.
+//! Draws orbits in space in parallel projection. Near points and lines are wider than distant ones.
 
 use std::cell::Cell;
 
@@ -17,8 +16,7 @@ pub struct SpaceSeries {
     pub colour: usize,
     /// The style.
     pub mark: Mark,
-    /// The points in units of the axes. Points outside of the axes are omitted, and interrupt
-    /// lines.
+    /// The points in units of the axes. Points outside the axes are omitted and interrupt lines.
     pub points: Vec<[f64; 3]>,
 }
 
@@ -27,7 +25,7 @@ pub struct SpaceSeries {
 pub struct SpacePlot {
     /// The description for screen readers.
     pub description: String,
-    /// The sheet to draw on.
+    /// The canvas to draw on.
     pub sheet: Canvas,
     /// The axes to the right, to the back and upwards.
     pub axes: [NumberLine; 3],
@@ -42,15 +40,13 @@ const LINE: f64 = 1.4;
 const THIN: f64 = 0.7;
 const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
-/// The number of depth layers; it is so large that the change of line widths between layers is
-/// invisible.
+/// With this many depth layers, changes of line widths are invisible.
 const LAYERS: usize = 24;
-/// A box whose lengths have a ratio above `SLENDER` is stretched: to height 1, and to a width of at
-/// most `BROAD`.
+/// A box with a larger ratio of lengths is stretched to height 1 and to a width of at most `BROAD`.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
-/// Rotates a point into the coordinates right, up and towards the eye. The eye is in front of the
+/// Rotates a point into the directions right, up and towards the eye. The eye is in front of the
 /// box, slightly to the right and above.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
     let (right, back) =
@@ -59,13 +55,11 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 struct View {
-    /// The position of the box's middle in the drawing.
+    /// The position of the middle of the box.
     centre: Place,
     middle: [f64; 3],
-    /// The factors by which the box is stretched before it is rotated.
     stretch: [f64; 3],
     scale: f64,
-    /// The largest distance from the middle towards the eye.
     depth: f64,
 }
 
@@ -75,20 +69,18 @@ impl View {
         let middle = axes.each_ref().map(|axis| axis.low + (axis.high - axis.low) / 2.0);
         let (short, long) =
             (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
-        // Computes the largest coordinates (right, up, towards the eye) of the corners of a
-        // stretched box.
+        // Returns the largest coordinates of the corners of a stretched box.
         let reach = |stretch: [f64; 3]| -> [f64; 3] {
             let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
             corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
         };
-        // The room beside the box is for tick labels, and on the left also for the name of an axis.
+        // The margins are for tick labels and for the name of an axis on the left.
         let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
         let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
         let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);
         let scale = |reach: [f64; 3]| (width / 2.0 / reach[0]).min(height / 2.0 / reach[1]);
         let stretch = if long > SLENDER * short {
             let broad = |by: f64| [by / lengths[0], by / lengths[1], 1.0 / lengths[2]];
-            // Within these bounds, a box can become broader without becoming smaller.
             let boxes = (0..=10).map(|part| broad(1.0 + (BROAD - 1.0) * f64::from(part) / 10.0));
             let area = |stretch: [f64; 3]| {
                 let reach = reach(stretch);
@@ -122,7 +114,7 @@ impl View {
     }
 }
 
-/// Returns the width of the widest label among all candidate ticks of an axis.
+/// Returns the largest width of a tick label.
 fn widest(axis: &NumberLine) -> f64 {
     let most = Cell::new(0.0_f64);
     axis.ticks(|ticks| {
@@ -132,14 +124,14 @@ fn widest(axis: &NumberLine) -> f64 {
     most.get()
 }
 
-/// Returns the width of lines or dots in a layer; `middle` is their width in the middle layer.
+/// Returns the width of lines or dots in a layer, given the width in the middle layer.
 fn width_in(layer: usize, middle: f64) -> f64 {
     const AT_THE_BACK: f64 = 0.7;
     let nearness = (layer as f64 + 0.5) / LAYERS as f64;
     middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
 }
 
-/// Returns the vector from the middle to a corner. A set bit selects the larger end of an axis.
+/// Returns the vector from the middle to a corner. Set bits select the larger ends of axes.
 fn half(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| lengths[i] * stretch[i] * if bits >> i & 1 == 1 { 0.5 } else { -0.5 })
 }
@@ -194,8 +186,7 @@ impl SpacePlot {
         if here.is_empty() {
             return html! {};
         }
-        // Each piece of a line extends to the first point of the next layer, so that lines have no
-        // gaps.
+        // Each piece of a line extends to the next layer, so lines have no gaps.
         let lines = || {
             let mut path = String::new();
             let mut from = 0;
@@ -235,7 +226,6 @@ impl SpacePlot {
                 let long = width(&value, SMALL);
                 let left = place.0 - if axis == 2 { long } else { long / 2.0 };
                 let own = [left - 4.0, place.1 - 11.0, left + long + 4.0, place.1 + 2.0];
-                // Near a corner, labels of two axes would touch.
                 if boxes.iter().all(|other| (0..2).any(|i| own[i] > other[i + 2] || other[i] > own[i + 2])) {
                     boxes.push(own);
                     values.push((place, ANCHORS[axis], value));
@@ -272,9 +262,9 @@ impl SpacePlot {
     }
 }
 
-/// The edges of the box that carry the axes, as pairs of corners: two edges below, one on the left.
+/// Pairs of corners. Two axes are below the box, and one axis is on the left.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
-/// The offsets of the names of the two lower axes, to the right and downwards.
+/// The offsets of names of the two lower axes, to the right and downwards.
 const NAMES: [Place; 2] = [(20.0, 32.0), (-26.0, 28.0)];

@@ -35,11 +35,11 @@ fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
-    // The line to (99, 1) is clipped at the right end of the frame.
+    // The line to (99, 1) is clipped.
     assert!(path.contains("L466 "), "{path}");
 }
 
-/// Draws points along y, which recede from the eye.
+/// Draws points at increasing distance from the eye.
 fn receding(mark: Mark) -> String {
     let axis = |label: &str| NumberLine::new(label, -1.0, 1.0);
     let points = (0..=200).map(|i| [0.0, f64::from(i) / 100.0 - 1.0, 0.0]).collect();
@@ -53,7 +53,7 @@ fn receding(mark: Mark) -> String {
     space.drawing().inline().into_string()
 }
 
-/// Returns the paths of a CSS class with their widths, in drawing order.
+/// Returns the paths of a CSS class with their widths.
 fn shapes(svg: &str, class: &str) -> Vec<(String, f64)> {
     let opening = format!("class=\"{class}\" d=\"");
     let parts = svg.split(&opening).skip(1);
@@ -164,7 +164,7 @@ fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
 
 type Box = [f64; 4];
 
-/// Returns the labels of a drawing with their bounds in a wide font.
+/// Returns labels with their bounds in a wide font.
 fn words(svg: &str) -> Vec<(String, Box)> {
     let element = |part: &str| {
         let (attributes, rest) = part.split_once('>').expect("the end of a tag");
@@ -199,8 +199,7 @@ fn words(svg: &str) -> Vec<(String, Box)> {
     svg.split("<text").skip(1).map(element).collect()
 }
 
-/// Asserts that all labels lie on the canvas without overlap, and that in print they have at least
-/// six points.
+/// Asserts that labels lie on the canvas without overlap, in at least six points in print.
 fn has_room(drawing: &Drawing) {
     let svg = drawing.svg();
     let (across, upwards) = drawing.sheet.view_box;

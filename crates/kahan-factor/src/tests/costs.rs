@@ -1,4 +1,4 @@
-//! Tests bounds on the work of factorisations, measured in counts that are equal on every machine.
+//! Tests bounds on the work of factorisations. Work is counted equally on every machine.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -17,7 +17,7 @@ fn an_exhausted_budget_leaves_square_free_parts() {
         let factors = factors(&polynomial, &mut Budget::new(100_000, work));
         assert_sound(&polynomial, &factors);
         let largest = factors.factors.iter().map(|(factor, _)| factor.degree()).max().unwrap();
-        // At least the square of the product of degree 5 is recognised.
+        // At least the square of the factor of degree 5 is recognised.
         assert!(largest <= 5, "{factors:?}");
         assert!(factors.is_complete >= is_complete, "more work leaves nothing behind");
         is_complete = factors.is_complete;
@@ -45,7 +45,7 @@ fn equal_inputs_have_equal_answers() {
     assert_eq!(first.work_left(), second.work_left());
 }
 
-/// Factors a product of random irreducible polynomials, checks the factors, and returns the work.
+/// Factors a product of random irreducible polynomials and returns the work.
 fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: usize) -> u64 {
     let given: Vec<(Polynomial, u32)> =
         (0..count).map(|_| (random_irreducible(rng, variables, terms, degree), 1)).collect();
@@ -102,8 +102,7 @@ fn spent(polynomial: &Polynomial) -> u64 {
     u64::MAX - budget.work_left()
 }
 
-/// A polynomial that is linear in a variable is irreducible if its two coefficients are coprime. No
-/// image is needed.
+/// A polynomial of degree 1 in a variable is irreducible if its two coefficients are coprime.
 #[test]
 fn linear_polynomials_are_cheapest() {
     let mut rng = SplitMix64::new(17);
@@ -113,8 +112,7 @@ fn linear_polynomials_are_cheapest() {
     assert!(spent(&linear) <= 2 * linear.len() as u64);
 }
 
-/// The degrees of factors modulo several primes prove that most polynomials are irreducible. No
-/// lift is needed.
+/// Most polynomials are proved irreducible by the degrees of factors modulo several primes.
 #[test]
 fn degrees_modulo_primes_settle_most() {
     let mut rng = SplitMix64::new(18);
@@ -130,8 +128,7 @@ fn degrees_modulo_primes_settle_most() {
     assert!(sum <= 110_000, "{sum}");
 }
 
-/// Coefficients of several machine words need several primes. No division is tried before the last
-/// prime.
+/// Long coefficients need several primes. Divisions are tried only after the last prime.
 #[test]
 fn wrong_candidates_are_not_divided_by() {
     let mut rng = SplitMix64::new(19);
@@ -144,7 +141,7 @@ fn wrong_candidates_are_not_divided_by() {
     assert!(spent(&whole) <= 365_000, "{}", spent(&whole));
 }
 
-/// If a is a square, b² − a³ is reducible; some of the first points are squares.
+/// If a is a square, b² − a³ is reducible.
 #[test]
 fn the_better_of_several_images_is_lifted() {
     let mut rng = SplitMix64::new(20);

@@ -17,7 +17,7 @@ pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, de
     factor
 }
 
-/// Factoring a product yields the factors of its factors, which may themselves be reducible.
+/// A factor of the product may itself be reducible.
 #[test]
 fn random_products_have_the_factors_of_their_factors() {
     let mut rng = SplitMix64::new(11);
@@ -47,8 +47,6 @@ fn random_products_have_the_factors_of_their_factors() {
     }
 }
 
-/// A change of variables maps irreducible factors to irreducible factors, for any choice of main
-/// variable and points.
 #[test]
 fn irreducible_factors_stay_so_in_other_variables() {
     let mut rng = SplitMix64::new(12);
@@ -65,11 +63,10 @@ fn irreducible_factors_stay_so_in_other_variables() {
     }
 }
 
-/// Returns a polynomial lead·x^d + q·(…) that is irreducible by Eisenstein's criterion at the prime
-/// q.
+/// Returns a polynomial that is irreducible by Eisenstein's criterion at a prime.
 ///
-/// The prime q divides all coefficients except the leading one. The last coefficient is ±q, so q²
-/// does not divide it, and it is coprime to the leading coefficient.
+/// The prime divides all coefficients except the leading one. The last coefficient is ± the prime
+/// and coprime to the leading coefficient.
 pub(super) fn random_irreducible(
     rng: &mut SplitMix64,
     variables: u16,

@@ -17,8 +17,7 @@ fn smallest(text: &str) -> Lift {
     lifted(text, &Options { which: LiftCriterion::Smallest, ..Options::default() }).expect(text)
 }
 
-/// Substitutes the expressions of the new variables into the right-hand side of a variable's
-/// equation.
+/// Substitutes the expressions of the new variables into an equation.
 fn restricted(lift: &Lift, index: usize) -> Laurent {
     let component = &lift.field.components[index];
     let states = lift.states.len();
@@ -48,8 +47,8 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
     sum.scale(&RationalFunction::one().checked_div(&divisor).expect("not 0"))
 }
 
-/// Checks the lifted equations under the expressions of the new variables. The lifted equations
-/// must become the original equations, and the derivatives of the expressions.
+/// Checks that the expressions turn lifted equations into the original equations and their
+/// consequences.
 fn check_restriction(lift: &Lift, text: &str) {
     for index in 0..lift.variables().len() {
         let expected = match index.checked_sub(lift.states.len()) {
@@ -181,8 +180,8 @@ fn maps_of_mechanical_systems_keep_an_energy() {
     }
 }
 
-/// For central forces in the plane: the factor of −(x, y), and the largest allowed number of
-/// variables.
+/// Central forces in the plane. Each entry is the factor of −(x, y) and the largest allowed number
+/// of variables.
 const CENTRAL: [(&str, usize); 6] = [
     ("6/(x^2 + y^2)^4 - 12/(x^2 + y^2)^7", 8),
     ("(x^2 + y^2)^(-5/6)", 6),
@@ -207,8 +206,7 @@ fn below(random: &mut Vec<u8>, bound: u8) -> u8 {
     random.pop().expect("enough bytes") % bound
 }
 
-/// Returns random equations of up to four states. Each is a sum of up to four terms, some with
-/// functions.
+/// Returns random equations of up to four states, with up to four terms in each equation.
 fn random_field(seed: u64) -> String {
     let mut shake = Shake256::new(&seed.to_le_bytes());
     let mut random: Vec<u8> = (0..16).flat_map(|_| shake.next_seed()).collect();
@@ -267,7 +265,7 @@ fn lifts_of_two_thousand_random_fields_restrict_to_them() {
     check_random_fields(60..2060);
 }
 
-/// For roots of 1 ± 1/x², the relations are solved for a term with a negative exponent.
+/// For roots of 1 ± 1/x², relations are solved for a term with a negative exponent.
 #[test]
 fn roots_of_sums_with_poles_are_read() {
     for text in [
@@ -343,11 +341,10 @@ fn lifts_are_chosen_by_structure_then_by_the_orbit() {
         orbit: Some((start.to_vec(), parameters.to_vec())),
         ..Options::default()
     };
-    // The map preserves the relation of Van der Pol's lift along every orbit.
+    // The map preserves the relation along every orbit.
     let van_der_pol = lifted("x' = y; y' = mu*(1 - x^2)*y - x", &Options::default()).expect("a lift");
     assert_eq!(van_der_pol.relations[0].formula.as_deref(), Some("x2 - x^2 + eps^2*y^2"));
-    // In FitzHugh and Nagumo's equations, errors of u = v² grow if the equation of u contains 2u,
-    // and decay if it contains 2v².
+    // Errors of u = v² grow if the equation of u contains 2u, and decay if it contains 2v².
     let text = "v' = v - v^3/3 - w + 1/2; w' = 2/25*(v + 7/10 - 4/5*w)";
     let nagumo = lifted(text, &at(&[0.0, 0.0], &[])).expect("a lift");
     assert!(nagumo.text().contains("v2dot = v + 2*v^2"), "{}", nagumo.text());

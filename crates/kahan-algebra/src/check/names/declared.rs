@@ -1,5 +1,5 @@
-//! Collects the names that a block declares. States come from the equations. Parameters come from
-//! the header or, without a header, from their use.
+//! Collects the names of a block. States come from equations. Parameters come from the header, or
+//! from their use.
 
 use rustc_hash::FxHashSet;
 
@@ -29,8 +29,7 @@ impl Scope {
         self.symbols.parameters.push(name.to_owned());
     }
 
-    /// Builds the scope of a block, without constants and claims. In a family, the states are the
-    /// arrays.
+    /// Builds the scope of a block without constants and claims. In a family, states are arrays.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
@@ -106,8 +105,7 @@ impl Scope {
         }
     }
 
-    /// Declares every unknown name in the equations as a parameter. This applies to blocks without
-    /// a header.
+    /// Declares unknown names in equations as parameters. This applies to blocks without a header.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
@@ -123,7 +121,7 @@ impl Scope {
                 continue;
             }
             if is_never_free(text, |name| self.is_state_name(name)) {
-                // This name is not declared; it is reported when it is looked up.
+                // This name is reported when it is looked up.
                 continue;
             }
             if is_keyword(text) {

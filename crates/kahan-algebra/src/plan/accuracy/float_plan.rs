@@ -1,5 +1,5 @@
 //! Runs plans in floats with a given rounding. Every expansion of the macro runs this code without
-//! optimisation, so it uses plain loops over plain floats.
+//! optimisation, so plain loops are used.
 
 use kahan_program::Arithmetic;
 use kahan_syntax::rational::Rational;
@@ -30,8 +30,7 @@ impl<'a> FloatPlan<'a> {
         FloatPlan { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// Runs the plan and returns its outputs. `round` is applied to the result of each operation,
-    /// and to the product inside a multiply-add.
+    /// Runs the plan. The function `round` applies to each result and to products in multiply-adds.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         for (value, operation) in values.iter_mut().zip(&self.plan.operations) {

@@ -1,4 +1,4 @@
-//! Draws sample points, and computes one step from each by elimination with partial pivoting.
+//! Draws sample points, and computes steps by elimination with partial pivoting.
 
 use crate::field::Field;
 use crate::kahan::field_jacobian;
@@ -11,22 +11,22 @@ use super::float_plan::{FloatPlan, SHORT_UNIT, short};
 #[derive(Debug)]
 pub(super) struct SampleStep {
     pub(super) inputs: Vec<f64>,
-    /// The image x̃ of the point, computed in 53 bits.
+    /// The image x̃ in 53 bits.
     pub(super) next: Vec<f64>,
-    /// The error of elimination in floats of 30 bits, as a multiple of their unit roundoff u.
+    /// The error of elimination in 30 bits, as a multiple of the unit roundoff.
     pub(super) elimination: f64,
 }
 
 pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,
-    /// The numerators of f′ row by row, then the numerators of f, then the denominators of f.
+    /// The numerators of f′ row by row, the numerators of f, and the denominators of f.
     values: FloatPlan<'a>,
 }
 
 impl SampleStep {
-    /// Draws a point at which ‖εf′‖∞ is near `size`. The states are in cubes with half widths 2⁻³
-    /// to 2¹⁰, and the parameters have absolute values from 1/2 to 2. Returns `None` if f′ or det A
+    /// Draws a point at which ‖εf′‖∞ is near `size`. Cubes of states have half widths from 2⁻³ to
+    /// 2¹⁰, and parameters have absolute values from 1/2 to 2. Returns `None` if f′ or det A
     /// vanishes.
     pub(super) fn draw(elimination: &Elimination<'_>, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
@@ -49,8 +49,7 @@ impl SampleStep {
             }
             norm = norm.max(sum);
         }
-        // Choose ε at random. At ε = size/‖f′‖∞ exactly, a Jacobian with a single entry would have
-        // a pole at size 1.
+        // With ε = size/‖f′‖∞, a Jacobian with a single entry would have a pole at size 1.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
         if !eps.is_normal() {
             return None;
@@ -63,8 +62,8 @@ impl SampleStep {
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// Returns the largest error of the components from index `first` on, as a multiple of u times
-    /// the largest component. The error is infinite if a component is not finite.
+    /// Returns the largest error from component `first` on, in units of the unit roundoff times the
+    /// largest component.
     pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next[first..].iter().zip(next) {
@@ -109,7 +108,7 @@ impl<'a> Elimination<'a> {
     }
 }
 
-/// Returns x̃ = x + 2ε A⁻¹f, computed from the rows of f′ and f.
+/// Returns x̃ = x + 2ε A⁻¹f from the rows of f′ and f.
 fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f64, n: usize) -> Vec<f64> {
     let matrix: &mut [f64] = &mut rows;
     let (mut i, mut j) = (0, 0);
@@ -164,7 +163,7 @@ fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<
     all
 }
 
-/// Exchanges row k with the row from k on whose entry in column k is largest.
+/// Exchanges row k with the row whose entry in column k is largest.
 fn exchange_pivot_row(rows: &mut [f64], k: usize, width: usize) {
     let (mut pivot, mut i) = (k, k + 1);
     while i * width < rows.len() {

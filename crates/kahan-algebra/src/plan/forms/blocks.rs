@@ -1,5 +1,4 @@
-//! Solves for x̃ block by block without expanding det A. Within a block, independent states are
-//! eliminated by their pivots, which are 1. Cramer's rule solves for the other states.
+//! Solves for x̃ block by block without expanding det A.
 //!
 //! Let P be the polarised field in which x replaces x̃ in the states of a block K. The block
 //! satisfies A_KK·(x̃ − x)_K = 2ε P_K(x, x̃). For an independent set S of states in K, A_SS is the
@@ -10,7 +9,7 @@
 //! (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in
 //! ```
 //!
-//! If large entries stand beside the pivots, elimination loses digits. Then S is left empty
+//! Beside large entries, elimination loses digits. The set S is then left empty
 //! ([accuracy](crate::plan::accuracy)).
 
 mod solve;
@@ -28,29 +27,27 @@ use crate::plan::forms::structure::Structure;
 
 const ENTRY_TERMS: usize = 40;
 
-/// Data that all orders of rows and all scalings share.
 pub(in crate::plan) struct Blocks<'a> {
     field: &'a Field,
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
-    /// The index of the first state to solve for. Earlier states are known at x and at x̃.
+    /// The first state to solve for. Earlier states are known at x and at x̃.
     first: usize,
 }
 
-/// A block of states. The states R are solved for by minors of `rows`. Then the independent states
-/// S get the increments 2ε·`moved`.
+/// A block of states. Minors of `rows` solve for the states `rest`. Then the independent states get
+/// the increments 2ε·`moved`.
 #[derive(PartialEq)]
 struct Block {
     rest: Vec<usize>,
-    /// The matrix A_RR − A_RS·A_SR with the right-hand side as last column. Rows are in order of
-    /// expansion.
+    /// The matrix A_RR − A_RS·A_SR with the right-hand side as last column, in order of expansion.
     rows: Vec<Vec<Polynomial>>,
     independent: Vec<usize>,
     moved: Vec<Polynomial>,
 }
 
-/// The blocks in the order in which they are solved. This order does not depend on the writer.
+/// The blocks in the order of their solution.
 #[derive(PartialEq)]
 pub(in crate::plan) struct BlockOrder(Vec<Block>);
 
@@ -65,11 +62,10 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// Prepares the map of a tangent vector v in a variational field. The points x and x̃ are
-    /// known.
+    /// Prepares the map of a tangent vector v for known x and x̃.
     ///
-    /// The second states stand for x + x̃ and ṽ − v. In these variables half of the terms of the
-    /// polarised field cancel. Doubling the equations removes the factors ½ of polarisation.
+    /// The second states stand for x + x̃ and ṽ − v, so half of the terms of the polarised field
+    /// cancel. Doubled equations contain no factor ½.
     pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };
@@ -79,7 +75,6 @@ impl<'a> Blocks<'a> {
                 let [state, second] = [Symbol::State(i), Symbol::SecondState(i)]
                     .map(|symbol| Polynomial::variable(field.symbols.variable(symbol)));
                 let shifted = if i < first { &second - &state } else { &second + &state };
-                // The degree in each second state is at most 1.
                 let parts = polarized.coefficients_in(field.symbols.variable(Symbol::SecondState(i)));
                 *polarized = parts.iter().fold(Polynomial::zero(), |sum, (degree, part)| match degree {
                     0 => &sum + part,
@@ -94,8 +89,8 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// Returns blocks whose independent states are eliminated by pivots, and the other states by
-    /// minors. Returns `None` if a block is too large.
+    /// Returns blocks in which pivots eliminate independent states. Returns `None` if a block is
+    /// too large.
     pub(in crate::plan) fn eliminating(&self) -> Option<BlockOrder> {
         let block = |block: Vec<usize>| {
             let independent = self.structure.independent(&block);
@@ -104,8 +99,8 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(BlockOrder)
     }
 
-    /// Returns blocks that are solved by minors only, with at most `operations` operations, in up
-    /// to `orders` orders of rows.
+    /// Returns blocks without elimination, in up to `orders` orders of rows. Each block has at most
+    /// `operations` operations.
     pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<BlockOrder> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {
@@ -131,7 +126,8 @@ impl<'a> Blocks<'a> {
         self.structure.blocks().into_iter().filter(|block| block[0] >= self.first)
     }
 
-    /// Prepares a block with rows sorted by `in_order`; `None` if an entry has too many terms.
+    /// Prepares a block with rows sorted by `in_order`. Returns `None` if an entry has too many
+    /// terms.
     fn block(
         &self,
         block: &[usize],
@@ -145,15 +141,14 @@ impl<'a> Blocks<'a> {
         Some(Block { rest, rows: in_order(rows), independent, moved })
     }
 
-    /// Returns, row by row, A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) as last
-    /// column.
+    /// Returns A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) as last column.
     fn reduced_rows(
         &self,
         block: &[usize],
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        // For a tangent vector, the reciprocal contains the factor ε.
+        // For a tangent vector, the reciprocal contains ε.
         let eps = match self.is_tangent() {
             true => Polynomial::one(),
             false => Polynomial::variable(self.field.symbols.epsilon()),
@@ -173,8 +168,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// Returns the polarised field in which x replaces x̃ for the states of the block outside
-    /// `known`. For a tangent vector, the increments of these states become 0.
+    /// Returns the polarised field with x in place of x̃ for unknown states of the block. For a
+    /// tangent vector, the increments of these states are 0.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         if self.is_tangent() {

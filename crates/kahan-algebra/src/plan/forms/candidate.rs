@@ -8,14 +8,13 @@ use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 
-/// A finished form, in which x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// A finished form with x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 pub(in crate::plan) struct Candidate {
     pub(in crate::plan) builder: PlanBuilder,
     pub(in crate::plan) numerators: Vec<Node>,
     pub(in crate::plan) reciprocals: Vec<Option<Node>>,
     pub(in crate::plan) price: u64,
-    /// The number of operations from a state to the next state. This number is the cost if many
-    /// orbits run in SIMD lanes.
+    /// The number of operations of a step. This is the cost for many orbits in SIMD lanes.
     pub(in crate::plan) operations: usize,
     derived: usize,
 }
@@ -31,8 +30,7 @@ impl Candidate {
         Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
-    /// Builds a candidate from numerators. Each numerator comes with its reciprocal, and with a
-    /// flag that negates the product. A zero numerator gets no reciprocal.
+    /// Builds a candidate from numerators, reciprocals, and flags that negate products.
     pub(super) fn over(
         mut writer: Writer,
         numerators: impl IntoIterator<Item = (Signed, Node, bool)>,
@@ -46,8 +44,7 @@ impl Candidate {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Returns whether every prepared constant is rounded only once. If the writer `folds`
-    /// constants, returns `true`.
+    /// Returns whether every prepared constant is rounded once, or the writer `folds` constants.
     pub(in crate::plan) fn is_rounded_once(&self) -> bool {
         self.derived == 0
     }
@@ -61,20 +58,19 @@ impl Writer {
         (kernel, if self.scaling.folds { 0 } else { derived_constants(&constants, epsilon) })
     }
 
-    /// Returns whether every prepared constant that `step` needs is rounded only once, or the
-    /// writer `folds` constants. Every form that contains `step` needs these constants.
+    /// Returns whether the prepared constants of `step` are rounded once, or the writer `folds`
+    /// constants.
     pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
         self.kernel(&[step]).1 == 0
     }
 }
 
-/// Returns a price that adds operations and cycles, with a penalty for each constant that is
-/// rounded more than once.
+/// Returns a price from operations, cycles, and constants that are rounded twice.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
     let cost = kernel.cost();
-    // A negated numerator costs nothing, because the last operation subtracts it.
+    // The last operation subtracts a negated numerator without cost.
     let operations = cost.operations() - negated.len() + DERIVED * derived;
     FormGoal::Early.price(operations, cost.critical_path)
 }

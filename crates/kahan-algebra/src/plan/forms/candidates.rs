@@ -1,4 +1,4 @@
-//! Collects the candidate forms of a step, from the reduced polynomials or from determinants of A.
+//! Collects the candidate forms of a step.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
@@ -25,21 +25,19 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// For this many of the cheapest denominators, the numerators are also written as products of
-/// factors.
+/// Products of factors are tried with this many of the cheapest denominators.
 const TRIED: usize = 2;
-/// The most terms in all factors together for which products are compared with determinants.
+/// Products with more terms in all factors are not compared with determinants.
 const FACTOR_TERMS: usize = 32;
 
-/// The number of row orders that are compared for the blocks of a field with few terms.
+/// This many orders of rows are compared for the blocks of a field with few terms.
 const ROTATIONS: usize = 3;
-/// The most terms of a field for which several row orders are compared. Blocks of larger fields use
-/// a single order.
+/// Blocks of larger fields use a single order of rows.
 const COMPARED_TERMS: usize = 60;
-/// The most terms of a reduced map that is written out although another form exists.
+/// Longer reduced maps are not written out if another form exists.
 const WRITTEN_TERMS: usize = 120;
 
-/// The number of row orders that are compared for blocks solved by minors only.
+/// This many orders of rows are compared for blocks without elimination.
 const ORDERS: usize = 3;
 
 pub(in crate::plan) struct Forms<'a> {
@@ -48,8 +46,7 @@ pub(in crate::plan) struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    /// Returns forms that may have a shorter recurrence. The forms have two divisions, or are
-    /// divided by the time step.
+    /// Returns forms that may have a shorter recurrence.
     pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
         let Some(factored) = &self.factored else { return Vec::new() };
         let over_time_step = factored.over_time_step(recurrence);
@@ -57,9 +54,9 @@ impl Forms<'_> {
     }
 }
 
-/// Returns the candidate forms of a field's step. If `kept` is given, they come from its products
-/// of sums. Otherwise they come from A, and from the reduced map if it is within the budget.
-/// Returns `None` if the field is too large for straight-line code.
+/// Returns the candidate forms of a field's step. With `kept`, forms use the products of sums in
+/// `kept`. Otherwise forms use A and the reduced map. Returns `None` if the field is too large for
+/// straight-line code.
 pub(crate) fn forms<'a>(
     field: &'a Field,
     kept: Option<&FieldWithSubexpressions>,
@@ -85,14 +82,13 @@ pub(crate) fn forms<'a>(
     Some(Forms { best, factored })
 }
 
-/// Returns whether forms may solve A by blocks. Blocks are allowed if the map exceeds the budget,
-/// or if there are more than three variables and the common factor is constant.
+/// Returns whether forms may solve A by blocks.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
 
-/// Returns forms that may lose fewer digits in long steps than `best`, cheapest first. The forms
-/// solve blocks by minors only, and each form costs at most 3/2 of `best`.
+/// Returns forms that may lose fewer digits in long steps than `best`, with the cheapest form
+/// first. Each form costs at most 3/2 of `best`.
 pub(crate) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();
@@ -146,8 +142,7 @@ impl FactoredMap<'_> {
         factors.map(|(factor, _)| factor.len()).sum()
     }
 
-    /// Writes the denominator in several ways: in nested form, as a product, and as a determinant
-    /// of A.
+    /// Writes the denominator in nested form, as a product, and as a determinant of A.
     fn denominators(&self, empty: &Writer) -> Vec<WithDenominator> {
         let mut starts = Vec::new();
         let polynomial = &self.map.reduced.denominator;
@@ -166,8 +161,8 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Writes the denominator as a determinant of A, whose entries are shorter than the expansion.
-    /// This requires that no common factor was divided out.
+    /// Writes the denominator as a determinant of A, if no common factor was divided out. The
+    /// entries of A are short.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -175,18 +170,16 @@ impl FactoredMap<'_> {
         }
         let matrix = scaled_matrix(self.field);
         let mut starts = Vec::new();
-        // The variable `last` is the row that is expanded last. With two rows, both choices give
-        // equal forms.
+        // Row `last` is expanded last. With two rows, both choices give equal forms.
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
             let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
-            // If the determinant D̂ differs from the reduced denominator d by a constant, the
-            // numerators also differ by this constant, and d is not remembered.
+            // A determinant D̂ that differs from the reduced denominator by a constant is not
+            // remembered.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
             }
-            // With gathered coefficients, the written denominator is shorter than the determinant.
             if map_is_unscaled(self.map) && empty.scaling.folds {
                 let mut writer = empty.clone();
                 let denominator = writer.write_scaled(&self.map.reduced.denominator, FormGoal::Early);
@@ -205,7 +198,7 @@ impl FactoredMap<'_> {
             row.iter().chain([&right]).map(|entry| writer.entry(entry, FormGoal::Few)).collect()
         };
         let mut rows: Vec<Vec<MatrixEntry>> = matrix.iter().zip(&self.field.components).map(row).collect();
-        // A cyclic permutation of three rows is even, so it changes no sign.
+        // A cyclic permutation of three rows is even.
         rows.rotate_left((last + 1) % matrix.len());
         determinants(writer, &rows)
     }
@@ -219,17 +212,15 @@ impl FactoredMap<'_> {
         Candidate::over(writer, numerators.into_iter().map(over))
     }
 
-    /// Returns the form with two divisions, if the denominator has [two
-    /// factors](Self::two_factors). The recurrence of this form contains only one of the factors,
-    /// and is therefore shorter.
+    /// Returns the form with two divisions for a denominator with [two factors](Self::two_factors).
+    /// The recurrence of this form contains only one factor.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
     }
 }
 
-/// Returns whether the determinants equal the reduced denominator d and numerators εn exactly. In
-/// general they do so only up to a constant.
+/// Returns whether the determinants equal the reduced denominator and numerators exactly.
 fn map_is_unscaled(map: &RationalMap) -> bool {
     map.denominator == map.reduced.denominator
 }

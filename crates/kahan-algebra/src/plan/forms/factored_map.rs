@@ -1,5 +1,4 @@
-//! The reduced map with its numerators and denominator written as products. All products use one
-//! set of factors.
+//! The reduced map in products over one set of factors.
 
 use kahan_syntax::rational::Rational;
 
@@ -41,7 +40,7 @@ impl<'a> FactoredMap<'a> {
         self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
-    /// Writes each numerator without the factor `without`, multiplied by a power of ε.
+    /// Writes each numerator without the factor `without`, times a power of ε.
     pub(in crate::plan) fn written_numerators(
         &self,
         writer: &mut Writer,
@@ -56,8 +55,7 @@ impl<'a> FactoredMap<'a> {
         products.finish(writer)
     }
 
-    /// Returns factors p and q of the denominator p·q, where all components divide by p, and some
-    /// do not divide by q. The fields E1 and E5 have such factors.
+    /// Returns factors p and q of the denominator p·q if some components divide only by p.
     pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
@@ -73,9 +71,8 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Writes a form whose increments are n/p or n/(p·q), with p and q the two `factors`.
-    /// Numerators that contain `other` = q are divided only by p. `short` is the power of ε of
-    /// these numerators, `long` that of all others. The first reciprocal is c/p.
+    /// Writes a form with increments n/p or n/(p·q) for `factors` p and q. Numerators that contain
+    /// q are divided only by p and multiplied by the power `short` of ε.
     pub(in crate::plan) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],
@@ -86,14 +83,13 @@ impl<'a> FactoredMap<'a> {
         let mut writer = self.empty.last()?.clone();
         let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, FormGoal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
-        // Divide by p first, then by q. Compilers pack two parallel divisions into one vector
-        // division, which is slower.
+        // Two divisions in sequence are faster, because compilers pack parallel divisions into one
+        // vector division.
         let both = writer.draft.builder.divide(reciprocal, partner.node);
         let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
         let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
         let numerators = self.written_numerators(&mut writer, power, Some(other));
         let constant_flips = self.denominator.coefficient.is_negative();
-        // Each written factor contributes a sign.
         let over = |(numerator, product): (Signed, &Factored)| {
             let flips = constant_flips ^ needed.negative;
             match is_short(product) {

@@ -1,11 +1,10 @@
-//! Writes forms that are divided by the time step. With the inverse time step h = 1/(2ε), the
-//! denominator 1 + 2εx becomes h + x.
+//! Writes forms that are divided by the time step. With h = 1/(2ε), the denominator 1 + 2εx becomes
+//! h + x.
 //!
-//! Up to a constant factor, denominators are d = 1 + O(ε), and multiplications by ε delay each
-//! step. Dividing by a power of ε moves these multiplications into prepared constants. In E1, the
-//! reciprocal 1/(h + x) then waits only for one addition. If h is the only rounded constant, the
-//! step is exactly Kahan's map at ε = 1/(2h), which is half an ulp from the given ε. The form is
-//! undefined at ε = 0 and overflows near it, so another form must accompany it.
+//! Multiplications by ε in denominators delay each step. Division by a power of ε moves the
+//! multiplications into prepared constants. If h is the only rounded constant, the step is exactly
+//! Kahan's map at a time step within half an ulp. The form is undefined at ε = 0 and overflows near
+//! it, so another form must accompany it.
 
 use kahan_syntax::rational::Rational;
 
@@ -20,18 +19,16 @@ use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::scaling::{is_power_of_two, over_eps};
 use crate::plan::writing::writer::Writer;
 
-/// The highest power of ε by which forms are divided. With a higher power, numbers would leave the
-/// range of a float too early.
+/// With a higher power of ε, numbers would leave the range of a float too early.
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// Returns forms that are divided by ε or ε², with one or two divisions. Their constants are
-    /// rounded once, and their [recurrence](crate::plan::StepPlan::recurrence) may be below
-    /// `recurrence`.
+    /// Returns forms divided by ε or ε² that may have a
+    /// [recurrence](crate::plan::StepPlan::recurrence) below `recurrence`. Their constants are
+    /// rounded once.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
-            // With folded constants each term has one prepared constant anyway, so division by ε
-            // saves nothing.
+            // With folded constants, division by ε saves nothing.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
@@ -57,14 +54,13 @@ impl FactoredMap<'_> {
         forms
     }
 
-    /// Returns whether some product of states has a sum as coefficient. The sum can be prepared
-    /// together with its power of ε.
+    /// Returns whether a product of states has a sum as coefficient.
     fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
     }
 
-    /// Writes a polynomial in which each product of states has one prepared constant.
+    /// Writes a polynomial with one prepared constant for each product of states.
     fn with_coefficients(&self, writer: &mut Writer, polynomial: &Polynomial) -> Signed {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         let terms = groups.into_iter().map(|(states, coefficient)| {
@@ -75,8 +71,8 @@ impl FactoredMap<'_> {
         writer.write(&gathered, FormGoal::Early)
     }
 
-    /// Writes x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ). The denominator d/εᵏ is already written, and c is the
-    /// dividend of its reciprocal. Returns `None` if the recurrence cannot be short enough, or if a
+    /// Writes x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ) for numerators n and the written denominator d/εᵏ. The
+    /// dividend of its reciprocal is c. Returns `None` if the recurrence is too long, or if a
     /// constant is rounded twice.
     fn over_power(
         &self,
@@ -102,8 +98,8 @@ impl FactoredMap<'_> {
         moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
-    /// Returns forms for a denominator p·q. Numerators n over p become 2(n/εᵏ⁻¹)/(p/εᵏ); those over
-    /// p·q become 2(n/εᵏ)/(p/εᵏ)/(q/ε).
+    /// Returns forms for a denominator p·q. Numerators n over p become 2(n/εᵏ⁻¹)/(p/εᵏ). Numerators
+    /// n over p·q become 2(n/εᵏ)/(p/εᵏ)/(q/ε).
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();
@@ -117,8 +113,7 @@ impl FactoredMap<'_> {
         powers.filter_map(form).collect()
     }
 
-    /// Returns q, which is p/εᵏ without a common power of two, and the number c for which c/q =
-    /// 2/(p/εᵏ).
+    /// Returns q and c with c/q = 2/(p/εᵏ). The polynomial q is p/εᵏ without a common power of two.
     fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
         let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
         let two = Rational::from(2);

@@ -1,6 +1,5 @@
-//! Writes Cramer's rule as operations without divisions. The results are det A, and the
-//! determinants in which the right-hand side replaces one column. Minors of k rows follow from
-//! those of k − 1 rows, and all determinants share them. Zero entries cost nothing.
+//! Writes Cramer's rule as operations without divisions. Minors of k rows follow from those of k −
+//! 1 rows, and all determinants share them. Zero entries cost nothing.
 
 use kahan_syntax::table::{Table, sorted_by_key};
 
@@ -9,15 +8,14 @@ use crate::poly::Polynomial;
 use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// The determinant of A, and for each column the determinant in which the right-hand side replaces
-/// that column.
+/// The determinant of A. The numerators have the right-hand side in one column.
 pub(in crate::plan) struct Determinants {
     pub(in crate::plan) denominator: Signed,
     pub(in crate::plan) numerators: Vec<Signed>,
 }
 
-/// Computes the determinants of A, given with the right-hand side as last column. The expansion
-/// uses the last row last.
+/// Computes the determinants of A with the right-hand side as last column. The last row is expanded
+/// last.
 pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<MatrixEntry>]) -> Determinants {
     let n = rows.len();
     let mut minors: Table<u64, Signed> = Table::new();
@@ -33,7 +31,7 @@ pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<MatrixEntry
     let zero = Signed::plus(draft.zero());
     let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
     let numerators = (0..n).map(|j| {
-        // The right-hand side moves left past n−1−j columns. Each of them changes the sign.
+        // The right-hand side changes the sign for each of n−1−j columns.
         minor(j).flipped((n - 1 - j) % 2 == 1)
     });
     Determinants { denominator: minor(n), numerators: numerators.collect() }
@@ -44,7 +42,6 @@ fn single(draft: &PlanDraft, row: &[MatrixEntry]) -> Table<u64, Signed> {
     entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
 }
 
-/// Returns the 2×2 minors of two rows. Operations that exist already are used again.
 fn pairs(writer: &mut Writer, first: &[MatrixEntry], second: &[MatrixEntry]) -> Table<u64, Signed> {
     let mut minors = Table::new();
     for j in 1..first.len() {
@@ -69,7 +66,7 @@ fn pairs(writer: &mut Writer, first: &[MatrixEntry], second: &[MatrixEntry]) -> 
     minors
 }
 
-/// Returns the polynomial ab − cd, if the polynomials of all four entries are known.
+/// Returns ab − cd if the polynomials of all entries are known.
 fn minor_of(a: &MatrixEntry, b: &MatrixEntry, c: &MatrixEntry, d: &MatrixEntry) -> Option<Polynomial> {
     let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
     Some(&(a? * b?) - &(c? * d?))
@@ -86,8 +83,7 @@ fn expanded(draft: &mut PlanDraft, minors: &Table<u64, Signed>, row: &[MatrixEnt
             if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
                 continue;
             }
-            // The entry moves past the chosen columns to its right. Each of them changes the sign
-            // once.
+            // The entry changes the sign once for each chosen column to its right.
             let odd = (chosen >> column).count_ones() % 2 == 1;
             let product = times(draft, *minor, *entry).flipped(odd);
             terms.or_default(chosen | 1 << column).push(product);
@@ -96,8 +92,7 @@ fn expanded(draft: &mut PlanDraft, minors: &Table<u64, Signed>, row: &[MatrixEnt
     terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
 }
 
-/// Returns an upper bound on the number of operations that [`determinants`] takes, from the pattern
-/// of nonzero entries.
+/// Bounds the number of operations in [`determinants`] for a pattern of nonzero entries.
 pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     let mut known: Vec<u64> = vec![0];
     let mut count = 0;
@@ -119,9 +114,8 @@ pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// Returns an order of rows that needs few [operations]; orders are ranked by this number, and
-/// `rank` selects one. The orders compared are the rotations of three: the given one, sparse rows
-/// first, and dense rows first.
+/// Returns an order of rows, ranked by [operations]. The rotations of three orders are compared:
+/// the given one, sparse rows first, and dense rows first.
 pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();
@@ -142,5 +136,5 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
 }
 
 const MOST_MINORS: usize = 4096;
-/// The most operations of Cramer's rule in one block. In larger blocks, elimination is faster.
+/// In blocks with more operations, elimination is faster than Cramer's rule.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

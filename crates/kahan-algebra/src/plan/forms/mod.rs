@@ -1,10 +1,10 @@
 //! Forms of a step, which are different ways to write its operations.
 //!
-//! - `structure` finds the blocks of the field, and independent states within them.
+//! - `structure` finds blocks of the field.
 //! - `factored_map` writes the reduced map as products over one set of factors.
-//! - `minors` writes determinants of A, and `blocks` solves A block by block. `products` solves
-//!   with f as written, `inverse` divides by the time step, and `tangent` maps tangent vectors.
-//! - `candidate` prices a finished form, and `candidates` compares forms.
+//! - `minors` and `blocks` solve with A, and `products` solves with f as written.
+//! - `inverse` divides by the time step, and `tangent` maps tangent vectors.
+//! - `candidate` prices a form, and `candidates` compares forms.
 
 pub(in crate::plan) mod blocks;
 pub(in crate::plan) mod candidate;

@@ -1,8 +1,7 @@
-//! Writes the step of a field that contains products of sums of states, such as
-//! `(x - 1)*(y - 1)/s`, without expanding the products.
+//! Writes the step of a field with products of sums, such as `(x - 1)*(y - 1)/s`.
 //!
-//! Near a common zero of the sums, the terms of the expanded product cancel, and a large factor 1/s
-//! magnifies the rounding error. Cramer's rule for A·(x̃ − x) = 2εf keeps the products in f.
+//! Near a common zero of the sums, the terms of the expanded product cancel, and 1/s magnifies the
+//! rounding error. Cramer's rule for A·(x̃ − x) = 2εf keeps the products.
 
 use kahan_syntax::rational::Rational;
 
@@ -16,8 +15,8 @@ use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, op
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// Returns a form for each choice of the row that is expanded last. Returns no form if there would
-/// be too many operations.
+/// Returns a form for each choice of the row that is expanded last. Returns no form beyond a limit
+/// of operations.
 pub(in crate::plan) fn candidates(field: &Field, kept: &FieldWithSubexpressions) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();
@@ -37,8 +36,7 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &FieldWithSubexpressions)
         let entry = |node| MatrixEntry { polynomial: None, written: Signed::plus(node) };
         let mut rows: Vec<Vec<MatrixEntry>> =
             nodes.chunks(n + 1).map(|row| row.iter().copied().map(entry).collect()).collect();
-        // An odd permutation of rows changes the signs of all determinants. The changed signs
-        // cancel in the quotients.
+        // An odd permutation changes the signs of all determinants, but not the quotients.
         rows.rotate_left(turn);
         let Determinants { denominator, numerators } = determinants(&mut writer, &rows);
         let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);

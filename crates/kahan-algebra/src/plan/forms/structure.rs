@@ -1,4 +1,4 @@
-//! The structure of a field: blocks for which A is block triangular, and independent states.
+//! The blocks for which A is block triangular, and independent states.
 
 use kahan_syntax::table::{distinct, sorted_by_key};
 
@@ -6,7 +6,7 @@ use crate::field::Field;
 use crate::kahan::{field_jacobian, pattern};
 use crate::poly::Polynomial;
 
-/// The pattern of nonzero entries in f′, and the components that have no denominator.
+/// The pattern of nonzero entries in f′, and the components without denominator.
 pub(in crate::plan) struct Structure {
     depends: Vec<Vec<bool>>,
     is_whole: Vec<bool>,
@@ -28,9 +28,8 @@ impl Structure {
         blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// Returns independent states of a block, chosen greedily. No independent state depends on
-    /// itself or on another independent state. In A, the rows and columns of independent states are
-    /// those of the identity.
+    /// Returns independent states of a block. Independent states do not depend on each other or on
+    /// themselves, so A is the identity on them.
     pub(in crate::plan) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
@@ -46,17 +45,15 @@ impl Structure {
 }
 
 /// Returns the strongly connected components of the dependency graph. Each component comes after
-/// those on which it depends, so A is block triangular in this order. `depends[i]` lists the states
-/// in fᵢ. Components that depend on fewer states come first. Components that depend on equally many
-/// states are ordered by their first state.
+/// those on which it depends, so A is block triangular. The list `depends[i]` has the states in fᵢ.
+/// Among several orders, few dependences come first, then early states.
 pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut blocks = components(depends);
     let mut block_of = vec![0; depends.len()];
     for (number, block) in blocks.iter().enumerate() {
         block.iter().for_each(|&i| block_of[i] = number);
     }
-    // Count the other states on which each block depends, with one bit for each of 64 states at a
-    // time.
+    // Bits of a word stand for 64 states at a time.
     let mut weights = vec![0; blocks.len()];
     let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
     for group in 0..groups {
@@ -81,8 +78,7 @@ pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
 fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut components: Vec<Vec<usize>> = Vec::new();
     let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];
-    // Tarjan's low-links: for each vertex, the least number known to be reachable within the
-    // component.
+    // Tarjan's low-links: the least vertex number known to be reachable.
     let mut lowest = vec![0; depends.len()];
     let mut is_open = vec![false; depends.len()];
     let (mut open, mut path, mut count) = (Vec::new(), Vec::new(), 0);

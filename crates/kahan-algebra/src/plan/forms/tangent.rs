@@ -1,11 +1,11 @@
-//! Plans the map of a tangent vector v to ṽ, where x and x̃ are known:
+//! Plans the map of a tangent vector v to ṽ for known x and x̃:
 //!
 //! ```text
 //! A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v,
 //! ```
 //!
-//! This is the second half of the map of the variational field.
-//! [`blocks`](crate::plan::forms::blocks) writes its operations.
+//! This is the second half of the map of the variational field. Operations come from
+//! [`blocks`](crate::plan::forms::blocks).
 
 use kahan_syntax::table::sorted_by_key;
 
@@ -18,15 +18,12 @@ use crate::plan::forms::candidate::Candidate;
 use crate::plan::writing::writer::Writer;
 use crate::plan::{Node, Plan};
 
-/// The number of row orders that are compared for a block.
 const ORDERS: usize = 3;
-/// The most operations of Cramer's rule in one block. With more, a step from x + δv with a small δ
-/// is as cheap.
+/// With more operations, a step from x + δv with a small δ is as cheap.
 const MOST_OPERATIONS: usize = 300;
 
-/// Returns the plan of ṽ from x, v and x̃, with one output for each component. The first half of
-/// the second states is x̃. The plan is the cheapest form that is accurate in long steps; `None` if
-/// every form loses digits.
+/// Returns the plan of ṽ from x, v and x̃. The first half of the second states is x̃. Returns
+/// `None` if every form loses digits in long steps.
 pub(crate) fn tangent_plan(variational: &Field) -> Option<Plan> {
     let blocks = Blocks::of_tangent(variational);
     let accuracy = Accuracy::of(variational);

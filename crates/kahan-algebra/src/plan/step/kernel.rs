@@ -1,16 +1,15 @@
-//! The kernel of a step, which consists of the operations that are repeated for each state.
+//! The kernel of a step, which is repeated for each state.
 
 use crate::plan::{Node, Plan};
 
-/// The plan that computes the increments x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ from states and
-/// prepared constants ([`Input::Prepared`](crate::plan::Input::Prepared)).
+/// The plan of the increments x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ from states and prepared
+/// constants ([`Input::Prepared`](crate::plan::Input::Prepared)).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// The plan of the kernel. Its outputs are one numerator for each component, then the distinct
-    /// reciprocals. A reciprocal is ±c/d or ±c/d/d′, where d and d′ are denominators and c is a
-    /// power of two.
+    /// The plan of the kernel. The outputs are the numerators, then the distinct reciprocals. A
+    /// reciprocal is ±c/d or ±c/d/d′ for denominators d and d′ and a power of two c.
     pub plan: Plan,
-    /// For each component the index of its reciprocal; `None` if the increment needs no division.
+    /// The index of each component's reciprocal. `None` for increments without division.
     pub reciprocal_of: Vec<Option<usize>>,
 }
 
@@ -33,8 +32,7 @@ impl Kernel {
         &self.plan.outputs[self.dimension()..]
     }
 
-    /// Returns the numerator and the reciprocal of each component. `results` are the values of the
-    /// plan's outputs.
+    /// Returns numerator and reciprocal of each component from the outputs of the plan.
     ///
     /// # Panics
     /// If `results` is shorter than the outputs of the plan.

@@ -2,8 +2,8 @@
 //! each state.
 //!
 //! - `split` separates prepared constants from the `kernel`.
-//! - `signs` and `reciprocals` choose signs in the kernel after multiply-adds were fused.
-//! - `recurrence` measures the cycles from a state to the next.
+//! - `signs` and `reciprocals` choose signs in the kernel.
+//! - `recurrence` measures the cycles of a step.
 
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;
@@ -26,50 +26,49 @@ pub const LARGEST_SIZE: u32 = 1000;
 /// The cost of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepCost {
-    /// The number of operations from a state to the next. A multiply-add counts twice.
+    /// The number of operations of a step. A multiply-add counts twice.
     pub operations: u32,
     /// The number of divisions among the operations.
     pub divisions: u32,
-    /// The number of cycles from one state to the next in a long orbit.
+    /// The number of cycles of a step in a long orbit.
     pub critical_path: u32,
 }
 
 /// The straight-line plan of a step x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepPlan {
-    /// The plan of the prepared constants, in order, from ε and the parameters.
+    /// The plan of the prepared constants from ε and the parameters.
     pub constants: Plan,
     /// The operations that are repeated for each state.
     pub kernel: Kernel,
-    /// Whether the prepared constants contain a quotient with divisor ε. Such a plan serves only
-    /// floats, and only ε away from zero.
+    /// Whether a prepared constant has the divisor ε. The plan then serves only floats, and only ε
+    /// away from zero.
     pub has_inverse_step: bool,
     /// The plan for SIMD lanes, if it differs. A second division can shorten the recurrence of one
-    /// orbit, but many orbits at a time wait for the divider. If `self` [divides by
-    /// ε](Self::has_inverse_step), `general` also serves all other scalars, and ε near zero.
+    /// orbit, but many orbits wait for the divider. If `self` [divides by
+    /// ε](Self::has_inverse_step), this plan also serves other scalars and ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest of the sizes 1, 10, 100 and 1000 of ‖εf′‖∞ up to which the step loses about as
-    /// few digits as elimination with partial pivoting. The loss is measured at seeded points. The
-    /// value is 0 if the step loses more digits at size 1.
+    /// The largest size ‖εf′‖∞ of 1, 10, 100 and 1000 up to which the step loses few digits. The
+    /// standard is elimination with partial pivoting, at seeded points. The value is 0 if no size
+    /// qualifies.
     pub holds_to: u32,
 }
 
 impl StepPlan {
-    /// Returns the plan that serves this arithmetic at this ε.
+    /// Returns the plan for this arithmetic and this ε.
     #[must_use]
     pub fn at<A: OverRationals>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
         if arithmetic.is_moderate(eps) { self } else { self.for_any_step() }
     }
 
-    /// Returns the plan that serves every scalar and every ε.
+    /// Returns the plan for every scalar and every ε.
     #[must_use]
     pub fn for_any_step(&self) -> &Self {
         self.general.as_deref().filter(|_| self.has_inverse_step).unwrap_or(self)
     }
 
-    /// Returns the number of operations from a state to the next state. The number counts the
-    /// operations of the kernel, the multiplications by reciprocals, and an addition for each
-    /// component.
+    /// Returns the number of operations of a step. The number includes products with reciprocals
+    /// and the last additions.
     #[must_use]
     pub fn operations(&self) -> usize {
         let products = self.kernel.reciprocal_of.iter().flatten().count();
@@ -87,9 +86,8 @@ impl StepPlan {
         }
     }
 
-    /// Returns the plan of x̃ from x and the prepared constants. The kernel is followed by one
-    /// multiply-add for each component. A numerator −n is subtracted rather than negated, as
-    /// compilers do.
+    /// Returns the plan of x̃ from x and the prepared constants. A numerator −n is subtracted
+    /// rather than negated, as compilers do.
     #[must_use]
     pub fn next(&self, symbols: &Symbols) -> Plan {
         let mut operations = self.kernel.plan.operations.clone();
@@ -111,16 +109,15 @@ impl StepPlan {
                 (None, None) => Operation::Add(state, numerator),
             }));
         }
-        // Merge equal operations and drop unused operations.
+        // Equal operations are merged, and unused operations are dropped.
         Plan::together([&Plan { operations, outputs }])
     }
 
     /// Returns whether generated code must keep named values out of vector registers.
     ///
-    /// The answer is yes only for three components. Three components leave one value over when
-    /// pairs are packed, and moving values between registers costs up to an eighth of a step. Two
-    /// components fill a vector. With more than three, the code that keeps values apart would make
-    /// steps too large to be inlined into loops.
+    /// The answer is yes for three components only. One value is left when pairs are packed, and
+    /// moves between registers cost up to an eighth of a step. More components would make steps too
+    /// large for inlining.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.kernel.dimension() == 3
@@ -155,8 +152,7 @@ impl StepPlan {
         });
         let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Reciprocals of parameters are still inputs at this stage, because `mapped` substitutes
-        // them later. Every division found here is therefore a division by ε.
+        // Reciprocals of parameters are still inputs here, so every division is a division by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
@@ -171,11 +167,10 @@ impl StepPlan {
 
 impl PlanBuilder {
     /// Writes the step of a field with one variable by a direct division: x̃ = x ± 2εn/d. Returns
-    /// the quotient for a reciprocal ±1/d or ±2/d, and `None` for other reciprocals.
+    /// `None` unless the reciprocal is ±1/d or ±2/d.
     ///
-    /// A shared reciprocal saves divisions if there are several components. For one component,
-    /// multiplying by it would lengthen the recurrence and round once more, and an orbit might miss
-    /// a pole.
+    /// Multiplication by a reciprocal would lengthen the recurrence, round once more, and perhaps
+    /// miss a pole.
     pub(super) fn increment(&mut self, numerator: Node, reciprocal: Node) -> Option<Node> {
         let Operation::Divide(dividend, divisor) = self.operations()[reciprocal.0] else { return None };
         let Operation::Constant(dividend) = &self.operations()[dividend.0] else { return None };

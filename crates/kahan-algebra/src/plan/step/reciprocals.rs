@@ -1,8 +1,7 @@
 //! Chooses the sign of each reciprocal, c/d or −c/d, so that few numerators are negated.
 //!
 //! Rounding is symmetric, so no bit of x̃ changes. Floats merge a negation with the last
-//! subtraction. Other scalars, such as error bounds, SIMD lanes and double-doubles, would have to
-//! compute it.
+//! subtraction, but other scalars must compute it.
 
 use kahan_syntax::rational::Rational;
 
@@ -13,7 +12,7 @@ use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 #[must_use]
 pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
     let plan = &kernel.plan;
-    // For each component, find the first division of its reciprocal.
+    // The first division of each component's reciprocal.
     let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
     let bases: Vec<Option<Node>> =
         kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
@@ -58,7 +57,7 @@ pub(in crate::plan) fn is_reciprocal(plan: &Plan, node: Node) -> bool {
     base(plan, node).is_some()
 }
 
-/// Returns the first division of a reciprocal: c/d of c/d/d′.
+/// Returns the division c/d of a reciprocal c/d or c/d/d′.
 fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);
@@ -77,7 +76,7 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     }
 }
 
-/// Returns whether a quotient is used only as the dividend of further divisions.
+/// Returns whether a quotient is used only as a dividend.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
     let uses = |user: &Operation| user.operands().any(|operand| operand == quotient);
     kernel.operations.iter().enumerate().filter(|(_, user)| uses(user)).all(|(index, user)| {

@@ -1,8 +1,7 @@
 //! Estimates the time of a step in an orbit, where each step waits for the previous one.
 //!
-//! The relevant path is the longest dependency cycle from a state through several steps back to
-//! itself. The longest path through a single step would overestimate the time, because components
-//! that no denominator contains may finish later.
+//! The relevant path is the longest dependency cycle from a state through several steps back to the
+//! state. The longest path through a single step would overestimate the time.
 
 use crate::poly::Variable;
 
@@ -10,14 +9,14 @@ use crate::plan::{Input, Node, Operation, PlanBuilder, StepPlan};
 use kahan_program::cost::{ADD, FUSED, MULTIPLY};
 
 impl StepPlan {
-    /// Returns the number of cycles from one state to the next in a long orbit, rounded up.
+    /// Returns the number of cycles of a step in a long orbit, rounded up.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Returns the mean number of processor cycles per step on the slowest dependency cycle of up
-    /// to n steps. The unit is 1/60 cycle. Means over seven or more steps are rounded down.
+    /// Returns the mean time of a step on the slowest dependency cycle of up to n steps. The unit
+    /// is 1/60 processor cycle.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
@@ -31,8 +30,7 @@ impl StepPlan {
         longest
     }
 
-    /// Returns the delays of a step. Entry (i, j) is the number of cycles from xⱼ to x̃ᵢ; `None` if
-    /// x̃ᵢ does not depend on xⱼ.
+    /// Returns the number of cycles from xⱼ to x̃ᵢ for all i and j. Independent pairs have `None`.
     fn delays(&self) -> Vec<Vec<Option<u32>>> {
         let n = self.kernel.dimension();
         let columns: Vec<Vec<Option<u32>>> = (0..n).map(|j| self.delays_from(j)).collect();
@@ -62,11 +60,10 @@ impl StepPlan {
     }
 }
 
-/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of steps that change the states
-/// `moving` by multiples of one reciprocal.
+/// Returns a lower bound on the [recurrence](StepPlan::recurrence) of steps with one reciprocal.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // A single component is divided directly and needs no product.
+    // A single component is divided directly.
     let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
@@ -77,11 +74,11 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     for operation in &operations[..=node.0] {
         let ready = match *operation {
             Operation::Input(Input::Variable(input)) => (input == variable).then_some(0),
-            // Negations are moved elsewhere and cost nothing.
+            // Negations are moved elsewhere without cost.
             Operation::Negate(a) => arrival[a.0],
             Operation::Add(a, b) | Operation::Subtract(a, b) => {
                 let summand = |summand: Node| match operations[summand.0] {
-                    // The product may become part of a multiply-add.
+                    // The product may join a multiply-add.
                     Operation::Multiply(c, d) => Some(arrival[c.0].max(arrival[d.0])? + FUSED),
                     _ => Some(arrival[summand.0]? + ADD),
                 };
@@ -97,8 +94,7 @@ pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable)
     arrival[node.0]
 }
 
-/// The number of time units in a cycle. The number is divisible by 1 to 6, so that means over up to
-/// six steps are integers.
+/// The number of time units in a cycle, which is divisible by 1 to 6.
 const UNIT: u64 = 60;
 
 /// Returns the longest paths through two consecutive steps.

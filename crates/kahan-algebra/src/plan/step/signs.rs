@@ -1,21 +1,19 @@
 //! Chooses the sign of each value in a kernel that uses prepared differences.
 //!
-//! A constant a − b may be prepared as b − a; the values that depend on it then change their signs.
-//! The signs are chosen so that fewer sums subtract and fewer results are negated. Rounding is
-//! symmetric, so no bit of x̃ changes. Similar components then consist of equal instructions, so
-//! compilers that vectorise scalar code save a fifth of the instructions. Kernels without prepared
-//! differences are left unchanged.
+//! A constant a − b may be prepared as b − a, which changes the signs of dependent values. Signs
+//! are chosen for few subtractions and few negations. Rounding is symmetric, so no bit of x̃
+//! changes. Similar components then have equal instructions, which compilers vectorise better.
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// The cost of a negated result. For comparison, a sum that subtracts has cost 1.
+/// The cost of a negated result. A subtraction costs 1.
 const NEGATION: usize = 4;
 
 const ROUNDS: usize = 4;
 
 /// Returns constants and kernel with chosen signs. Neither the number of operations nor the
-/// critical path increases. The cost of the search is a few times operations², for each prepared
-/// difference and each sum that subtracts.
+/// critical path increases. The search costs a few times operations² for each prepared difference
+/// and each subtraction.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
@@ -35,20 +33,20 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan)
     (turn_constants(&constants, &turned), rebuilt)
 }
 
-/// A search over the signs of prepared differences and of sums that mix signs. A choice is a list
-/// with a flag `reversed` for each operation.
+/// A search over the signs of prepared differences and of sums with mixed signs. A choice is a list
+/// of flags for the operations.
 struct Search<'a> {
     kernel: &'a Plan,
-    /// For each prepared constant that is a difference, its node in the kernel.
+    /// The node of each prepared difference in the kernel.
     prepared: Vec<Option<Node>>,
-    /// For each operation, whether its sign is a free choice.
+    /// Whether the sign of each operation is a free choice.
     is_free: Vec<bool>,
 }
 
 struct Signs {
-    /// For each value, whether it is stored with the opposite sign.
+    /// Whether each value has the opposite sign.
     negative: Vec<bool>,
-    /// For each operation, whether a choice there affects the cost.
+    /// Whether a choice at each operation affects the cost.
     is_choice: Vec<bool>,
     cost: usize,
 }
@@ -69,10 +67,8 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. The
-    /// starts are the initial choice, choices with one constant reversed, separately or in
-    /// addition, and choices that reverse everything on which a negated result depends. Reversing a
-    /// constant that occurs in several sums pays off only if all of them change together.
+    /// Returns the best choice that [`Self::locally_improved`] finds from several starts. In some
+    /// starts a single constant is reversed, or everything on which a negated result depends.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.locally_improved(none.clone());
@@ -100,7 +96,6 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Reverses every free choice on which a value depends.
     fn turn_all_before(&self, node: Node, reversed: &mut [bool]) {
         let mut is_before = vec![false; self.kernel.operations.len()];
         is_before[node.0] = true;
@@ -174,7 +169,6 @@ impl<'a> Search<'a> {
             let (first, second) = summands(operation, |node| signs.negative[node.0]);
             let (first, second) = (first != signs.negative[index], second != signs.negative[index]);
             let operation = match *operation {
-                // The operand is already stored with the opposite sign.
                 Operation::Negate(a) => return renamed[a.0],
                 Operation::Add(a, b) | Operation::Subtract(a, b) => match (first, second) {
                     (false, false) => Operation::Add(new(a), new(b)),
@@ -205,8 +199,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Returns for the two summands of a sum whether each is stored with the opposite sign. For other
-/// operations returns (false, false).
+/// Returns whether each summand has the opposite sign. Other operations give (false, false).
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

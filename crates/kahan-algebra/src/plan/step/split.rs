@@ -1,11 +1,11 @@
-//! Separates operations that depend only on ε and parameters from operations that depend on states.
+//! Separates operations on ε and parameters from operations on states.
 
 use crate::poly::Variable;
 
 use crate::plan::{Input, Node, Operation, Plan, PlanBuilder};
 
-/// Counts the outputs that contain a product of two values that both depend on ε. These outputs are
-/// rounded twice.
+/// Counts the outputs with a product of two values that depend on ε. Such outputs are rounded
+/// twice.
 pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usize {
     let mut contains = vec![false; plan.operations.len()];
     let mut derived = vec![false; plan.operations.len()];
@@ -20,21 +20,21 @@ pub(in crate::plan) fn derived_constants(plan: &Plan, epsilon: Variable) -> usiz
     plan.outputs.iter().filter(|output| derived[output.0]).count()
 }
 
-/// Splits a plan into two. The first plan contains no varying variables, and its outputs are the
-/// prepared constants of the second. Exact numbers stay in the second plan.
+/// Splits a plan into two. The outputs of the first plan are the prepared constants of the second.
+/// Exact numbers stay in the second plan.
 #[must_use]
 pub(in crate::plan) fn split(
     plan: &Plan,
     epsilon: Variable,
     varies: impl Fn(Variable) -> bool,
 ) -> (Plan, Plan) {
-    // If a divisor is zero, that is a pole of the step, not an error of preparation. Divisions
-    // therefore stay in the kernel, except for divisions by ε, which the caller has checked.
+    // A zero divisor is a pole of the step. Divisions stay in the kernel, except for divisions by
+    // ε, which the caller checked.
     let is_epsilon = |node: Node| plan.operations[node.0] == Operation::Input(Input::Variable(epsilon));
     split_where(plan, is_epsilon, varies)
 }
 
-/// Splits a plan like `split`, but also prepares all quotients that do not depend on states.
+/// Splits a plan like `split`, and also prepares quotients without states.
 #[must_use]
 pub(crate) fn separated(plan: &Plan, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
     split_where(plan, |_| true, varies)

@@ -1,15 +1,14 @@
-//! Writes several polynomials as products over one set of factors. The factors are common factors
-//! of two polynomials, common factors of coefficients, and factors of quadratics whose discriminant
-//! is a square. Steps rarely need others.
+//! Writes several polynomials as products over one set of factors. Factors come from gcds of
+//! polynomials, gcds of coefficients, and quadratics whose discriminant is a square.
 
 use kahan_syntax::rational::Rational;
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 
-/// The most work spent on factors. When it is spent, polynomials are left unfactored.
+/// Polynomials stay unfactored beyond this much work.
 const WORK: u64 = 20_000;
 const TERMS: usize = 60;
-/// The most terms of a polynomial for which discriminants are computed.
+/// Discriminants of longer polynomials are not computed.
 const QUADRATIC_TERMS: usize = 16;
 
 /// A polynomial written as coefficient · monomial · ∏ factor^exponent.
@@ -40,8 +39,8 @@ pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
     polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
 }
 
-/// Returns pairwise coprime polynomials without monomial factors. The given polynomials are
-/// products of their powers, up to monomials and constants.
+/// Returns pairwise coprime polynomials. The given polynomials are products of their powers, up to
+/// monomials and constants.
 fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     let mut budget = Budget::new(TERMS * TERMS, WORK);
     let mut waiting: Vec<Polynomial> = polynomials.iter().map(|polynomial| core(polynomial)).collect();
@@ -67,8 +66,7 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
     base
 }
 
-/// Divides by the coefficient and the monomial that all terms share, and makes the leading
-/// coefficient positive.
+/// Divides by common coefficients and monomials, and makes the leading coefficient positive.
 fn core(polynomial: &Polynomial) -> Polynomial {
     polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
 }
@@ -85,15 +83,14 @@ fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynom
     gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
 }
 
-/// Returns the common factor of the coefficients with respect to some variable, if it is not
-/// constant.
+/// Returns the common factor of the coefficients by powers of some variable, if not constant.
 fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > TERMS || polynomial.len() < 4 {
         return None;
     }
     polynomial.variables().into_iter().find_map(|variable| {
         let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
-        // A coefficient with a single term has only monomial factors, which were removed before.
+        // Coefficients with one term have only monomial factors.
         if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
             return None;
         }
@@ -103,7 +100,7 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
 }
 
 /// Returns a factor of a quadratic av² + bv + c in some variable v. If b² − 4ac = s², the factor is
-/// its gcd with 2av + b − s.
+/// the gcd with 2av + b − s.
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;
@@ -187,8 +184,7 @@ mod tests {
         }
     }
 
-    /// In E6, two numerators share the factor y + ε(x² − z²), and the third is factored by its
-    /// discriminant.
+    /// In E6, two numerators share the factor y + ε(x² − z²).
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
@@ -196,8 +192,7 @@ mod tests {
         assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
     }
 
-    /// In E3, numerators share the factor z + ε(x² + y²). In the third numerator, x² + y² is the
-    /// common factor of the coefficients of the powers of z.
+    /// In E3, the third numerator has the factor x² + y² in all coefficients of powers of z.
     #[test]
     fn what_coefficients_share_is_a_factor() {
         let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");

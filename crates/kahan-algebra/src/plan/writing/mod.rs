@@ -1,10 +1,9 @@
 //! Turns polynomials into operations.
 //!
 //! - `scaling` replaces products of ε with parameters and states by new variables.
-//! - `nesting` chooses the variable to factor out of terms, `factors` computes a common set of
-//!   factors, and `numerators` chooses the order of multiplications.
-//! - `writer` writes a polynomial into a `draft` and reuses existing operations. The draft tracks
-//!   when each value is ready.
+//! - `nesting` chooses the variable to factor out.
+//! - `factors` computes a common set of factors, and `numerators` orders multiplications.
+//! - `writer` writes a polynomial into a `draft` and reuses existing operations.
 
 pub(in crate::plan) mod factors;
 pub(in crate::plan) mod nesting;

@@ -1,9 +1,8 @@
 //! Chooses the nested form of a polynomial by estimated cost.
 //!
-//! A form is a sum of terms and of products v·q of a variable v and a polynomial q. Each choice of
-//! v gives another form. The estimate of a form counts operations, without sharing, and the cycle
-//! in which the value is ready. A budget limits the number of examined terms. When it is spent, all
-//! variables of a polynomial are factored out at once.
+//! A form is a sum of terms and of products v·q of a variable v and a polynomial q. The estimate of
+//! a form counts operations, and the cycles until the value is ready. A budget limits the number of
+//! examined terms. Beyond the budget, all variables are factored out at once.
 
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -20,24 +19,21 @@ use kahan_program::cost::{ADD, MULTIPLY};
 use crate::plan::horner::by_frequency;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// The most terms of a polynomial for which all forms are compared. In longer polynomials, the most
-/// frequent variable is factored out.
+/// In longer polynomials, the most frequent variable is factored out.
 const COMPARED: usize = 12;
 
 const MOST_LOOKED_AT: usize = 1_000_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum FormGoal {
-    /// The value should be ready early. This goal is for the denominator, for which all other
-    /// operations wait.
+    /// The value should be ready early. All operations wait for a denominator.
     Early,
-    /// The value should need few operations. This goal is for numerators, which are computed during
-    /// the division.
+    /// The value should need few operations. Numerators are computed during a division.
     Few,
 }
 
 impl FormGoal {
-    /// Returns the price to minimise. With the goal `Early`, a cycle costs as much as an operation.
+    /// Returns the price to minimise. With `Early`, a cycle costs as much as an operation.
     pub(in crate::plan) fn price(self, operations: usize, ready: u32) -> u64 {
         match self {
             FormGoal::Early => 16 * operations as u64 + 16 * u64::from(ready),
@@ -59,11 +55,11 @@ struct Estimate {
     form: SumForm,
 }
 
-/// The chosen form of a polynomial. The summands of the form are made when needed.
+/// The chosen form of a polynomial.
 #[derive(Debug)]
 enum SumForm {
     Flat,
-    /// A product v·q, and the other terms with an estimate of their own.
+    /// A product v·q, and the other terms.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
     Grouped(Vec<Summand>),
 }
@@ -149,8 +145,8 @@ impl Nesting {
         self.goal.price(estimate.operations, gathered(&estimate.summands))
     }
 
-    /// Returns the variables that occur in at least two terms. For a long polynomial returns only
-    /// the most frequent one.
+    /// Returns the variables in at least two terms. For long polynomials, returns only the most
+    /// frequent variable.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
         let counts = polynomial.frequencies().into_iter();
         let counts = counts.filter(|&(variable, count)| count > 1 && self.may_be_out(variable));
@@ -161,14 +157,13 @@ impl Nesting {
         counts.into_iter().map(|(variable, _)| variable).collect()
     }
 
-    /// Returns whether a variable may be factored out. The other variables belong to prepared
+    /// Returns whether a variable may be factored out. Other variables belong to prepared
     /// constants.
     fn may_be_out(&self, variable: Variable) -> bool {
         variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
 
-    /// Estimates the form that adds term by term. All terms without states form one prepared
-    /// summand.
+    /// Estimates the form that adds term by term. Terms without states are one prepared summand.
     fn flat(&self, polynomial: &Polynomial) -> Estimate {
         let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: SumForm::Flat };
         let mut has_fixed = false;
@@ -237,8 +232,7 @@ impl Nesting {
         Estimate { operations, summands, form: SumForm::Grouped(own) }
     }
 
-    /// Returns the product variable · quotient as a summand, with its number of operations and the
-    /// cycle in which it is ready.
+    /// Returns a product as summand, with its number of operations and the cycle when it is ready.
     fn product(&self, variable: Variable, quotient: Polynomial) -> (Summand, usize, u32) {
         let mut monomial = quotient.monomial_content();
         let inner = if monomial.is_one() {
@@ -262,23 +256,21 @@ fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
     polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
 }
 
-/// The penalty, in operations, for a prepared constant that is rounded twice.
+/// The price of a prepared constant that is rounded twice, in operations.
 pub(in crate::plan) const DERIVED: usize = 3;
 
-/// Returns the cycle in which a sum is ready if the two values that are ready first are always
-/// added first.
+/// Returns the cycle when a sum is ready. Early values are added first.
 fn gathered(ready: &[u32]) -> u32 {
     combined(ready.to_vec(), ADD)
 }
 
-/// Returns the cycle in which a product is ready if the two values that are ready first are always
-/// multiplied first.
+/// Returns the cycle when a product is ready. Early values are multiplied first.
 fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-/// Returns the cycle in which a single value is left. In each operation, which takes `latency`
-/// cycles, the two values that are ready first are combined.
+/// Returns the cycle when a single value is left. Each operation takes `latency` cycles and
+/// combines the two earliest values.
 fn combined(all: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(all, |at| Reverse(*at));
     while let [.., later, _] = ready[..] {
@@ -294,8 +286,7 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// The polynomial is the sum of all products of 200 states. Factoring out one variable at a
-    /// time would examine 2 000 000 terms.
+    /// One variable at a time would need 2 000 000 terms.
     #[test]
     fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
         let state = |k: usize| Monomial::variable(Variable(k as u16));

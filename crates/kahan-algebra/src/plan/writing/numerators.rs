@@ -1,5 +1,5 @@
-//! Writes the numerators, multiplied by powers of ε, as products of factors. If several numerators
-//! contain a product of two factors, it is computed once.
+//! Writes numerators, times powers of ε, as products of factors. Common products of two factors are
+//! computed once.
 
 use crate::poly::{Polynomial, Variable};
 
@@ -25,8 +25,7 @@ impl Power {
         }
     }
 
-    /// Divides factors by ε where possible. Returns the new product, and the power of ε that is
-    /// left to divide by.
+    /// Divides factors by ε where possible. Returns the new product and the remaining power of ε.
     fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
         let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
         let mut product = product.clone();
@@ -64,8 +63,8 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds a product multiplied by a power of ε. The power is multiplied into the factor where
-    /// that costs the fewest operations.
+    /// Adds a product with a power of ε. The power goes to the factor that gives the fewest
+    /// operations.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();
@@ -80,7 +79,7 @@ impl Products {
         self.lists.push(writer.cheapest(&places, write, |list| list.nodes.len()));
     }
 
-    /// Multiplies out all products. Pairs of factors that several products contain come first.
+    /// Multiplies out all products, common pairs of factors first.
     pub(in crate::plan) fn finish(mut self, writer: &mut Writer) -> Vec<Signed> {
         while let Some((a, b)) = self.shared_pair() {
             let node = writer.draft.multiply(a, b);
@@ -132,8 +131,7 @@ impl Factors {
     }
 }
 
-/// Multiplies one part of a product by the power of ε. Place 0 is the monomial, and place k is
-/// factor k.
+/// Multiplies the monomial (place 0) or factor k (place k) by the power of ε.
 fn with_power_at(writer: &mut Writer, product: &Factored, power: Power, place: usize) -> Factors {
     let epsilon = writer.scaling.epsilon();
     let mut list = Factors::default();

@@ -1,5 +1,4 @@
-//! A plan under construction. The draft tracks when values are ready, and combines late values
-//! last.
+//! A plan under construction. Late values are combined last.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -18,12 +17,12 @@ pub(in crate::plan) struct PlanDraft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
     fixed: Vec<bool>,
-    /// For each operation, the number of state-dependent operations up to and including it.
+    /// The number of state-dependent operations up to each operation.
     sizes: Vec<usize>,
     /// The number of states. Later variables up to ε are parameters.
     states: u16,
     epsilon: Variable,
-    /// Whether constants may be multiplied with each other, as explained at [`Self::product`].
+    /// Whether constants may be multiplied with each other. [`Self::product`] explains the effect.
     folds: bool,
 }
 
@@ -118,10 +117,10 @@ impl PlanDraft {
         self.builder.multiply(a, b)
     }
 
-    /// Returns the product of all factors. Products that exist already are preferred; otherwise the
-    /// two factors that are ready first are multiplied first.
+    /// Returns the product of all factors. Existing products are preferred, then factors that are
+    /// ready early.
     ///
-    /// Unless the draft folds constants, it avoids multiplying two constants. The rounding error of
+    /// Unless the draft folds constants, two constants are rarely multiplied. The rounding error of
     /// their product would recur in every step, so integrals would drift.
     pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
         match factors {
@@ -143,13 +142,12 @@ impl PlanDraft {
         factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
-    /// Returns the positions of two factors whose product exists already. A factor that occurs in
-    /// few such pairs is preferred. Equal factors must be adjacent. Returns `None` if there are too
-    /// many different factors.
+    /// Returns the positions of two factors with an existing product. Equal factors must be
+    /// adjacent. Returns `None` if there are too many different factors.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         const MOST_COMPARED: usize = 64;
 
-        // Group equal factors, because powers repeat a factor many times.
+        // Powers repeat a factor many times.
         let mut runs: Vec<Range<usize>> = Vec::new();
         for run in factors.chunk_by(|a, b| a == b) {
             let start = runs.last().map_or(0, |last| last.end);
@@ -176,7 +174,7 @@ impl PlanDraft {
         Some((runs[i].start, runs[j].start + usize::from(i == j)))
     }
 
-    /// Returns the sum of signed terms. The two terms that are ready first are added first.
+    /// Returns the sum of signed terms. Early terms are added first.
     pub(in crate::plan) fn sum(&mut self, terms: &[Signed]) -> Node {
         let sum = self.signed_sum(terms);
         self.node(sum)
@@ -189,7 +187,7 @@ impl PlanDraft {
     /// Returns the sum of signed terms up to a sign, which is part of the result.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         self.settle();
-        // Among terms that are ready at one time, the sum that was made last comes first.
+        // Among terms of equal time, the latest sum comes first.
         let waiting = terms.iter().zip(0_i64..);
         let mut waiting: BinaryHeap<_> =
             waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();
@@ -213,7 +211,7 @@ impl PlanDraft {
         }
     }
 
-    /// Sorts values by the cycle in which they are ready. Constants come first.
+    /// Sorts values by the cycle when they are ready. Constants come first.
     fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
         self.settle();
         sorted_by_key(values, |value| self.order(node(value)))
@@ -253,13 +251,12 @@ mod tests {
         draft
     }
 
-    /// With a thousand equal factors, comparing all pairs would never end.
+    /// Comparing all pairs of a thousand equal factors would take too long.
     #[test]
     fn a_long_power_is_made_by_squaring() {
         assert_eq!(product_of(1, 1 << 10).length(), 11);
     }
 
-    /// With four thousand factors, comparing all pairs before each product would never end.
     #[test]
     fn a_long_product_is_made_factor_by_factor() {
         assert_eq!(product_of(4000, 1).length(), 4000 + 3999);

@@ -1,10 +1,9 @@
-//! Distributes powers of ε over the states and parameters of each term, so that ε²x²y becomes
+//! Distributes powers of ε over the states and parameters of each term. Then ε²x²y becomes
 //! (εx)(εx)y.
 //!
-//! If εx is computed first, terms need no multiplication by ε, and ε is the only rounded constant.
-//! A scaled symbol such as εx is a variable that is numbered after all unscaled symbols. Forms that
-//! are divided by the time step also use the [inverse time step](crate::plan::forms::inverse),
-//! which is the last of these variables.
+//! If εx is computed first, terms need no product with ε, and ε is the only rounded constant. A
+//! scaled symbol such as εx is a variable with a number above all unscaled symbols. The last of
+//! these variables is the [inverse time step](crate::plan::forms::inverse).
 
 use kahan_syntax::rational::Rational;
 
@@ -13,21 +12,18 @@ use crate::poly::{Monomial, Polynomial, Variable};
 
 use kahan_program::cost::{DIVIDE, MULTIPLY};
 
-/// The first variable that names a gathered coefficient. Symbols have lower numbers.
 const COEFFICIENTS: u16 = 1 << 15;
 /// The variable that names 1/(2ε) in all forms.
 pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
-/// The approximate cycle in which the image of a state under the step is ready, after a division.
+/// The approximate cycle when the image of a state is ready, after a division.
 const LATE: u32 = 2 * DIVIDE;
 
-/// The kind of symbol that absorbs powers of ε first.
+/// The symbols that absorb powers of ε first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::plan) enum ScalingPriority {
-    /// The states absorb powers of ε first. The choice suits fields whose parameters occur only in
-    /// some terms.
+    /// States come first. This suits fields whose parameters occur only in some terms.
     States,
-    /// The parameters absorb powers of ε first. If εa₁ is prepared, x needs no scaling in the term
-    /// a₁x.
+    /// Parameters come first. If εa₁ is prepared, x needs no scaling in a₁x.
     Parameters,
 }
 
@@ -35,13 +31,11 @@ pub(in crate::plan) enum ScalingPriority {
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Scaling {
     states: usize,
-    /// The number of unscaled symbols, which is the index of the first scaled symbol. The unscaled
-    /// symbols are the states, the parameters, ε, and the states of a second point.
+    /// The number of unscaled symbols: states, parameters, ε, and second states.
     offset: u16,
     epsilon: Variable,
     first: ScalingPriority,
-    /// Whether all constants of a term are multiplied into one prepared constant, which is then
-    /// rounded twice.
+    /// Whether all constants of a term become one prepared constant, which is rounded twice.
     pub(in crate::plan) folds: bool,
 }
 
@@ -74,7 +68,7 @@ impl Scaling {
         if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
-    /// Returns the cycle in which a variable is ready; `None` if the variable depends on no state.
+    /// Returns the cycle when a variable is ready. Returns `None` for variables without states.
     pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
         let Variable(index) = variable;
         if index >= INVERSE_STEP.0 {
@@ -92,8 +86,7 @@ impl Scaling {
     }
 
     /// Returns the polynomial with ε distributed in each distinct way. If a term has fewer powers
-    /// of ε than states, some states stay unscaled. The first states in an order of preference stay
-    /// unscaled, and each way uses another order.
+    /// of ε than states, some states stay unscaled.
     pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         if !polynomial.contains(self.epsilon) {
             return vec![polynomial.clone()];
@@ -152,9 +145,8 @@ impl Scaling {
     }
 }
 
-/// Returns whether div f is a nonzero constant, so that volumes shrink or grow everywhere at one
-/// rate. Then no invariant measure or integral exists that could drift because constants are
-/// rounded twice.
+/// Returns whether div f is a nonzero constant. Then no invariant measure or integral exists that
+/// could drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator().derivative(field.symbols.state(i)));
@@ -164,7 +156,7 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Returns several orders of these states. Each state comes first in one of them.
+/// Returns several orders of these states. Each state comes first once.
 fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
     (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }
@@ -175,8 +167,7 @@ pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
 
-/// Returns the scalings to try, beginning with the preferred one. Without parameters there is a
-/// single one.
+/// Returns the scalings to try, with the preferred one first.
 pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
@@ -186,7 +177,7 @@ pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
     }
 }
 
-/// Returns p/εᵏ as a polynomial in ε, h = 1/(2ε) and the other symbols, where k is `power`.
+/// Returns p/εᵏ as a polynomial in ε, h = 1/(2ε) and other symbols, where k is `power`.
 pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
     let divided = polynomial.terms().map(|(monomial, coefficient)| {
         let cancelled = monomial.exponent(epsilon).min(power);
@@ -201,8 +192,7 @@ pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Va
 mod tests {
     use super::*;
 
-    /// For example, (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy with h = 1/(2ε). If the polynomial is
-    /// divided only by ε, one ε is left in the last term.
+    /// For example, (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy with h = 1/(2ε).
     #[test]
     fn eps_cancels_as_far_as_a_term_has_it() {
         let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));

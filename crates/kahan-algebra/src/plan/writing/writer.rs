@@ -1,6 +1,5 @@
-//! Writes scaled polynomials as operations and reuses existing operations. An existing operation is
-//! reused if it computes the polynomial up to sign. An existing sum is also reused if subtracting a
-//! multiple of the sum shortens the polynomial.
+//! Writes scaled polynomials as operations and reuses existing operations. Existing sums are also
+//! reused if subtracting a multiple shortens the polynomial.
 
 mod cheapest;
 mod coefficients;
@@ -21,41 +20,37 @@ use crate::plan::writing::plan_draft::{PlanDraft, Signed};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 use kahan_program::Numbered;
 
-/// The most terms of a polynomial in which multiples of sums are sought. The cost of the search is
-/// quadratic.
+/// Multiples of sums are not sought in longer polynomials. The search has quadratic cost.
 const REUSED: usize = 24;
 
-/// In polynomials of up to this many terms, a common constant is not factored out, because its
-/// products may exist already.
+/// Common constants of such short polynomials are not factored out.
 const SHARED: usize = 3;
 
-/// An entry of a matrix: its operation, and its polynomial over scaled symbols if that is known.
+/// An entry of a matrix, with its polynomial over scaled symbols if known.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct MatrixEntry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
     pub(in crate::plan) written: Signed,
 }
 
-/// A draft that also remembers which polynomial each operation computes.
+/// A draft that remembers which polynomial each operation computes.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Writer {
     pub(in crate::plan) draft: PlanDraft,
     pub(in crate::plan) scaling: Scaling,
-    /// The remembered polynomials in order of creation. Their leading coefficients are positive.
+    /// The remembered polynomials with positive leading coefficients, in order of creation.
     made: Numbered<Rc<Polynomial>>,
     steps: Vec<Signed>,
     sums: Vec<usize>,
     put: Vec<(Variable, Node)>,
-    /// The coefficients that are sums of constants. Each sum is computed once, before the steps,
-    /// and then counts as one constant.
+    /// Sums of constants. Each sum is computed once, before the steps, and counts as one constant.
     coefficients: Vec<Polynomial>,
-    /// The chosen forms for the goals `FormGoal::Early` and `FormGoal::Few`.
+    /// The chosen forms for both goals.
     nestings: Rc<[Nesting; 2]>,
 }
 
 impl Writer {
-    /// Returns an empty writer for each distribution of ε. Clones of a writer share their estimates
-    /// of forms.
+    /// Returns an empty writer for each distribution of ε. Clones of a writer share estimates.
     pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
         scalings(field).into_iter().map(Self::new).collect()
     }
@@ -95,14 +90,13 @@ impl Writer {
         self.draft.builder.divide(half, eps)
     }
 
-    /// Returns the node of an unscaled symbol. If the symbol is the image of a state, the node is
-    /// the result of an operation.
+    /// Returns the node of an unscaled symbol. The image of a state is the result of an operation.
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
     }
 
-    /// Returns the node of c/d. With c = 2, the increment 2εn/d needs no multiplication by 2.
+    /// Returns the node of c/d. With c = 2, the increment 2εn/d needs no product with 2.
     pub(in crate::plan) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
         let c = self.draft.constant(c);
         self.draft.builder.divide(c, denominator)
@@ -128,20 +122,19 @@ impl Writer {
         written.flipped(sign)
     }
 
-    /// Writes a polynomial in unscaled symbols and ε. The first distribution of powers of ε is
-    /// used.
+    /// Writes a polynomial in unscaled symbols and ε with the first distribution of ε.
     pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: FormGoal) -> Signed {
         let scaled = self.scaling.scale_first(polynomial);
         self.write(&scaled, goal)
     }
 
-    /// Scales the symbols of a polynomial by ε, and records that `written` computes the polynomial.
+    /// Records that `written` computes a polynomial in unscaled symbols.
     pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
         let scaled = self.scaling.scale_first(polynomial);
         self.remember(&scaled, written);
     }
 
-    /// Writes an entry of a matrix. The first distribution of powers of ε is used.
+    /// Writes an entry of a matrix with the first distribution of ε.
     pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: FormGoal) -> MatrixEntry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
@@ -217,8 +210,7 @@ impl Writer {
         let nesting = &nestings[usize::from(goal == FormGoal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        // Write summands of low degree first, because their products may be factors of other
-        // summands.
+        // Products of low degree may be factors of other summands, so they are written first.
         let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Summand::Term(monomial, _) => monomial.degree(),
             Summand::Product(..) => 0,
@@ -253,7 +245,7 @@ impl Writer {
     }
 }
 
-/// Makes the leading coefficient positive. Returns whether it was negative, and the new polynomial.
+/// Makes the leading coefficient positive. Returns whether the sign changed.
 fn normalised(polynomial: &Polynomial) -> (bool, Rc<Polynomial>) {
     let negative = polynomial.leading_term().is_some_and(|(_, coefficient)| coefficient.is_negative());
     (negative, Rc::new(if negative { -polynomial } else { polynomial.clone() }))

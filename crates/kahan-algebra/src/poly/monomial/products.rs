@@ -46,7 +46,7 @@ impl Monomial {
         }
     }
 
-    /// Returns the quotient by a variable; `None` if the monomial does not contain the variable.
+    /// Returns the quotient by a variable. Returns `None` if the variable does not occur.
     pub fn lowered(&self, variable: Variable) -> Option<Self> {
         let powers = self.powers();
         let mut place = 0;
@@ -66,7 +66,7 @@ impl Monomial {
         Some(lowered)
     }
 
-    /// Returns the quotient; `None` unless `divisor` divides the monomial.
+    /// Returns the quotient. Returns `None` unless `divisor` divides the monomial.
     pub fn div(&self, divisor: &Self) -> Option<Self> {
         if !divisor.divides(self) {
             return None;
@@ -87,7 +87,7 @@ impl Monomial {
         Some(Self { degree: self.degree - divisor.degree, powers })
     }
 
-    /// Returns whether the monomial divides `multiple`. Nothing is allocated.
+    /// Returns whether the monomial divides `multiple`.
     pub fn divides(&self, multiple: &Self) -> bool {
         if self.degree > multiple.degree {
             return false;
@@ -118,7 +118,7 @@ impl Monomial {
         power
     }
 
-    /// Returns the greatest common divisor, which has the lower exponent of each variable.
+    /// Returns the greatest common divisor.
     pub fn gcd(&self, other: &Self) -> Self {
         let mut common = Self::one();
         for &(variable, exponent) in self.powers() {

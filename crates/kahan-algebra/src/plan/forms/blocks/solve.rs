@@ -17,10 +17,10 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 use crate::plan::writing::writer::{MatrixEntry, Writer};
 
-/// The most terms of a right-hand side for which several distributions of ε are compared.
+/// Longer right-hand sides use a single distribution of ε.
 const COMPARED_TERMS: usize = 12;
 
-/// The increment x̃ᵢ − xᵢ, as a signed numerator and the reciprocal that multiplies it.
+/// The increment x̃ᵢ − xᵢ as numerator and reciprocal.
 type Increment = (Signed, Option<Node>);
 
 #[derive(Clone)]
@@ -30,8 +30,7 @@ struct Solution {
 }
 
 impl BlockOrder {
-    /// Returns the numbers by which to rotate rows. There are at most `most`, and all give distinct
-    /// orders.
+    /// Returns the numbers by which to rotate rows. At most `most` rotations are returned.
     fn row_rotations(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))
@@ -41,8 +40,8 @@ impl BlockOrder {
 }
 
 impl Blocks<'_> {
-    /// Returns a candidate for each rotation of rows, but at most `row_rotations`. All candidates
-    /// share the rows of the first block.
+    /// Returns a candidate for each rotation of rows. All candidates share the rows of the first
+    /// block.
     pub(in super::super) fn candidates(
         &self,
         empty: &Writer,
@@ -74,8 +73,7 @@ impl Blocks<'_> {
     fn solve(&self, block: &Block, mut rows: Vec<Vec<MatrixEntry>>, turn: usize, solution: &mut Solution) {
         let Solution { writer, increments } = solution;
         if !rows.is_empty() {
-            // An odd permutation of rows changes the signs of all determinants. The changed signs
-            // cancel in the quotients.
+            // An odd permutation changes the signs of all determinants, but not the quotients.
             let turn = turn % rows.len();
             rows.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &rows);
@@ -97,7 +95,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Writes the sum x + x̃ for each state whose image is known.
+    /// Writes x + x̃ for each state with a known image.
     fn put_sums(&self, writer: &mut Writer) {
         for i in 0..self.first {
             let second = self.field.symbols.variable(Symbol::SecondState(i));
@@ -108,7 +106,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Writes x̃ᵢ = xᵢ + numerator · reciprocal. For a tangent vector, writes only the increment.
+    /// Writes x̃ᵢ = xᵢ + numerator · reciprocal. For a tangent vector, writes the increment only.
     fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
         let symbols = &self.field.symbols;
         let second: Variable = symbols.variable(Symbol::SecondState(i));
@@ -145,7 +143,7 @@ impl Solution {
         let Solution { mut writer, increments } = self;
         let increments = &increments[first..];
         let numerator = |(signed, _): &Increment| match signed.negative {
-            // The value is also part of x̃, so it must not be negated in place.
+            // The value is also part of x̃, so it is not negated in place.
             true => writer.draft.builder.changed_sign(signed.node),
             false => signed.node,
         };

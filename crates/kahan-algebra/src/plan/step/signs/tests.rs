@@ -17,8 +17,7 @@ fn values(constants: &Plan, kernel: &Plan) -> Vec<Option<Rational>> {
     kernel.evaluate(&Exact, |read| read.value(&prepared, |variable| Some(input(variable))))
 }
 
-/// If c = b − a is prepared, the results 1 − cx, −cy and −cxy need neither subtraction nor
-/// negation.
+/// With c = b − a, the results 1 − cx, −cy and −cxy need neither subtraction nor negation.
 #[test]
 fn a_difference_is_prepared_the_way_that_needs_no_negation() {
     let mut builder = PlanBuilder::default();

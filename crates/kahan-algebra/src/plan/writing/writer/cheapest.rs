@@ -9,8 +9,7 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
-    /// Writes a polynomial in unscaled symbols and ε, with the distribution of powers of ε that
-    /// costs least.
+    /// Writes a polynomial in unscaled symbols and ε with the cheapest distribution of ε.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, FormGoal::Few), |_| 0)
@@ -34,8 +33,7 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Tries all ways to write a value. Keeps the way with the lowest sum of operations and
-    /// `price`; among equals, the first. There must be at least one way.
+    /// Tries all ways to write a value and keeps the cheapest. There must be at least one way.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
@@ -53,8 +51,7 @@ impl Writer {
             }
             self.truncate(before);
         }
-        // Write the first way last. The first way is often the best, and then need not be written
-        // again.
+        // The first way is often the best, so it is tried last and need not be repeated.
         let result = write(self, first);
         match best {
             Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {

@@ -1,5 +1,4 @@
-//! Gathers sums of constants that multiply a product of states. Each sum becomes one prepared
-//! coefficient.
+//! Gathers sums of constants before a product of states into prepared coefficients.
 
 use kahan_syntax::rational::Rational;
 
@@ -8,13 +7,12 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use super::Writer;
 use crate::plan::writing::plan_draft::Signed;
 
-/// The most gathered coefficients. Each new one takes a variable and is compared with all others.
+/// The most gathered coefficients. Each new one is compared with all others.
 const MOST_GATHERED: usize = 1024;
 
 impl Writer {
-    /// Replaces each sum of constants that multiplies a product of states by a coefficient. Sums
-    /// that contain products of constants are gathered only if constants may be rounded twice.
-    /// Returns `None` if there is no sum to gather.
+    /// Replaces each sum of constants before a product of states by a coefficient. Returns `None`
+    /// if no sum can be gathered.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
             return None;

@@ -1,4 +1,4 @@
-//! Writes a polynomial as multiples of existing sums, plus a remainder.
+//! Writes a polynomial as multiples of existing sums plus a remainder.
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::Table;
@@ -10,8 +10,8 @@ use crate::plan::writing::nesting::FormGoal;
 use crate::plan::writing::plan_draft::Signed;
 
 impl Writer {
-    /// Writes the polynomial as multiples of existing sums, plus a remainder. Returns `None` if no
-    /// existing sum shortens it.
+    /// Writes the polynomial as multiples of existing sums plus a remainder. Returns `None` if no
+    /// sum shortens it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
         let mut multipliers: Table<usize, Polynomial> = Table::new();
@@ -36,9 +36,9 @@ impl Writer {
         Some(self.draft.signed_sum(&terms))
     }
 
-    /// Finds the existing sum g and the term m for which the remainder P − m·g of the polynomial P
-    /// is shortest. Returns the index of g, the term m and the remainder, which must be shorter
-    /// than P by at least two terms.
+    /// Finds the sum g and the term m with the shortest remainder P − m·g of the polynomial P.
+    /// Returns the index of g, the term m and the remainder. The remainder must be shorter by at
+    /// least two terms.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, KnownMultiple)> = None;
         for (index, &number) in self.sums.iter().enumerate() {
@@ -61,22 +61,19 @@ impl Writer {
 struct KnownMultiple {
     monomial: Monomial,
     ratio: Rational,
-    /// The number of terms of the remainder P − m·g.
     left: usize,
 }
 
-/// Returns the term m for which P − m·g has the fewest terms, if there are fewer than `least`. P is
-/// `polynomial`, g is `sum`. Among equals, the first quotient in the order of terms of P and g
-/// wins.
+/// Returns the term m for which P − m·g has the fewest terms, if fewer than `least`. Here P is
+/// `polynomial`, and g is `sum`.
 fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<KnownMultiple> {
     let mut best: Option<KnownMultiple> = None;
     for term in polynomial.as_terms() {
         let mut place = 0;
         loop {
             let below = best.as_ref().map_or(least, |best| best.left);
-            // Compute the required overlap of P and m·g, which is the number of common monomials
-            // plus the number of equal coefficients. Monomials of g before `place` are not in the
-            // overlap.
+            // The overlap counts common monomials and equal coefficients of P and m·g, from `place`
+            // on in g.
             let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
             if common + place > 2 * sum.len() {
                 break;
@@ -91,7 +88,7 @@ fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Opt
 }
 
 /// Returns the quotient m of a term of P by a term of g, if the overlap of P and m·g is at least
-/// `common`. Most candidates are rejected early.
+/// `common`.
 fn multiple_at(
     polynomial: &Polynomial,
     sum: &Polynomial,

@@ -1,5 +1,4 @@
-//! Writes terms. A constant factor of a term is merged with a scaled symbol, such as εx, if the
-//! merged product needs no further operation.
+//! Writes terms. A constant is merged with a scaled symbol, such as εx, if this saves an operation.
 
 use kahan_syntax::rational::Rational;
 
@@ -22,8 +21,7 @@ impl Writer {
         Signed { node: self.draft.product(&factors), negative }
     }
 
-    /// Returns the factors of a term and its sign. A power of two is merged with the ε of a scaled
-    /// symbol.
+    /// Returns the factors of a term and its sign. A power of two is merged with a scaled symbol.
     pub(in crate::plan) fn factors_of_term(
         &mut self,
         monomial: &Monomial,
@@ -58,8 +56,7 @@ impl Writer {
         (factors, negative)
     }
 
-    /// Returns the factors of a term. All constants are multiplied into one, including the ε of a
-    /// scaled state.
+    /// Returns the factors of a term, with all constants multiplied into one.
     pub(super) fn folded_factors(&mut self, size: &Rational, symbols: &[Variable]) -> Vec<Node> {
         let is_state = |variable: &Variable| self.scaling.ready(*variable).is_some();
         let (mut states, constants): (Vec<Variable>, Vec<Variable>) =
@@ -85,7 +82,7 @@ impl Writer {
         factors
     }
 
-    /// Returns the node of (cε)·v, where v is `symbol` and cε is a prepared constant.
+    /// Returns the node of (cε)·v for v = `symbol` and a prepared constant cε.
     pub(super) fn scaled_by(&mut self, c: &Rational, symbol: Option<Variable>) -> Node {
         let (eps, c) = (self.draft.input(self.scaling.epsilon()), self.draft.constant(c));
         let prepared = self.draft.multiply(c, eps);
