@@ -1,8 +1,8 @@
 //! A plan prepared for evaluation over any scalar; names are resolved, and each node has a
 //! register.
 //!
-//! In: a plan; for each evaluation, constants and a state in the caller's registers. Out: results.
-//! Operations and their order are those of generated code, and therefore also the bits.
+//! In: a plan; for each evaluation, constants and a state in the caller's registers. Out: results
+//! with the bits of generated code.
 
 use std::marker::PhantomData;
 
@@ -198,8 +198,7 @@ impl Line {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the program in its registers. Returns `None` if a division by zero is undefined in the
-    /// scalar.
+    /// Runs the program in its registers; `None` if a division by zero is undefined in the scalar.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,

@@ -94,8 +94,7 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 }
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns code that, after the points of a group of maps, writes their integrals in SIMD
-    /// lanes.
+    /// Returns code that writes the integrals of a group of maps after their points.
     fn group_code_of_integrals(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<GroupCode<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));

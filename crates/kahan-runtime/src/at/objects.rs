@@ -94,7 +94,6 @@ impl<T: RuntimeFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        // Most fields claim no integrals, so the evaluation is skipped for them.
         if entries > 0 {
             let is_integral = matches!(object, Object::Integrals);
             let constants = if is_integral { &self.of_integrals } else { &self.constants };
@@ -104,8 +103,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Expands the entries above the diagonal into an antisymmetric matrix, row by row, in the same
-/// slice.
+/// Expands the entries above the diagonal to an antisymmetric matrix, in place.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
     // The loop runs backwards, so that no entry is overwritten before it is read.

@@ -6,10 +6,10 @@
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
 
-/// The largest number of coefficients. The degree in ε is at most the number of variables.
+/// The largest number of coefficients.
 pub(super) const MOST: usize = MOST_EXPANDED + 1;
 
-/// The number of bisections of the interval after which floats give up.
+/// The number of bisections of the interval before floats give up.
 const HALVINGS: u32 = 12;
 
 /// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of size `error` permit both

@@ -159,7 +159,6 @@ fn subtract_row<V: Scalar + Copy>(
 mod tests {
     use super::{solve, solve_sparse};
 
-    /// Draws a number between −1 and 1, by Knuth's linear congruential generator.
     fn draw(seed: &mut u64) -> f64 {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*seed >> 32) as f64 / f64::from(1_u32 << 31) - 1.0

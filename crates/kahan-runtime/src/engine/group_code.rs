@@ -26,8 +26,7 @@ pub(crate) struct GroupCode<T> {
 }
 
 impl Engine {
-    /// Returns the steps of orbits that share code; the memory of `workspace` is reused for
-    /// constants.
+    /// Returns the steps of orbits that share code; constants reuse the memory of `workspace`.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -44,9 +43,8 @@ impl Engine {
 
     /// Returns the steps of orbits with tangent vectors after each point.
     ///
-    /// If `constants` (the parameters and ε of each orbit) are given, the straight-line program of
-    /// [`Object::Tangent`](super::Object) propagates the vectors, and there is one stage. For
-    /// `None`, each stage is a step of the variational field.
+    /// If `constants` are given, a straight-line program propagates the vectors. Otherwise each
+    /// stage is a step of the variational field.
     pub(crate) fn group_code_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -68,8 +66,7 @@ impl Engine {
         }))
     }
 
-    /// Returns code that writes integrals after the points; `constants` are the parameters and ε of
-    /// each orbit.
+    /// Returns code that writes the integrals of each orbit after its point.
     pub(crate) fn group_code_of_integrals<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],

@@ -37,8 +37,7 @@ pub enum Growth {
 }
 
 impl Growth {
-    /// Returns the class of h₁, h₂, … by the [rule](Growth). Does not use h₀, which may be
-    /// arbitrary.
+    /// Returns the class of h₁, h₂, … by the [rule](Growth); h₀ is not used.
     #[must_use]
     pub fn of(heights: &[f64]) -> Self {
         let n = heights.len();
@@ -52,8 +51,7 @@ impl Growth {
         if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
     }
 
-    /// Compares least-squares lines in n and in log n, and chooses the one that fits clearly
-    /// better.
+    /// Chooses between least-squares lines in n and in log n, if one fits clearly better.
     fn of_lines(heights: &[f64]) -> Self {
         let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, libm::log));
         if 2.0 * linear <= logarithmic {

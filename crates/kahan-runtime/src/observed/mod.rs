@@ -65,8 +65,7 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// Observes many orbits, in SIMD lanes where machine code supports this.
     ///
     /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
-    /// The numbers equal those of [`observe_one`](Self::observe_one). If `tell` stops the work,
-    /// they are meaningless.
+    /// The numbers equal those of [`observe_one`](Self::observe_one), unless `tell` stops the work.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.

@@ -39,8 +39,7 @@ impl Unit {
 }
 
 impl Case {
-    /// Returns the field. The field has the parameter `nu`, and the parameter `q` if the text
-    /// contains `q`.
+    /// Returns the field. Its parameters are `nu`, and `q` if the text contains `q`.
     pub(crate) fn field(&self) -> Field {
         let timed = |statement: &str| match statement.split_once("dot = ") {
             Some((variable, rate)) => format!("{variable}dot = nu*({rate});"),
