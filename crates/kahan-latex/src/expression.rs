@@ -6,8 +6,7 @@ use kahan_algebra::syntax::{Expr, ExprKind, Factor};
 
 use crate::notation::Latex;
 
-/// Writes a product. Numbers are combined, divisors are below a fraction bar, and factors 1 are
-/// omitted.
+/// Writes a product, with numbers combined and divisors below a fraction bar.
 pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     let mut coefficient = Rational::from(1);
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];

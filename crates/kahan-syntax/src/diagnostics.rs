@@ -1,15 +1,14 @@
-//! Represents the user's mistakes as data. Each has a kind, a position, a message and a help text.
+//! Mistakes of the user as data: a kind, a position, a message and a help text.
 //!
 //! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens. The command prints it with
-//! a caret under the text. [`Diagnostics`] collects mistakes, and panics if it is dropped before
-//! they are read.
+//! a caret under the text.
 
 use std::fmt;
 
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// The rule that a mistake breaks. Tests and tools use the rule; messages do not show the rule.
+/// The rule that a mistake breaks, for tests and tools.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
