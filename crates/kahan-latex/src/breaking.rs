@@ -100,7 +100,7 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const NARROWEST: usize = 16;
 
-/// Distributes a width over columns. Narrow columns get their width, and the others equal shares.
+/// Distributes a width over columns. Narrow columns keep their width; others share the rest.
 fn shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
     // The share decreases in every pass except the final one, so the loop ends.

@@ -44,7 +44,7 @@ pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     }
 }
 
-/// Writes a number, unless it is 1, followed by factors.
+/// Writes a number followed by factors; a number 1 is omitted.
 fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Precedence) {
     match factors {
         [] => (Latex.number(number), Precedence::Atom),

@@ -138,7 +138,7 @@ impl Notation for Latex {
     }
 }
 
-/// Returns whether a factor is a name of several letters, its image, or its power.
+/// Returns whether a factor is a name of several letters, or the image or a power of such a name.
 fn is_word(factor: &str) -> bool {
     factor.trim_start_matches("\\widetilde{").starts_with("\\mathit{")
 }

@@ -50,7 +50,7 @@ pub struct MapAt<T: RuntimeFloat> {
     of_integrals: Arc<[T]>,
     composition: Composition,
     kind: StepKind,
-    /// The instruction set that steps columns; `None` for the widest one that is available.
+    /// The instruction set for columns; `None` for the widest available one.
     set: Option<InstructionSet>,
     stages: Arc<OnceLock<Vec<Stage<T>>>>,
     coded: Option<CodedStages<T>>,
@@ -76,8 +76,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         .composed(composition)
     }
 
-    /// Returns the map with each step replaced by a composition of steps, which has a higher order.
-    /// [`Composition`] lists the properties that survive. A composed step still takes the time 2ε.
+    /// Returns the map whose steps are compositions of steps, with a higher order. A composed step
+    /// still takes the time 2ε; [`Composition`] lists the properties that survive.
     ///
     /// Integrals are evaluated at ε = 0, since a composition nearly preserves the integrals of the
     /// flow. Other objects, such as the Jacobian, remain those of the map at ε.
@@ -164,7 +164,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Returns whether the step from `x`, or one of its stages, divides by exactly 0.
+    /// Returns whether the step from `x`, or a stage of this step, divides by exactly 0.
     ///
     /// Cost: one interpreted step.
     ///
@@ -269,7 +269,7 @@ impl<T: RuntimeFloat> Increments for MapAt<T> {
     }
 }
 
-/// Panics with the text of an error; for traits whose methods cannot return dimension errors.
+/// Panics with the text of an error, for traits whose methods cannot return the error.
 #[track_caller]
 pub(crate) fn fitting(checked: Result<(), DimensionError>) {
     if let Err(error) = checked {

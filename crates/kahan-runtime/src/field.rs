@@ -107,7 +107,7 @@ impl Field {
         self.derived().brackets.iter().map(|(name, _)| name.as_str())
     }
 
-    /// Returns the system that the field was read from.
+    /// Returns the system of the field.
     #[must_use]
     pub fn system(&self) -> &System {
         &self.derived().system

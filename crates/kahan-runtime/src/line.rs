@@ -193,7 +193,7 @@ impl Line {
         self.program.operations.len()
     }
 
-    /// Returns ε. Except in kernels, ε is the last of the constants.
+    /// Returns ε, which is the last constant except in kernels.
     pub(crate) fn eps<V: Clone>(&self, registers: &[V]) -> V {
         registers[self.constants - 1].clone()
     }

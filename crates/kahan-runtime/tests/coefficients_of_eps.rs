@@ -224,7 +224,7 @@ fn orbits_and_columns_have_the_bits_of_steps() {
     assert_eq!(x, last.as_slice());
 }
 
-/// Each stage of a composition uses the coefficients at its own ε; the flow has those at ε = 0.
+/// Each stage of a composition uses the coefficients at its own ε, and the flow those at ε = 0.
 #[test]
 fn compositions_keep_their_order() {
     let own = Curved { a: 1.5, b: -0.75 };

@@ -62,7 +62,7 @@ pub(crate) fn detect(
     if places.is_empty() {
         return Ok(None);
     }
-    // The shards of nested launchers are counted with the innermost launcher varying fastest.
+    // The innermost of nested launchers varies fastest.
     let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
         index: index * place.of + place.index,
         of: of * place.of,
@@ -153,13 +153,13 @@ mod tests {
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// If tasks of an array start ranks, the ranks of all tasks cover each shard once.
+    /// If the tasks of an array start processes, the processes cover each shard once.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();
         for task in ["2", "4", "6"] {
             for rank in ["0", "1"] {
-                // The ranks inherit the environment variables of the process that started them.
+                // The processes inherit the environment variables of the process that started them.
                 let started = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "0"), ("SLURM_NTASKS", "2")];
                 let array = [
                     ("SLURM_ARRAY_TASK_ID", task),

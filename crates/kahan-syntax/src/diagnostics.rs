@@ -1,7 +1,7 @@
 //! Mistakes of the user as data: a kind, a position, a message and a help text.
 //!
-//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens. The command prints it with
-//! a caret under the text.
+//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens. The command prints the
+//! mistake with a caret under the text.
 
 use std::fmt;
 
@@ -77,8 +77,8 @@ impl fmt::Display for Diagnostic {
 
 /// Shortens a message that quotes long words.
 ///
-/// If a word has more than 80 characters, its first 46 and last 16 are kept. If the message then
-/// still has more than 700 characters, its first 440 and last 240 are kept.
+/// Of a word with more than 80 characters, the first 46 and the last 16 are kept. Of a message that
+/// then still has more than 700 characters, the first 440 and the last 240 are kept.
 ///
 /// ```
 /// let name = "x".repeat(1_000_000);
@@ -111,7 +111,7 @@ const MOST_MISTAKES: usize = 200;
 /// The mistakes collected so far.
 ///
 /// # Panics
-/// If it is dropped without a call of [`Diagnostics::finish`].
+/// If the list is dropped without a call of [`Diagnostics::finish`].
 #[derive(Debug)]
 pub struct Diagnostics {
     list: Option<Vec<Diagnostic>>,

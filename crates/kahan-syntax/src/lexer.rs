@@ -42,7 +42,7 @@ impl Lexer<'_> {
         self.text[self.at..].chars().nth(ahead)
     }
 
-    /// Returns the byte length of the text from `from` on whose characters all satisfy `keep`.
+    /// Counts the bytes from `from` up to the first character that fails `keep`.
     fn run(&self, from: usize, keep: impl Fn(char) -> bool) -> usize {
         self.text[from..].chars().take_while(|&c| keep(c)).map(char::len_utf8).sum()
     }
@@ -206,7 +206,7 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Returns whether `c` may continue a name. Combining marks such as Newton's dot may do so.
+/// Returns whether `c` may continue a name, also as a combining mark such as Newton's dot.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }

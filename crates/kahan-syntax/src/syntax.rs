@@ -75,7 +75,7 @@ pub struct FamilyHead {
     pub span: Span,
     /// The number of equations before the family.
     pub equations_before: usize,
-    /// The number of equations before the family, plus the number of those in the family.
+    /// The number of equations before and in the family.
     pub equations_until: usize,
 }
 
@@ -90,7 +90,7 @@ pub struct Header {
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
-    /// For each parameter its documentation and attributes.
+    /// The documentation and the attributes of each parameter.
     pub described: Vec<WrittenTokens>,
 }
 
@@ -385,7 +385,7 @@ pub enum InFormula {
     Call {
         /// The name of the function.
         function: String,
-        /// The arguments, at least one.
+        /// One or more arguments.
         arguments: Vec<Expr<InFormula>>,
     },
     /// A power `a^b` whose exponent b is not an integer literal.

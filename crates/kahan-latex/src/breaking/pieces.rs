@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Returns the ranges of the arguments of the first fraction or parentheses at the top level.
+/// Returns the insides of the first fraction or parentheses at the top level of a factor.
 pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
@@ -67,7 +67,7 @@ fn is_command(rest: &str, name: &str) -> bool {
     rest.strip_prefix(name).is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
 
-/// Returns the terms of a sum. All terms but the first keep their sign.
+/// Returns the terms of a sum. Each later term keeps its sign.
 pub(super) fn terms(formula: &str) -> Vec<&str> {
     split(formula, |rest| rest.starts_with(" + ") || rest.starts_with(" - "))
 }

@@ -28,7 +28,8 @@ fn command(rest: &str) -> (usize, usize) {
     let name = &rest[..letters];
     match name {
         "\\" => {
-            // The command `\{` is one character wide, `\,` and `\\` are not.
+            // The commands `\,` and `\\` have no width; other commands such as `\{` have one
+            // character.
             let sign = rest[1..].chars().next().map_or(0, char::len_utf8);
             (usize::from(!rest.starts_with("\\,") && !rest.starts_with("\\\\")), 1 + sign)
         }

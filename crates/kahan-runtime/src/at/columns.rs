@@ -21,8 +21,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories; column c holds variable c of all trajectories.
     ///
     /// `eps` holds one ε for each trajectory, or one for all; an empty `eps` stands for the map's
-    /// own ε. `parameters` holds such a list for each parameter, or is empty. Each trajectory has
-    /// the bits of an ensemble at its ε and parameters.
+    /// own ε. `parameters` holds one list of the same form for each parameter, or is empty. Each
+    /// trajectory has the bits of an ensemble at its ε and parameters.
     ///
     /// A trajectory becomes NaN if the field divides by zero at its parameters.
     ///

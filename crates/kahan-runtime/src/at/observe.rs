@@ -1,4 +1,4 @@
-//! Observation of many orbits, in SIMD lanes where machine code supports this.
+//! Observation of many orbits, in SIMD lanes if machine code exists.
 //!
 //! In: one map for all orbits or one for each, first points, and observers. Out: reports. Points
 //! and reports have the bits of single orbits.
@@ -21,8 +21,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many orbits by `steps` steps, each with its own observers.
     ///
     /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each.
-    /// `observers` makes the observers of the orbit with a given index. They see the first point as
-    /// step 0. Points and reports have the bits of single orbits.
+    /// `observers` makes the observers of the orbit with a given index. Observers see the first
+    /// point as step 0. Points and reports have the bits of single orbits.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
@@ -48,8 +48,8 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     /// Observes like [`observe_columns`](Self::observe_columns). Every few thousand steps, `tell`
-    /// receives the number of steps made since its last call. If `tell` breaks, the work stops, and
-    /// the reports cover the points seen so far.
+    /// receives the number of steps since its last call. If `tell` returns `Break`, the work stops,
+    /// and the reports cover the points seen so far.
     ///
     /// # Errors
     /// [`DimensionError`], as for [`observe_columns`](Self::observe_columns).
@@ -63,7 +63,7 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups; if `has_observed` returns `false`, the default code observes.
+    /// Observes orbits in groups; the default code observes if `has_observed` returns `false`.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -219,8 +219,8 @@ impl<O> WhileFinite<O> {
         Self::within(f64::MAX, observers)
     }
 
-    /// Shows points up to and including the first point with a variable larger than `bound`. There
-    /// the orbit has [escaped](End::Escaped).
+    /// Shows points up to and including the first point with a variable larger than `bound`. At
+    /// this point the orbit has [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }

@@ -23,11 +23,11 @@ pub struct PassedPoleCount {
 /// An observer that counts the steps of an orbit over poles of the map.
 ///
 /// A step from x passes over a pole if the reduced denominator d(x, ε′) has a root ε′ in (0, ε], or
-/// for ε < 0 in [ε, 0); double roots count. A step of a [composition](MapAt::composed) passes over
+/// for ε < 0 in [ε, 0). Double roots count. A step of a [composition](MapAt::composed) passes over
 /// a pole if one of its stages does.
 ///
 /// Roots are found as if by exact arithmetic on the given numbers. If d has too many terms to be
-/// expanded, a step counts where det A(x,ε) < 0. The count is then a lower bound, and includes
+/// expanded, steps with det A(x,ε) < 0 are counted. The count is then a lower bound, and includes
 /// removable zeros of det A.
 ///
 /// Cost of each step: the terms of d in floats, or without d one elimination. Near double roots,
@@ -38,7 +38,7 @@ pub struct PassedPoleCount {
 ///
 /// use kahan_runtime::{Field, Follow, PassedPoles};
 ///
-/// // 1/x falls by 2ε a step, from 1 to 0.02 and on to −0.12.
+/// // 1/x falls by 0.14 in each step, from 1 to 0.02 and then to −0.12.
 /// let map = Field::parse("xdot = x^2;").unwrap().map().unwrap().at(0.07);
 /// let mut x = [1.0];
 /// let goes_on = |_| ControlFlow::Continue(());

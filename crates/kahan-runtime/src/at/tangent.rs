@@ -117,7 +117,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         self.engine().evaluate(Object::Tangent, &self.constants, &state, v);
     }
 
-    /// Propagates one or two vectors of each orbit by machine code; `None` if there is no code.
+    /// Propagates one or two vectors of each orbit, if there is machine code.
     fn push_forward_group<P: Grouped<T>>(
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,

@@ -272,8 +272,8 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// Returns a random field of n variables, which keeps x1 = 0 at zero. Each product of two variables
-/// occurs with a probability of `percent` %. Coefficients are multiples of `unit`.
+/// Returns a random field of n variables, in which x1 stays 0 if it begins there. Each product of
+/// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {
@@ -396,7 +396,7 @@ fn lattice(side: usize) -> Field {
     Field::parse(&equations.collect::<String>()).expect("a field")
 }
 
-/// Compares elimination in panels, in floats, with elimination by entries, in double-double.
+/// Compares elimination in panels over floats with elimination by entries over double-double.
 #[test]
 fn steps_of_large_lattices_are_those_in_double_double() {
     let map = lattice(28).map().expect("no parameters");

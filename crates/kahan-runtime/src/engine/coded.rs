@@ -139,7 +139,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // The scratch is taken out, because the loops of dense fields borrow it too.
+        // The state is taken out of the scratch memory, because the loops of dense fields borrow
+        // the memory.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));

@@ -30,7 +30,7 @@ impl Engine {
         self.coefficients.get_or_init(line).as_ref()
     }
 
-    /// Returns whether the loops apply to steps of this kind.
+    /// Returns whether loops over packed coefficients apply to steps of this kind.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
             && kind.fuses == cfg!(target_feature = "fma")
@@ -69,8 +69,9 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
-/// Advances a state by steps of a dense field; the last number of the state is its guard. `stages`
-/// holds the result of [`Engine::packed`] for each distinct stage; the middle stage is last.
+/// Advances a state by steps of a dense field. The last number becomes large if the interpreter
+/// must repeat the steps. `stages` holds the coefficients of each distinct stage, the middle stage
+/// last.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };

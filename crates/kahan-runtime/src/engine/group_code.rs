@@ -16,7 +16,7 @@ use super::{Engine, in_turn};
 /// The code of a group's steps, compiled at first use; `Some(None)` if compilation fails.
 pub(crate) type GroupCodeCell<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
-/// Machine code over the columns of a group, with the constants that it reads.
+/// Machine code over the columns of a group, with its constants.
 #[derive(Debug)]
 pub(crate) struct GroupCode<T> {
     code: Arc<Sweep<T>>,
@@ -26,7 +26,7 @@ pub(crate) struct GroupCode<T> {
 }
 
 impl Engine {
-    /// Returns the steps of orbits that share code; constants reuse the memory of `workspace`.
+    /// Returns code for the steps of a group of orbits; the memory of `workspace` is reused.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -41,7 +41,7 @@ impl Engine {
         Some(GroupCode::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
-    /// Returns the steps of orbits with tangent vectors after each point.
+    /// Returns code for the steps of a group of orbits, with tangent vectors after each point.
     ///
     /// If `constants` are given, a straight-line program propagates the vectors. Otherwise each
     /// stage is a step of the variational field.

@@ -102,7 +102,7 @@ impl Object {
     }
 }
 
-/// The plans of a field, with everything that was prepared from them so far.
+/// The plans of a field, and all data prepared from the plans so far.
 #[derive(Debug)]
 pub struct Engine {
     pub(crate) derived: Derived,
@@ -270,8 +270,7 @@ impl Engine {
     }
 
     /// Evaluates an object at a state; `constants` are the parameters and ε. A missing object
-    /// leaves
-    /// `out` unchanged.
+    /// leaves `out` unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: Object,

@@ -24,7 +24,7 @@ pub struct Scratch<V> {
     pub(super) dense: dense::Workspace<V>,
 }
 
-/// The increments of a step, and the matrix from which they were computed.
+/// The increments of a step, and the matrix from which the increments were computed.
 #[derive(Clone, Debug)]
 pub(crate) struct Workspace<V> {
     pub(super) outcome: Vec<V>,
@@ -51,7 +51,7 @@ impl<V> Default for Scratch<V> {
     }
 }
 
-/// The scratch memory of a thread; `None` while it is in use, and before its first use.
+/// The scratch memory of a thread; `None` during use, and before the first use.
 pub(super) type ScratchCell<V> = Cell<Option<Box<Scratch<V>>>>;
 
 pub(super) type ScratchKey<V> = &'static LocalKey<ScratchCell<V>>;

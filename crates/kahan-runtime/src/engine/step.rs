@@ -98,8 +98,7 @@ impl Step {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
-    /// Returns whether states can be stepped in SIMD lanes. Elimination cannot: its branches
-    /// compare numbers.
+    /// Returns whether the step runs in SIMD lanes. Elimination does not, because it branches.
     pub(crate) fn has_lanes(&self) -> bool {
         self.prepared.is_some()
     }

@@ -21,7 +21,7 @@ use super::reduction::in_halves;
 
 /// A content with less than 1/NEGLIGIBLE of the digits is negligible.
 const NEGLIGIBLE: usize = 100;
-/// The number of successive negligible contents after which the search stops.
+/// The number of successive negligible contents after which the search for contents stops.
 const PATIENCE: u32 = 3;
 /// The number of bits from which predicting a content pays.
 const WORTH_PREDICTING: usize = 1 << 13;
@@ -49,7 +49,7 @@ pub(crate) struct ContentPredictor {
     behind: VecDeque<UBig>,
     /// The number of steps back to the γ that predicts a content; `None` while unknown.
     lag: Option<usize>,
-    /// The number of long steps to make without prediction: now, and after the next failure.
+    /// The number of long steps without prediction: now, and after the next failure.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,

@@ -17,7 +17,7 @@ pub struct DiophantineTest {
     /// log(h_n/h_{n−1}) at the last step n, for the component with the largest height; 0 unless
     /// growth is exponential. The limit for large n is the Diophantine entropy.
     pub entropy: f64,
-    /// The reason why the orbit ended before the last step; `None` if it did not.
+    /// The reason why the orbit ended before the last step; `None` if all steps were made.
     pub stopped: Option<Stop>,
 }
 

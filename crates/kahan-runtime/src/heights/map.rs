@@ -1,8 +1,8 @@
 //! Kahan's map on projective integers (X₁ : … : X_n : W), which stand for the point xᵢ = σXᵢ/W.
 //!
 //! In: a system, values of its parameters, and ε. Out: steps without fractions. The reduced map is
-//! homogenised with W. If it has too many terms, fraction-free elimination solves A x̃ = b over ℤ.
-//! For a homogeneous field σ = 1/ε, so that no power of ε lengthens the numbers.
+//! homogenised with W. If the reduced map has too many terms, fraction-free elimination solves A x̃
+//! = b over ℤ. For a homogeneous field σ = 1/ε, so that no power of ε lengthens the numbers.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -32,8 +32,8 @@ pub struct ProjectiveMap {
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// The reduced map, whose numerators are N₁ … N_n and whose denominator D has a monomial factor
-    /// m. The plan computes the forms N₁ … N_n and D/m, then the denominator D of the inverse map.
+    /// The reduced map, with numerators N₁ … N_n and a denominator D that has a monomial factor m.
+    /// The plan computes N₁ … N_n and D/m, then the denominator of the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
     /// The plan of the entries of A and of b, which are forms of degree one.
     Elimination(Plan),
@@ -96,8 +96,8 @@ impl ProjectiveMap {
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
-    /// Returns the factor σ in xᵢ = σXᵢ/W. σ is 1/ε for a homogeneous field whose coefficients do
-    /// not depend on ε; otherwise 1.
+    /// Returns the factor σ in xᵢ = σXᵢ/W: 1/ε for a homogeneous field whose coefficients do not
+    /// depend on ε, and otherwise 1.
     #[must_use]
     pub fn unit(&self) -> &Rational {
         &self.unit

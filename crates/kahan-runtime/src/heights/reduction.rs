@@ -22,7 +22,7 @@ const MUCH: usize = 8;
 /// Returns gcd(Xᵢ, W) for each i; W must not be 0.
 ///
 /// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
-/// or empty; they predict which gcds are large.
+/// which predict large gcds, or empty.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {

@@ -24,8 +24,8 @@ impl Heights {
 pub enum Stop {
     /// The last point is a pole: W = 0, or det A = 0 in a map that is not reduced.
     Pole,
-    /// The next point has too many digits for
-    /// [`within_digits`](super::HeightsOrbit::within_digits), or is expected to have far too many.
+    /// The next point exceeds the bound of [`within_digits`](super::HeightsOrbit::within_digits),
+    /// or is expected to exceed twice this bound.
     Digits,
     /// The next point would exceed the time limit, or the callback ended the orbit.
     Seconds,

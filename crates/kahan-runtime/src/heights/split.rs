@@ -22,7 +22,7 @@ const LONG: usize = 1 << 12;
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
     forms: Vec<Polynomial>,
-    /// The split that was used last; an orbit seldom changes it.
+    /// The last split; orbits seldom change the split.
     last: Option<Split>,
 }
 

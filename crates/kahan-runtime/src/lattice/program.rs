@@ -18,7 +18,7 @@ const ROOM: usize = 128;
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// The number of results, which occupy the first registers and share them with no other value.
+    /// The number of results, which alone occupy the first registers.
     results: usize,
     registers: usize,
     /// The number of arrays in a site.
@@ -32,7 +32,7 @@ struct Instruction {
     kind: Kind,
     /// The register of the result, different from all operands.
     to: usize,
-    /// The operands. An instruction with fewer than three operands repeats its last one.
+    /// The operands. An instruction with fewer than three operands repeats the last operand.
     operands: [Operand; 3],
     /// The positions of the operands in the memory that holds several sites.
     places: [OperandOffset; 3],
@@ -72,12 +72,12 @@ pub(super) struct Numbering<'a> {
     pub(super) block: usize,
     pub(super) stencil: usize,
     pub(super) site_parameters: usize,
-    /// The number of prepared constants; in memory, the plan's literals follow them.
+    /// The number of prepared constants, which the plan's literals follow in memory.
     pub(super) prepared: usize,
 }
 
 impl Program {
-    /// Compiles a plan whose results go to the registers `places`; all are below `results`.
+    /// Compiles a plan. The results go to the registers `places`, which are below `results`.
     pub(super) fn of(
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,

@@ -19,7 +19,7 @@ const CAN_RUN: bool = cfg!(feature = "jit");
 /// The number of steps that a field makes before the code of an elimination is compiled. Compiling
 /// pays after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// The number of operations of a step that delays the compilation by one further step.
+/// Compilation waits one further step for each group of this many operations in a step.
 const OPERATIONS_A_STEP: u64 = 8;
 
 /// The code for each key; `None` if compilation failed.
@@ -179,7 +179,7 @@ impl<T: MachineFloat> OrbitCode<T> {
         matches!(self.step, StepCode::Loops(_))
     }
 
-    /// Returns whether a guard, initially 0, follows the numbers of a state. Steps must be repeated
+    /// Returns whether a number, the guard, follows the numbers of a state. Steps must be repeated
     /// if the guard exceeds [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR).
     pub(crate) fn is_guarded(&self) -> bool {
         self.is_guarded
@@ -217,7 +217,7 @@ impl<T: MachineFloat> ColumnsCode<T> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
         Some(ColumnsCode {
-            // Each operation on constants is rounded once, so multiply-adds are not fused.
+            // Constants are computed with separate roundings, so multiply-adds are not fused.
             constants: Function::compile(&prepared, Shape { fuses: false, ..shape }).ok()?,
             shared: Sweep::compile(&program, shape, Constants::Shared).ok()?,
             own: Sweep::compile(&program, shape, Constants::Own).ok()?,

@@ -1,9 +1,9 @@
 //! Double-double arithmetic as a program of doubles. Without overflow and underflow, the program
 //! has the operations of [`Dd`](kahan_core::Dd) in their order.
 //!
-//! The program does not branch. Some operations are correct only far from overflow and underflow.
-//! These operations add to a guard, which is 0 while all sizes are moderate, and NaN after the
-//! first exception. If the guard is not 0, the interpreter repeats the steps.
+//! The program does not branch. Some operations are correct only far from overflow and underflow. A
+//! guard, a number that begins at 0, becomes NaN after the first operation on other sizes. If the
+//! guard is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;

@@ -23,7 +23,8 @@ impl StepKind {
     /// of the step. `None` for a step that branches, and for compensated double-double.
     ///
     /// A state is x₁, …, xₙ; a compensated state has n rounding errors after it. In double-double
-    /// each xᵢ is two numbers, the high one first, and a guard comes last.
+    /// each xᵢ is two numbers, the high one first, and a last number shows whether the result is
+    /// valid.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
@@ -47,8 +48,7 @@ impl StepKind {
         }
     }
 
-    /// Returns the program of a step that eliminates. The constants are the parameters and ε; the
-    /// last number is a guard. The guard is at most
+    /// Returns the program of a step that eliminates. The last result is at most
     /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while all pivots are accepted and
     /// all numbers are finite.
     fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
@@ -84,8 +84,8 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step that eliminates can be compiled. Double-double and steps of more than
-    /// [`MOST_OPERATIONS`] operations cannot.
+    /// Returns whether a step that eliminates can be compiled. Double-double, and more than
+    /// [`MOST_OPERATIONS`] operations, prevent this.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble
@@ -160,7 +160,7 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// Returns the program that computes an object from a state, if the object has one.
+/// Returns the program that computes an object with a straight-line program from a state.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();

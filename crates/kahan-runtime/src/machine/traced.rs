@@ -1,5 +1,5 @@
-//! A number that records its operations. If the interpreter runs over [`Traced`] numbers, it writes
-//! the program of its own operations in their order.
+//! A number that records its operations. An interpreter that runs over [`Traced`] numbers writes
+//! the program of its own operations.
 
 use core::ops::Neg;
 use std::cell::{Cell, RefCell};

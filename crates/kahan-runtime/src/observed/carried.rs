@@ -1,8 +1,8 @@
 //! Observation of a group of orbits whose points and tangent vectors advance by machine code.
 //!
 //! In: maps, points, and observers that do not need every point. Out: points and reports with the
-//! bits of single orbits. The code makes [`PAUSE`] steps in one call; observers that are due then
-//! read their vectors.
+//! bits of single orbits. The code makes [`PAUSE`] steps in one call; between calls, observers read
+//! the vectors.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;

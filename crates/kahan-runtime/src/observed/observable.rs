@@ -18,7 +18,7 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// The items for each of which an observable has columns.
+/// The items that have columns: the orbit, each variable, each integral, or each number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,

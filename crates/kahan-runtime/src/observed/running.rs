@@ -1,7 +1,7 @@
 //! The list of observables with their observers, and the observation of one or many orbits.
 //!
 //! In: a map for each orbit, first points, and observables. Out: the observed values in the
-//! requested order, equal for an orbit singly or in a group.
+//! requested order, equal for single orbits and for groups.
 //!
 //! # Files
 //!

@@ -1,4 +1,4 @@
-//! The journal of an unfinished part. After an interruption, its rows need not be computed again.
+//! The journal of an unfinished part. After an interruption, recorded rows are not computed again.
 //!
 //! Each process appends records of finished rows to its own file. Readers skip incomplete records,
 //! and records of another plan, version or floating-point mode. The files are deleted once the part

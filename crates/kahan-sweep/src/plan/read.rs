@@ -46,7 +46,7 @@ fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
     Misread { path: path.iter().map(|&name| name.to_owned()).collect(), why: why.into() }
 }
 
-/// Returns the value that was read; records a mistake with its path from `table` on.
+/// Returns the value that was read, or records the mistake under the name `table`.
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));

@@ -43,7 +43,7 @@ pub(super) struct LeftSide {
 }
 
 impl LeftSide {
-    /// Returns whether the item gives a value. Otherwise it is a differential equation.
+    /// Returns whether the item gives a value; other items are differential equations.
     pub(super) fn is_value(&self) -> bool {
         self.of.order == 0 || self.is_first
     }

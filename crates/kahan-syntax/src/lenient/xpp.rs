@@ -75,7 +75,7 @@ impl Reader<'_> {
         Some(mistake(&self.bytes(tokens.clone()), message, format!("leave it out, or see {ON_TEXTS}")))
     }
 
-    /// Reads argument names such as `(x, y)`. Returns them and the index of the next token.
+    /// Returns argument names such as those in `(x, y)`, and the index of the next token.
     pub(super) fn argument_names(&self, at: usize) -> Option<(Vec<String>, usize)> {
         let mut names = Vec::new();
         let mut at = at;

@@ -142,7 +142,7 @@ fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     (!is_state && is_marked).then(|| (meant.to_owned(), order))
 }
 
-/// Returns whether a name is probably a state, because the block uses it or it is a single letter.
+/// Returns whether a name is probably a state: a name that the block uses, or a single letter.
 fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }

@@ -66,7 +66,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     ///
     /// The rows of `weights` are the derivatives of L with respect to the points after 0, `every`,
     /// 2·`every`, … steps. The gradient is that of the computed orbit, not that of the flow. The
-    /// report is `None` if the orbit ends before its last row.
+    /// report is `None` if the orbit ends before the last row.
     ///
     /// The `watch` is called as in [`Follow`], first for the steps forward, then for equally many
     /// steps backward.
@@ -153,8 +153,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(Followed { report: Some(total), end })
     }
 
-    /// Follows the orbit of `x` to its last state. Returns the states after 0, `length`,
-    /// 2·`length`, … steps, without the last state, and how the orbit ended.
+    /// Replaces `x` by the last state of the orbit. Returns the states after 0, `length`,
+    /// 2·`length`, … steps, and how the orbit ended.
     fn checkpoints(
         &self,
         x: &mut [T],
@@ -172,7 +172,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // A watch that stops `follow` after its last step leaves the end `Complete`.
+            // If the watch stops `follow` at the last step, `follow` returns `Complete`.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

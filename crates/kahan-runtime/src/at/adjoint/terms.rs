@@ -16,7 +16,7 @@ type States = [Option<usize>; 2];
 
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// The constant term of each entry of f′, and the end of its other terms in `slopes`.
+    /// The constant term of each entry of f′, and the end of the entry's linear terms in `slopes`.
     entries: Vec<(T, usize)>,
     /// The linear terms k·x of all entries of f′: the index of the state x, and k.
     slopes: Vec<(usize, T)>,
@@ -25,7 +25,8 @@ pub(super) struct Terms<T> {
     /// The terms whose coefficients depend on parameters: component, states, and the end of the
     /// term's derivatives in `by_parameters`.
     varying: Vec<(usize, States, usize)>,
-    /// The derivatives of these coefficients: the index of the parameter, and the derivative.
+    /// The derivatives of the coefficients in `varying`: the index of the parameter, and the
+    /// number.
     by_parameters: Vec<(usize, T)>,
 }
 
