@@ -53,8 +53,8 @@ impl Field {
     /// Values may be `f64`, `f32`, integers or rationals. In each scalar, a value is rounded once.
     ///
     /// # Errors
-    /// [`ParameterError`] for a name that is unknown, missing or given twice, for a value that is
-    /// not finite, or if the field divides by zero.
+    /// [`ParameterError`] for a name that is unknown, missing or given twice, and for a value that
+    /// is not finite. A field that divides by zero is an error, too.
     ///
     /// ```
     /// use kahan_runtime::Field;

@@ -31,8 +31,7 @@ pub struct Followed<R> {
 /// [`ControlFlow::Break`]. Calls come every 4096 steps in up to eight variables, more often in more
 /// variables, and after the last step.
 ///
-/// Cost: the steps, a test of each point that is shown, and a copy of the point for each call of
-/// the watch.
+/// Cost: the steps, a test of each shown point, and a copy of the point for each call of the watch.
 /// ```
 /// use std::ops::ControlFlow;
 ///
@@ -92,8 +91,7 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
     /// remaining rows stay unchanged. The next call continues from the point of the last row.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `x` is not the dimension of the map, or the length of
-    /// `rows` is not a multiple of it.
+    /// [`DimensionError`] for an `x` of a wrong length, or `rows` that are not whole rows.
     ///
     /// ```
     /// use std::num::NonZeroU64;

@@ -17,8 +17,8 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 
 /// A straight-line program with several results.
 ///
-/// The registers hold, in order: the constants (parameters and ε, or for a kernel the prepared
-/// constants), the numbers in the plan, the states (of one or two points), and the computed values.
+/// The registers hold, in order: the constants, the numbers in the plan, the states, and the
+/// computed values. The constants are parameters and ε, or for a kernel the prepared constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,

@@ -76,14 +76,13 @@ impl Map {
     }
 
     /// Writes x̃ to `next`, with the bits and the error bound of [`KahanMap::try_step`]. For floats
-    /// with unit roundoff u, the error is at most 64 u relative to the largest component; if this
-    /// cannot be guaranteed, returns the inner error.
+    /// with unit roundoff u, the error is at most 64 u relative to the largest component. If this
+    /// bound cannot be guaranteed, returns the inner error.
     ///
     /// Cost: some ten interpreted steps at an ordinary point, and many more near poles.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` or `next` does not have one entry for each variable, and for a
-    /// field of more than 16 variables.
+    /// [`DimensionError`] for an `x` or `next` of a wrong length, and for more than 16 variables.
     pub fn try_step<T: Pivot + Copy>(
         &self,
         x: &[T],

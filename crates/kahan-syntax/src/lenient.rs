@@ -102,8 +102,8 @@ struct Reader<'a> {
     text: &'a str,
     given: Vec<PlacedToken>,
     names: OnceCell<HashSet<String>>,
-    /// The states. If the equation of a state has order n, the entry has the names of its
-    /// derivatives of order 1 to n − 1.
+    /// The states. A state with an equation of order n has n − 1 further names, for its
+    /// derivatives.
     states: HashMap<String, Vec<String>>,
     has_derivatives: bool,
     /// The formulas of auxiliary quantities, by name.

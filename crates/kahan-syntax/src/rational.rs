@@ -147,8 +147,8 @@ impl Rational {
         }
     }
 
-    /// Returns the numerator and the denominator, if the absolute values of both are at most 2²⁴,
-    /// so that both are exact in `f32`.
+    /// Returns the numerator and the denominator if both are at most 2²⁴ in absolute value. Both
+    /// are then exact in `f32`.
     pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
         const EXACT_IN_F32: i64 = 1 << 24;
         self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)

@@ -22,9 +22,9 @@ pub struct PassedPoleCount {
 
 /// An observer that counts the steps of an orbit over poles of the map.
 ///
-/// A step from x passes over a pole if the reduced denominator d(x, ε′) has a root ε′ in (0, ε], or
-/// for ε < 0 in [ε, 0). Double roots count. A step of a [composition](MapAt::composed) passes over
-/// a pole if one of its stages does.
+/// Let d(x, ·) be the reduced denominator at the point x. A step from x passes over a pole if d(x,
+/// ·) has a root between 0 and ε, or at ε. Double roots count. A step of a
+/// [composition](MapAt::composed) passes over a pole if one of its stages does.
 ///
 /// Roots are found as if by exact arithmetic on the given numbers. If d has too many terms to be
 /// expanded, steps with det A(x,ε) < 0 are counted. The count is then a lower bound, and includes

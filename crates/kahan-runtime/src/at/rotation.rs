@@ -46,9 +46,8 @@ impl<T: MachineFloat + PartialOrd> MapAt<T> {
 
     /// Returns an observer of the rotation of each variable over `steps` steps, in turns per step.
     ///
-    /// A variable rotates in the plane of its value and its rate of change, around the middle of
-    /// the extremes from [`extremes`](Self::extremes). Without extremes or steps, the result is
-    /// NaN.
+    /// A variable rotates in the plane of its value and its rate of change. The center is the
+    /// middle of the [`extremes`](Self::extremes). Without extremes or steps, the result is NaN.
     ///
     /// # Panics
     /// If there are more extremes than variables.

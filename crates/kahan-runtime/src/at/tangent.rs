@@ -1,7 +1,7 @@
 //! Tangent vectors of a map.
 //!
-//! In: a map at its ε. Out: the tangent map v ↦ (∂x̃/∂x)·v, by a straight-line program if x̃ is
-//! known, and otherwise by Kahan's map of the variational field.
+//! In: a map at its ε. Out: the tangent map v ↦ (∂x̃/∂x)·v. A straight-line program computes the
+//! tangent map if x̃ is known. Otherwise Kahan's map of the variational field is used.
 
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use kahan_dynamics::Precision;

@@ -49,8 +49,8 @@ pub(crate) struct Image {
 }
 
 impl ProjectiveMap {
-    /// Prepares the map of `system` at ε, half the time step, and at parameter values, given in the
-    /// order of declaration.
+    /// Prepares the map of `system` at ε, half the time step. Parameter values have the order of
+    /// declaration.
     ///
     /// The values are substituted *after* the reduction over ℚ(ε, parameters).
     ///
@@ -161,8 +161,7 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// Returns, for the reduced map x̃ = x + 2εn/d, the polynomials xᵢd + 2εnᵢ and d as forms of
-    /// one degree.
+    /// Returns the polynomials xᵢd + 2εnᵢ and d as forms of one degree; x̃ = x + 2εn/d is the map.
     fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;

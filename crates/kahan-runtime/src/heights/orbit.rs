@@ -57,8 +57,8 @@ impl PointBits {
 }
 
 impl HeightsOrbit {
-    /// Begins the orbit of `system` from `start` at ε, half the time step, and at parameter values,
-    /// given in the order of declaration.
+    /// Begins the orbit of `system` from `start` at ε, half the time step. Parameter values have
+    /// the order of declaration.
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.

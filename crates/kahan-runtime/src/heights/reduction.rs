@@ -1,9 +1,8 @@
 //! The gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
 //!
 //! If the gcds are small, one long gcd is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P = gcd(W, ∏Xᵢ mod
-//! W). A coordinate that has a large factor in common with W would make P as long as W, so it is
-//! left out of the product. If a coordinate has a large common factor at one step, it has one at
-//! every step.
+//! W). Coordinates with a large gcd would make P long, so they are left out of the product. A
+//! coordinate with a large gcd at one step has a large gcd at every step.
 
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};

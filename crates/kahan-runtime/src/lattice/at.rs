@@ -117,8 +117,8 @@ impl ChainAt {
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves if the Hamiltonian H has
-    /// a degree of at most three. `None` if the family has no Hamiltonian.
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x) for the Hamiltonian H; `None` without H. The map
+    /// preserves this energy if H has a degree of at most three.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.

@@ -1,5 +1,5 @@
-//! Descriptions of observables (name, table columns, position in results and charts), and the
-//! conversion of observed values into numbers for the columns.
+//! The names, columns and labels of observables, and the observed values as numbers for the
+//! columns.
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, RotationNumber};
 

@@ -6,9 +6,8 @@
 //! # Resets
 //!
 //! If the map preserves the relations, the propagated plane stays near the vectors (e, Dg·e).
-//! Resetting the plane at every step would change exponents by a multiple of ε, and make vectors on
-//! regular orbits grow exponentially. Therefore the plane is reset only if its distance from (e,
-//! Dg·e) exceeds [`FARTHEST`].
+//! Resets at every step would change exponents by a multiple of ε. Therefore the plane is reset
+//! only if its distance from (e, Dg·e) exceeds [`FARTHEST`].
 
 use core::fmt;
 use std::cell::RefCell;

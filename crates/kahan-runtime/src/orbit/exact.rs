@@ -1,7 +1,7 @@
 //! Exact orbits. Points are projective integer coordinates; fractions are computed on demand.
 //!
-//! An integral is constant along the orbit. If it is N/D at the point and was p/q at the first
-//! point, the products N q and D p are compared, which is cheaper than reducing N/D.
+//! An integral is constant along the orbit. Let N/D be the integral at the point, and p/q at the
+//! first point. The products N q and D p are compared, which is cheaper than reducing N/D.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;

@@ -179,7 +179,7 @@ fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
 #[test]
 fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
     // At ε = 2, let m and 1/m be the multipliers across the plane x = p = 0. Then m + 1/m − 2 = (11
-    // − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)), so the multipliers leave the circle at a = 11/8.
+    // − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)). The multipliers leave the circle at a = 11/8.
     let field = Field::parse(HENON_HEILES).unwrap();
     let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0).by(Some(0));
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
@@ -210,8 +210,8 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
-    // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is the square
-    // of this distance. A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
+    // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is its square.
+    // A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
     let fold = (BranchChange::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();

@@ -75,8 +75,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// multiplication for each parameter in each term of the field. Memory: about 2√`steps` states.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `start` is not the dimension of the map, or the length
-    /// of `weights` is not a multiple of it.
+    /// [`DimensionError`] for a `start` of a wrong length, or `weights` that are not whole rows.
     ///
     /// ```
     /// use std::num::NonZeroU64;
