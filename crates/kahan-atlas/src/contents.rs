@@ -10,8 +10,7 @@ const TITLE: &str = "An atlas of Kahan’s maps";
 
 /// Writes the page as one self-contained HTML document.
 ///
-/// The work takes about a second: only the level curve of dE4 and the phase portrait are computed
-/// here, in double precision.
+/// Cost: about a second.
 #[must_use]
 pub fn page(found: &AtlasContent<'_>, making: &PageCreation) -> String {
     let body = html! {

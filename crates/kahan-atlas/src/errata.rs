@@ -1,5 +1,4 @@
-//! The section on errata: misprinted formulas with the claims that refute them, and wrong
-//! statements with measured values.
+//! The section on errata: misprinted formulas and wrong statements, with their refutations.
 
 use maud::{Markup, html};
 

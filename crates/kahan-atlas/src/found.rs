@@ -24,21 +24,19 @@ pub struct AtlasContent<'a> {
     pub paper: &'a Paper,
     /// All claims in the order of the paper.
     pub claims: Vec<CheckedClaim<'a>>,
-    /// The measured orbits of [`Figure::all`]. A figure whose orbit is missing is left out of the
-    /// page.
+    /// The measured orbits of [`Figure::all`]. A figure without its orbit is left out of the page.
     pub orbits: Orbits<'a>,
 }
 
 impl<'a> AtlasContent<'a> {
-    /// Establishes every claim and computes every orbit. Calls `each` after each claim and each
-    /// orbit.
+    /// Establishes every claim and computes every orbit. Calls `each` after each claim and orbit.
     ///
-    /// The work takes about half a minute on two cores.
+    /// Cost: about half a minute on two cores.
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
-        // Establishing the claims also measures the orbits, in parallel; `measurement` then returns
-        // the stored results.
+        // Establishing the claims also measures the orbits; `measurement` then returns stored
+        // results.
         let established = paper.for_all(&claims, None, |claim| {
             let established = paper.establish(claim);
             each();

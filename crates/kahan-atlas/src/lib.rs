@@ -1,10 +1,8 @@
-//! The paper as one HTML page. The page is written from claims that are established for it.
+//! The paper as one HTML page, written from established claims.
 //!
-//! The input consists of the claims of `kahan-paper` with their outcomes, and of heights along the
-//! paper's orbits. The output is one self-contained HTML document with MathML and SVG, without
-//! scripts or network access. [`AtlasContent::compute`] establishes the claims and computes the
-//! orbits. [`page`] writes the document; each section of the page has a module. The crate must not
-//! know the command or files.
+//! In: the claims of `kahan-paper` with their outcomes, and heights along the paper's orbits
+//! ([`AtlasContent::compute`]). Out: one HTML document with MathML and SVG, without scripts or
+//! network access ([`page`]). The crate must not know the command or files.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

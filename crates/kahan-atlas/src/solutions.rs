@@ -1,5 +1,4 @@
-//! The sections on Table 5 and Theorem 3: the solutions of flows and maps, from the statements of
-//! their claims.
+//! The sections on Table 5 and Theorem 3: solutions of flows and maps.
 
 use maud::{Markup, html};
 
@@ -42,13 +41,11 @@ fn table(found: &AtlasContent<'_>, id: &str, caption: &str, prefix: &str) -> Mar
     table_of_formulas(id, caption, &headings, SYSTEMS.iter().filter(solved).map(cells))
 }
 
-/// Writes the cell of a table, which is given by table, system and column, with a link to its
-/// claim.
+/// Writes a cell, given by table, system and column, with a link to its claim.
 fn entry(found: &AtlasContent<'_>, cell_of: [&str; 3]) -> Markup {
     let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
-    // A solution is the definition at the beginning. A value is the right-hand side of the last
-    // relation.
+    // A solution is defined first. A value is the right side of the last relation.
     let formula = match items.first() {
         Some(LatexItem { sign: "\\coloneqq", right, .. }) if !INTEGRALS.contains(&cell_of[2]) => Some(right),
         _ => items.last().map(|item| &item.right),

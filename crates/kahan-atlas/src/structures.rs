@@ -10,7 +10,7 @@ use kahan_paper::{Outcome, StructureRow, structure};
 use kahan_systems::registry::SYSTEMS;
 
 fn latex(expression: &str) -> String {
-    // `latex_of` reads statements, so make the expression the right-hand side of a definition.
+    // `latex_of` reads statements, so the expression becomes the right side of a definition.
     let item = latex_of(&format!("value := {expression}")).ok().and_then(|items| items.into_iter().next());
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
@@ -28,8 +28,7 @@ fn rows(wanted: impl Fn(&StructureRow) -> bool) -> Vec<&'static StructureRow> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
-/// Writes the worst outcome among the claims with these name prefixes. It is a link to the first
-/// claim with that outcome.
+/// Writes the worst outcome among these claims, with a link to a claim that has this outcome.
 fn verdict(found: &AtlasContent<'_>, names: &[[&str; 2]]) -> Markup {
     let claims: Vec<&CheckedClaim<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);
@@ -82,8 +81,7 @@ fn table1(found: &AtlasContent<'_>) -> Markup {
     table_of_formulas("table1", caption, &headings, rows(|_| true).into_iter().map(cells))
 }
 
-/// Writes a table with one row for each map. A row has the definitions named in `columns`, and the
-/// outcome of the map's claims.
+/// Writes a table with a row for each map: the definitions in `columns`, and the outcome of claims.
 fn of_maps<'a, const N: usize>(
     found: &AtlasContent<'_>,
     (id, caption): (&str, &str),

@@ -1,5 +1,4 @@
-//! The section on systems. For each system it shows the field, A(x,ε) and the map, which are
-//! derived from the catalog, and the claims.
+//! The section on systems: field, A(x,ε) and map from the catalog, and the claims of each.
 
 use maud::{Markup, html};
 

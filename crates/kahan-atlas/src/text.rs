@@ -12,8 +12,7 @@ pub(super) fn scientific(value: f64) -> Markup {
     html! { (mantissa.replace('-', "−")) "·10" sup { (exponent.replace('-', "−")) } }
 }
 
-/// Groups the digits of a whole number by threes. The groups are separated by narrow spaces at
-/// which no line breaks.
+/// Groups the digits of a whole number by threes, with narrow spaces at which no line breaks.
 pub(super) fn grouped(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::new();

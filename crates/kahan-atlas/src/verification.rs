@@ -1,5 +1,4 @@
-//! The section on verification: every claim with its place in the paper, its statement and its
-//! outcome.
+//! The section on verification: every claim with its place in the paper and its outcome.
 
 use maud::{Markup, html};
 

@@ -1,6 +1,4 @@
 //! Tests that the page is well formed, self-contained, complete, and equal to the measurements.
-//!
-//! Short orbits and given outcomes keep the tests fast without optimisation.
 
 #[path = "../../kahan-cli/tests/command/painting.rs"]
 mod painting;
@@ -242,7 +240,6 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
                 ClaimBody::Function(_) => assert_eq!(formulas, 1, "{id}"),
                 ClaimBody::Recurrence { .. } => assert_eq!(formulas, 2, "{id}"),
             }
-            // Check that the formula contains each of its variables.
             let words = text_of(block);
             let symbols = &system.field.symbols;
             for (i, state) in symbols.states.iter().enumerate().filter(|(_, state)| state.len() == 1) {
@@ -263,7 +260,7 @@ fn parentheses_stretch_around_what_is_tall() {
     let page = page_with(&Paper::new(), good);
     let mut stretched = 0;
     for formula in formulas(&page) {
-        // The open parentheses, each with its position and whether it stretches.
+        // The open parentheses: the position, and whether the parenthesis stretches.
         let mut open: Vec<(usize, bool)> = Vec::new();
         let mut at = 0;
         for piece in formula.split_inclusive('<') {
@@ -288,12 +285,11 @@ fn parentheses_stretch_around_what_is_tall() {
     assert!(stretched > 100, "{stretched}");
 }
 
-/// Returns a formula's width in characters. Fractions and tables count as wide as their widest
-/// part.
+/// Returns a formula's width in characters. A fraction or table is as wide as its widest part.
 fn width(formula: &str) -> usize {
     let xml = format!("<math {formula}</math>");
     let mut reader = Reader::from_str(&xml);
-    // The open elements, each with its name and the widths of its children.
+    // The open elements: the name, and the widths of the children.
     let mut open: Vec<(String, Vec<usize>)> = vec![(String::new(), Vec::new())];
     loop {
         match reader.read_event().expect("well formed") {
@@ -321,7 +317,6 @@ fn width(formula: &str) -> usize {
 fn no_formula_is_wider_than_its_place() {
     let page = page_with(&Paper::new(), good);
     let (systems, rest) = page.split_once("<section id=\"tables\"").expect("the tables");
-    // Spaces around signs are not counted.
     for formula in formulas(systems) {
         assert!(width(formula) <= 90, "{} characters: {}", width(formula), text_of(formula));
     }

@@ -1,9 +1,7 @@
 //! Breaks long LaTeX formulas into lines.
 //!
-//! Formulas must be written as by this crate: terms between ` + ` and ` - `, factors between
-//! spaces. Sums break before signs, and products break between factors. Fractions and parentheses
-//! break inside, in an `aligned` environment of their own. Widths are estimated in characters;
-//! nothing is typeset.
+//! Sums break before signs, and products between factors. Fractions and parentheses break inside,
+//! in an `aligned` environment of their own. Widths are estimated in characters.
 
 mod pieces;
 #[cfg(test)]
@@ -45,8 +43,7 @@ pub fn lines(formula: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Returns the formula as one box of about `width` characters. A long formula is broken into
-/// several lines inside the box.
+/// Returns the formula as one box of about `width` characters; a box may have several lines.
 #[must_use]
 pub fn boxed(formula: &str, width: usize) -> String {
     match &lines(formula, width)[..] {
@@ -84,8 +81,7 @@ pub fn display(formula: &str, width: usize) -> String {
 
 const RELATIONS: [&str; 4] = [" = ", " \\coloneqq ", " \\neq ", " \\approx "];
 
-/// Writes a matrix in the environment `name`. Entries are broken so that the matrix fits `width`
-/// characters.
+/// Writes a matrix in the environment `name`, with entries broken to fit `width` characters.
 #[must_use]
 pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -104,8 +100,7 @@ pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
 
 const NARROWEST: usize = 16;
 
-/// Distributes a width over columns. Narrow columns get the width that they need, and the others
-/// get equal shares of the rest.
+/// Distributes a width over columns. Narrow columns keep their width; others share the rest.
 fn shares(widths: &[usize], width: usize) -> Vec<usize> {
     let mut share = width;
     // The share decreases in every pass except the final one, so the loop ends.

@@ -6,8 +6,7 @@ use kahan_algebra::syntax::{Expr, ExprKind, Factor};
 
 use crate::notation::Latex;
 
-/// Writes a product. Numbers are combined, divisors are below a fraction bar, and factors 1 are
-/// omitted.
+/// Writes a product, with numbers combined and divisors below a fraction bar.
 pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     let mut coefficient = Rational::from(1);
     let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
@@ -45,7 +44,7 @@ pub(crate) fn product(factors: &[Factor]) -> (String, Precedence) {
     }
 }
 
-/// Writes a number, unless it is 1, followed by factors.
+/// Writes a number followed by factors; a number 1 is omitted.
 fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Precedence) {
     match factors {
         [] => (Latex.number(number), Precedence::Atom),

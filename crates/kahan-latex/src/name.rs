@@ -1,8 +1,7 @@
 //! Writes names in LaTeX, and as plain text with Greek letters and indices.
 
-/// Writes a name in LaTeX. The stem ends at its first digit or `_`, and the rest becomes indices.
-/// Greek names become letters, and other stems of several letters become upright words. A final `_`
-/// becomes a prime.
+/// Writes a name in LaTeX. From the first digit or `_` on, the name becomes indices. Greek names
+/// become letters, and other words become upright. A final `_` becomes a prime.
 pub(super) fn latex_name(name: &str) -> String {
     if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
         return format!("{}'", latex_name(name));
@@ -20,8 +19,7 @@ pub(super) fn latex_name(name: &str) -> String {
     if indices.is_empty() { stem } else { format!("{stem}_{{{}}}", indices.join(",")) }
 }
 
-/// Writes a name as plain text for drawings, with Greek letters and digits as indices, for example
-/// `μ₁`.
+/// Writes a name as plain text, with Greek letters and digits as indices, for example `μ₁`.
 #[must_use]
 pub fn symbol(name: &str) -> String {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -38,7 +36,7 @@ pub fn symbol(name: &str) -> String {
     letter + &index.collect::<String>()
 }
 
-/// Writes an index, which is a number, a letter, a word, or a Greek name with an optional number.
+/// Writes an index: a number, a letter, a word, or a Greek name with an optional number.
 fn index(part: &str) -> String {
     let stem = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[stem.len()..];

@@ -52,8 +52,7 @@ impl Notation for Latex {
         }
     }
 
-    /// Writes a product. A dot precedes any number but the first factor, and a thin space separates
-    /// factors of which one is a word.
+    /// Writes a product with a dot before each later number, and thin spaces beside words.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();
         let mut before = "";
@@ -77,11 +76,9 @@ impl Notation for Latex {
         format!("\\frac{{{above}}}{{{below}}}")
     }
 
-    /// Writes a quotient with integer coefficients and its sign in front. For example, (½ x y)/a is
-    /// written as xy/(2a).
+    /// Writes a quotient with integer coefficients and its sign in front: (½ x y)/a is xy/(2a).
     fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
-        // The contents are taken without signs, so that a denominator that begins with 1 still
-        // begins with 1.
+        // Signs are not divided out, so that a denominator that begins with 1 still begins with 1.
         let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else {
             return self.polynomial(symbols, above);
@@ -141,7 +138,7 @@ impl Notation for Latex {
     }
 }
 
-/// Says whether a factor is a name of several letters, the image of one, or a power of one.
+/// Returns whether a factor is a name of several letters, or the image or a power of such a name.
 fn is_word(factor: &str) -> bool {
     factor.trim_start_matches("\\widetilde{").starts_with("\\mathit{")
 }

@@ -1,5 +1,4 @@
-//! Times the paper's Diophantine tests, which compute all heights at each step. Prints the best of
-//! three times.
+//! Times the paper's Diophantine tests, and prints the best of three times.
 //!
 //! `cargo run --release -p kahan-runtime --example heights_speed`
 

@@ -1,4 +1,4 @@
-//! The error for requests of claims that a field does not make.
+//! The error for claims that a field does not make.
 
 use core::fmt;
 

@@ -11,8 +11,7 @@ use kahan_core::nalgebra::{Dim, Matrix};
 
 use crate::{Diagnostics, Field, FieldText};
 
-/// The coefficients of a field, which define the field without a text. Each float stands for its
-/// exact value.
+/// A field given by its coefficients. Each float stands for its exact value.
 ///
 /// ```
 /// use kahan_runtime::Coefficients;
@@ -25,17 +24,15 @@ use crate::{Diagnostics, Field, FieldText};
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     symbols: Symbols,
-    /// For each component its coefficients; the key of a coefficient is its monomial.
+    /// The coefficients of each component, with their monomials.
     components: Vec<Vec<(TermKey, f64)>>,
 }
 
 /// A monomial packed into an integer: two states in increasing order, then a parameter, with
-/// [`BITS`] bits each. A single state takes the second position. Keys are ordered like the terms of
-/// a polynomial.
+/// [`BITS`] bits each. Keys are ordered like the terms of a polynomial.
 type TermKey = u64;
 
-/// The number of bits of an index in a packed monomial. Indices of states and parameters need at
-/// most 16 bits.
+/// The number of bits of an index in a packed monomial; indices need at most 16.
 const BITS: u32 = 20;
 /// The index that stands for an absent state or parameter.
 const NONE: TermKey = (1 << BITS) - 1;
@@ -112,7 +109,7 @@ impl Coefficients {
             states: own(states.into_iter().collect()),
             parameters: own(parameters.into_iter().collect()),
         };
-        // The parser checks names, so a small field with these names is parsed.
+        // Parsing a small field with these names checks the names.
         let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
         let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
         FieldText::new(equations, "names".to_owned()).unproved_system()?;
@@ -162,8 +159,7 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // In a symmetric array, two equal halves make one coefficient. The sum of the halves is
-            // exact, unless it overflows.
+            // In a symmetric array, two equal halves make one coefficient.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };
@@ -215,8 +211,7 @@ impl Field {
     ///
     /// Arrays are slices, row by row, or matrices of nalgebra; each float stands for its exact
     /// value. An empty array stands for 0, but at least one array must have numbers. Q has n³
-    /// numbers, or n²(n + 1)/2 numbers; in the shorter form each row has the coefficients of xⱼxₖ
-    /// with k ≤ j, as in operator inference.
+    /// numbers, or only the n²(n + 1)/2 numbers with k ≤ j, as in operator inference.
     ///
     /// # Errors
     /// [`CoefficientError`] for an array of another length, and for a number that is not finite.

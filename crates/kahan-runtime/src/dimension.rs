@@ -13,10 +13,8 @@ pub struct DimensionError {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Argument {
     State,
-    /// The slice into which the result is written.
     Out,
     Carry,
-    /// The slice that holds points, one after the other.
     Rows,
     Weights,
     Columns,
@@ -45,8 +43,7 @@ impl DimensionError {
         self.found
     }
 
-    /// Returns the number of entries that the argument needs. For an argument that trajectories may
-    /// share, this is the number of trajectories; for rows, the length of a row.
+    /// Returns the number of entries that the argument needs; for rows, the length of a row.
     #[must_use]
     pub fn expected(&self) -> usize {
         self.expected

@@ -1,4 +1,4 @@
-//! The reasons why an orbit ends; each holds the number of steps that were made.
+//! The ends of orbits.
 
 /// The reason why an orbit ended, with the number of steps to its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,8 +49,7 @@ impl End {
         }
     }
 
-    /// Returns the end with `before` added to its number of steps, for steps made before the start
-    /// of the run.
+    /// Adds `before` to the number of steps, for steps made before the run.
     #[must_use]
     pub fn after(self, before: u64) -> Self {
         match self {
@@ -64,8 +63,7 @@ impl End {
         }
     }
 
-    /// Returns whether the orbit ended early without being stopped. Results that need all steps are
-    /// then undefined.
+    /// Returns whether the orbit ended early without being stopped.
     #[must_use]
     pub fn is_early(self) -> bool {
         !matches!(self, Self::Complete | Self::Stopped(_))

@@ -9,8 +9,7 @@ use crate::engine::Engine;
 use crate::parameters::values_of;
 use crate::{Diagnostics, FieldText, Map, ParameterError, ParameterValue};
 
-/// A quadratic vector field with its derived map. All clones, on all threads, share the derived
-/// data.
+/// A quadratic vector field with its derived map. Clones share the derived data.
 #[derive(Clone, Debug)]
 pub struct Field {
     pub(crate) engine: Arc<Engine>,
@@ -20,12 +19,10 @@ impl Field {
     /// Reads a field and proves its claims.
     ///
     /// The text is in the language of `kahan!`, with or without a header, or in another common
-    /// notation for equations. Without a header, undeclared names are parameters. Cost: some
-    /// milliseconds for a field of ordinary size.
+    /// notation for equations. Without a header, undeclared names are parameters.
     ///
     /// # Errors
-    /// [`Diagnostics`] with the mistakes of the text, including false claims, as the macro reports
-    /// them.
+    /// [`Diagnostics`] with the mistakes of the text, including false claims.
     ///
     /// ```
     /// use kahan_runtime::Field;
@@ -56,8 +53,8 @@ impl Field {
     /// Values may be `f64`, `f32`, integers or rationals. In each scalar, a value is rounded once.
     ///
     /// # Errors
-    /// [`ParameterError`] for a name that is unknown, missing or given twice, for a value that is
-    /// not finite, or if the field divides by zero.
+    /// [`ParameterError`] for a name that is unknown, missing or given twice, and for a value that
+    /// is not finite. A field that divides by zero is an error, too.
     ///
     /// ```
     /// use kahan_runtime::Field;
@@ -110,7 +107,7 @@ impl Field {
         self.derived().brackets.iter().map(|(name, _)| name.as_str())
     }
 
-    /// Returns the system that the field was read from.
+    /// Returns the system of the field.
     #[must_use]
     pub fn system(&self) -> &System {
         &self.derived().system

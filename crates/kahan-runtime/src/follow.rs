@@ -1,8 +1,7 @@
 //! One orbit of any map over floats, followed while its points are finite.
 //!
 //! In: a map, a point, a number of steps, and a watch that may stop the run. Out: the last point,
-//! how the orbit ended, and a report, which comes from observers or is the number of rows. The loop
-//! is generic over [`Step`], so that chains, run-time and compiled maps share it.
+//! how the orbit ended, and a report.
 
 use core::num::NonZeroU64;
 use core::ops::ControlFlow;
@@ -25,18 +24,14 @@ pub struct Followed<R> {
 /// Follows an orbit from `x` while its points are finite.
 ///
 /// All methods replace `x` by the last finite point, so that the next call continues from there.
-/// Points have the same bits as after single calls of [`Step::advance`]. If the start is not
-/// finite, the run makes no step and ends with [`End::Range`]`(0)`.
+/// Points have the bits of single calls of [`Step::advance`]. A run from a nonfinite start makes no
+/// step and ends with [`End::Range`]`(0)`.
 ///
 /// The `watch` receives the number of steps since its last call, and may stop the run by
 /// [`ControlFlow::Break`]. Calls come every 4096 steps in up to eight variables, more often in more
-/// variables, and after the last step. A watch can show progress, and read a clock or a flag;
-/// nothing else interrupts a run.
+/// variables, and after the last step.
 ///
-/// Cost: the steps, a test of each point that is shown, and a copy of the point for each call of
-/// the watch. If an orbit leaves the range of floats, the steps since the last call of the watch
-/// are made up to three times.
-///
+/// Cost: the steps, a test of each shown point, and a copy of the point for each call of the watch.
 /// ```
 /// use std::ops::ControlFlow;
 ///
@@ -65,9 +60,8 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
         Ok(Followed { report: (), end: run(self, x, [steps, steps], watch, |_, _| false) })
     }
 
-    /// Makes at most `steps` steps, and shows the points to observers: first `x` itself, as the
-    /// point of step 0, then each finite point. The run ends at a point after which the observers
-    /// are [done](Observer::is_done).
+    /// Makes at most `steps` steps, and shows points to observers: first `x`, as the point of step
+    /// 0, then each finite point. The run ends when the observers are [done](Observer::is_done).
     ///
     /// # Errors
     /// [`DimensionError`] if the length of `x` is not the dimension of the map.
@@ -97,8 +91,7 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
     /// remaining rows stay unchanged. The next call continues from the point of the last row.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `x` is not the dimension of the map, or the length of
-    /// `rows` is not a multiple of it.
+    /// [`DimensionError`] for an `x` of a wrong length, or `rows` that are not whole rows.
     ///
     /// ```
     /// use std::num::NonZeroU64;
@@ -142,7 +135,7 @@ fn check_state<S: Step>(map: &S, x: &[S::Scalar]) -> Result<(), DimensionError> 
     DimensionError::check(Argument::State, x.len(), map.dimension())
 }
 
-/// Returns the number of steps between two calls of the watch; they take some milliseconds at most.
+/// Returns the number of steps between two calls of the watch.
 pub(crate) fn pause(variables: usize) -> u64 {
     const MOST: u64 = 4096;
     const FEW: u64 = 8;
@@ -204,8 +197,8 @@ pub(crate) fn is_finite<T: Scalar>(x: &[T]) -> bool {
     is_within(x, f64::MAX)
 }
 
-/// Replaces `x` by the last finite point of its orbit, which leaves the range of floats within
-/// `steps` steps. Returns the number of steps to that point.
+/// Replaces `x` by the last finite point of its orbit, and returns the number of steps to this
+/// point. The orbit must leave the range of floats within `steps` steps.
 pub(crate) fn advance_while_finite<T: Scalar + Copy>(
     x: &mut [T],
     steps: u64,

@@ -12,7 +12,7 @@ use crate::heights::{denominator, numerator, rational};
 /// A quotient of integers with a nonzero divisor, not necessarily in lowest terms.
 ///
 /// [`ExactOrbit`](crate::orbit::ExactOrbit) returns fractions in lowest terms. `Display` writes
-/// `p/q` or `p`; its time is almost linear in the number of digits.
+/// `p/q` or `p`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {
     above: IBig,
@@ -54,8 +54,7 @@ impl From<&Fraction> for Rational {
     }
 }
 
-/// The arithmetic of rational numbers as [`Fraction`]s, without gcds. Operations exploit equal
-/// denominators, because all coordinates of a projective point share one.
+/// The arithmetic of rational numbers as [`Fraction`]s, without gcds.
 pub(crate) struct Fractions;
 
 impl Arithmetic for Fractions {

@@ -1,8 +1,8 @@
 //! A plan prepared for evaluation over any scalar; names are resolved, and each node has a
 //! register.
 //!
-//! In: a plan; for each evaluation, constants and a state in the caller's registers. Out: results.
-//! Operations and their order are those of generated code, and therefore also the bits.
+//! In: a plan; for each evaluation, constants and a state in the caller's registers. Out: results
+//! with the bits of generated code.
 
 use std::marker::PhantomData;
 
@@ -17,8 +17,8 @@ type Instruction = kahan_program::Operation<usize, Box<Literal>, Reciprocal>;
 
 /// A straight-line program with several results.
 ///
-/// The registers hold, in order: the constants (parameters and ε, or for a kernel the prepared
-/// constants), the numbers in the plan, the states (of one or two points), and the computed values.
+/// The registers hold, in order: the constants, the numbers in the plan, the states, and the
+/// computed values. The constants are parameters and ε, or for a kernel the prepared constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     program: Program<Vec<Instruction>>,
@@ -193,13 +193,12 @@ impl Line {
         self.program.operations.len()
     }
 
-    /// Returns ε. Except in kernels, ε is the last of the constants.
+    /// Returns ε, which is the last constant except in kernels.
     pub(crate) fn eps<V: Clone>(&self, registers: &[V]) -> V {
         registers[self.constants - 1].clone()
     }
 
-    /// Runs the program in its registers. Returns `None` if a division by zero is undefined in the
-    /// scalar.
+    /// Runs the program in its registers; `None` if a division by zero is undefined in the scalar.
     #[inline(always)]
     pub(crate) fn run<'a, V: Scalar>(
         &'a self,

@@ -11,8 +11,7 @@ use crate::dimension::Argument;
 use crate::interpreted::{Interpreted, round};
 use crate::{DimensionError, Field, MapAt, RuntimeFloat};
 
-/// Kahan's map of a [`Field`] at values of its parameters; made by [`Field::with`]. Clones share
-/// the field and the values.
+/// Kahan's map of a [`Field`] at values of its parameters; made by [`Field::with`].
 #[derive(Clone, Debug)]
 pub struct Map {
     field: Field,
@@ -38,8 +37,7 @@ impl Map {
 
     /// Prepares the map at ε, half the time step, over the type of ε.
     ///
-    /// Cost: the first call for a field plans its step, in some milliseconds to tens of
-    /// milliseconds; later calls take microseconds.
+    /// The first call for a field takes milliseconds; later calls take microseconds.
     #[must_use]
     pub fn at<T: RuntimeFloat>(&self, eps: T) -> MapAt<T> {
         MapAt::new(self.clone(), self.constants(eps).collect(), T::PRECISION)
@@ -67,8 +65,7 @@ impl Map {
     /// Returns the map as a [`KahanMap`](kahan_core::KahanMap) over any scalar in N variables;
     /// variables that the field does not have stay constant.
     ///
-    /// Code that is generic over maps then accepts run-time fields, such as orbits over
-    /// `BigRational`, the step with an error bound, and ensembles of points.
+    /// Code that is generic over maps then accepts run-time fields.
     ///
     /// # Errors
     /// [`DimensionError`] if N is smaller than the number of variables.
@@ -79,14 +76,13 @@ impl Map {
     }
 
     /// Writes x̃ to `next`, with the bits and the error bound of [`KahanMap::try_step`]. For floats
-    /// with unit roundoff u, the error is at most 64 u relative to the largest component; if this
-    /// cannot be guaranteed, returns the inner error.
+    /// with unit roundoff u, the error is at most 64 u relative to the largest component. If this
+    /// bound cannot be guaranteed, returns the inner error.
     ///
     /// Cost: some ten interpreted steps at an ordinary point, and many more near poles.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` or `next` does not have one entry for each variable, and for a
-    /// field of more than 16 variables, whose widest numbers would not fit on the stack.
+    /// [`DimensionError`] for an `x` or `next` of a wrong length, and for more than 16 variables.
     pub fn try_step<T: Pivot + Copy>(
         &self,
         x: &[T],

@@ -66,7 +66,6 @@ impl FieldText {
     /// If `body` is not within the text, or splits a character.
     #[must_use]
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
-        // Skip a byte order mark.
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let (said, unproved) = (OnceLock::new(), OnceLock::new());
         let (text, body) = (OnceLock::from(text), Some(body));
@@ -94,8 +93,7 @@ impl FieldText {
         })
     }
 
-    /// Returns the tokens of the block. The tokens are not stored, because they would take more
-    /// memory than the text.
+    /// Returns the tokens of the block, which are not stored because they take much memory.
     fn tokens(&self) -> Vec<Token> {
         lenient::read(self.given()).lexed.tokens
     }
@@ -167,8 +165,7 @@ impl FieldText {
         self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
-    /// Returns the undeclared names in a block without a header, which are its parameters; works
-    /// even if the block has mistakes.
+    /// Returns the undeclared names in a block without a header, which are its parameters.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
         match self.unproved() {
@@ -189,8 +186,7 @@ impl FieldText {
         self.shared.body.clone().map_or(self.whole(), |body| &self.whole()[body])
     }
 
-    /// Returns the field in the language of `kahan!`. A text that already is in this language is
-    /// returned as given.
+    /// Returns the field in the language of `kahan!`; a text in this language is returned as given.
     #[must_use]
     pub fn text(&self) -> &str {
         self.reading().canonical.as_deref().unwrap_or_else(|| self.given())

@@ -11,12 +11,11 @@ pub fn available() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
-/// Runs `work` for each index below `count`. Indices are taken roughly in order, each by the next
-/// free thread.
+/// Runs `work` for each index below `count`, roughly in order.
 ///
 /// `threads` defaults to the number of hardware threads. With one thread or one index, the work
-/// runs on the caller's thread, which also works on machines without threads. Otherwise the caller
-/// waits. A panic in `work` is passed on.
+/// runs on the caller's thread, which also works on machines without threads. A panic in `work` is
+/// passed on.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);
@@ -39,8 +38,7 @@ pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sy
     });
 }
 
-/// Returns the results of `work` for each index below `count`, in order; see [`for_each`] for
-/// `threads`.
+/// Returns the results of `work` for each index below `count`, in order; see [`for_each`].
 pub fn map<R: Send>(count: usize, threads: Option<usize>, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
     let results = Mutex::new(Vec::with_capacity(count));
     for_each(count, threads, &|index| {

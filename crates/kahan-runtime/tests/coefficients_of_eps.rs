@@ -1,5 +1,4 @@
-//! Tests coefficients that depend on ε. Compiled maps are compared with hand-written and run-time
-//! maps; compositions, derivatives, error estimates and exact orbits are tested, too.
+//! Compares compiled, run-time and hand-written maps whose coefficients depend on ε.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -200,7 +199,6 @@ fn a_removable_pole_of_these_coefficients_is_none() {
     assert_eq!(Reduced.step(&x, eps), vector![q("-4"), q("-45")]);
 }
 
-/// Compares machine code, interpreted orbits and columns with the compiled map.
 #[test]
 fn orbits_and_columns_have_the_bits_of_steps() {
     let (start, eps) = ([0.5, -0.25, 0.125], 0.05);
@@ -226,7 +224,7 @@ fn orbits_and_columns_have_the_bits_of_steps() {
     assert_eq!(x, last.as_slice());
 }
 
-/// Each stage of a composition uses the coefficients at its own ε; the flow has those at ε = 0.
+/// Each stage of a composition uses the coefficients at its own ε, and the flow those at ε = 0.
 #[test]
 fn compositions_keep_their_order() {
     let own = Curved { a: 1.5, b: -0.75 };
@@ -247,8 +245,7 @@ fn compositions_keep_their_order() {
     }
 }
 
-/// Compares tangent vectors, derivatives with respect to ε, and gradients with dual numbers in the
-/// macro's step.
+/// Compares tangent vectors, derivatives by ε, and gradients with dual numbers.
 #[test]
 fn derivatives_are_those_of_the_step() {
     let (start, eps, steps) = (vector![0.5, -0.25, 0.125], 0.05, 20);
@@ -309,7 +306,7 @@ fn a_homogeneous_field_has_no_scaled_orbit() {
     assert!(Advance { a: 2.0 }.orbit(vector![0.5], 0.125).nth(1).is_some());
 }
 
-/// Also in an exact orbit, 1/x changes by −2ε(1 + aε²) in each step.
+/// In each step, 1/x changes by −2ε(1 + aε²).
 #[test]
 fn exact_orbits_are_those_of_the_formula() {
     let field = Field::parse(ADVANCE).unwrap();

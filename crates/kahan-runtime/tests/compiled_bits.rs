@@ -172,14 +172,12 @@ fn a_field_of_more_variables_than_the_type_has_is_refused() {
     }
 }
 
-/// A field of three variables is stored in a larger type. Each object has equal bits, and added
-/// variables stay constant.
+/// A field of three variables is stored in a larger type, in which added variables stay constant.
 #[test]
 fn variables_that_stand_still_change_nothing() {
     for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {
         stand_still::<f64, 4>(command, &parameters);
         stand_still::<f64, 8>(command, &parameters);
-        // In a type of eight variables, `f32` would begin in `f64`.
         stand_still::<f32, 4>(command, &parameters);
     }
 }
@@ -211,7 +209,7 @@ fn stand_still<T: Pivot + Copy, const N: usize>(command: &str, parameters: &[Big
     }
 }
 
-/// At 1 + εx = 0, E1 has a removable pole; a field read at run time has the map's value there, too.
+/// E1 has a removable pole at 1 + εx = 0.
 #[test]
 fn a_removable_pole_has_its_value() {
     let entry = find("e1").expect("the catalog has E1");
@@ -226,8 +224,7 @@ fn a_removable_pole_has_its_value() {
     }
 }
 
-/// At parameters where the field divides by zero and the reduced map is undefined, `try_step`
-/// returns an error and does not panic.
+/// The reduced map is undefined at these parameters; `try_step` must not panic.
 #[test]
 fn a_field_that_divides_by_zero_has_no_step() {
     let text = "struct Divided { a, b } xdot = x*y + 1/(a - b); ydot = x - y;";

@@ -1,6 +1,4 @@
 //! Steps and orbits have equal bits on every processor; the expected bits were found on x86-64.
-//! Each loop of Lorenz's orbit doubles a difference, so that a single wrong last bit becomes
-//! visible.
 #![cfg(not(target_feature = "fma"))]
 
 use kahan_core::prelude::*;

@@ -1,6 +1,4 @@
 //! Compares families read at run time with compiled families, for chains of any length.
-//!
-//! The allocator of this program counts the allocations of a thread while `measure` runs.
 
 use allocation_counter::measure;
 use kahan_core::observe::first_crossing;
@@ -74,8 +72,7 @@ fn start(len: usize) -> Vec<f64> {
     (0..len).map(|k| 1.0 + 0.5 * (0.7 * k as f64).sin()).collect()
 }
 
-/// Steps both chains at each instruction-set level of this processor; returns the largest
-/// difference of two components.
+/// Steps both chains at each instruction-set level, and returns the largest difference.
 fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values: &[(&str, &[f64])]) -> f64 {
     let lattice = lattice(text);
     let mut worst = 0.0_f64;
@@ -99,8 +96,7 @@ fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values
     worst
 }
 
-/// Chains of up to about thirty sites are eliminated as a whole. Longer chains are eliminated in
-/// segments.
+/// Chains of up to about thirty sites are eliminated as a whole, longer chains in segments.
 #[test]
 fn chains_have_the_bits_of_the_macro() {
     for sites in [1, 2, 3, 4, 5, 8, 13, 40, 300, 4500] {
@@ -121,8 +117,7 @@ fn chains_have_the_bits_of_the_macro() {
     }
 }
 
-/// Site 1 is the first interior site of a part. The only entry in its column is in the separator's
-/// row.
+/// The column of site 1 has its only entry in the row of the separator.
 #[test]
 fn a_singular_part_sends_the_step_to_the_whole() {
     let (sites, eps) = (300, 0.125);
@@ -136,8 +131,7 @@ fn a_singular_part_sends_the_step_to_the_whole() {
     assert_eq!(state, expected);
 }
 
-/// Compiled long chains are cut into segments; run-time chains with a rare stencil are not. Results
-/// of size one therefore differ by some units in the last place in each step.
+/// Compiled long chains are cut into segments; run-time chains with a rare stencil are not.
 #[test]
 fn long_chains_of_rare_shapes_are_those_of_the_macro() {
     for sites in [300, 3000] {
@@ -156,7 +150,6 @@ fn what_is_kept_is_what_the_macro_says_is_kept() {
         assert_eq!(chain.integrals(&state).unwrap(), compiled.integrals(&state));
         assert_eq!(chain.hamiltonian(&state).unwrap(), Some(compiled.hamiltonian(&state)));
         let before = chain.modified_energy(&state).unwrap().unwrap();
-        // The bound allows terms of size one, with a few rounding errors each.
         let bound = 1e-14 * sites as f64;
         assert!((before - compiled.modified_energy(&state)).abs() <= bound);
         for _ in 0..20 {
@@ -231,7 +224,6 @@ fn zero(map: &dyn Step<Scalar = f64>, start: &[f64]) -> Option<f64> {
     first_crossing(map, start.to_vec(), 10_000, |x| x[0]).map(|crossing| crossing.time)
 }
 
-/// One function accepts a compiled field, a field from text, a compiled chain and a run-time chain.
 #[test]
 fn one_function_takes_every_map() {
     kahan! {
@@ -256,8 +248,7 @@ fn one_function_takes_every_map() {
     let starts = [[1.0, 0.0].to_vec(), [1.0, 0.0].repeat(5)];
     for (k, map) in maps.iter().enumerate() {
         let time = zero(&**map, &starts[k / 2]).unwrap();
-        // The first zero is after a quarter turn. Steps of order two give it with a relative error
-        // below ε².
+        // Steps of order two find the quarter turn with a relative error below ε².
         let quarter = std::f64::consts::FRAC_PI_2;
         assert!((time - quarter).abs() < eps * eps * quarter, "{k}: {time}");
     }

@@ -1,5 +1,4 @@
-//! Run-time maps free all their memory when they are dropped. The allocator of this program counts
-//! the allocations and deallocations of a thread while `measure` runs.
+//! Run-time maps free all their memory when they are dropped.
 
 use allocation_counter::measure;
 use kahan_algebra::rational::Rational;
@@ -36,7 +35,7 @@ fn maps_that_were_dropped_hold_no_memory() {
     assert_eq!(counted.bytes_current, 0);
 }
 
-/// Steps of floats allocate nothing: registers are on the stack, and constants are computed once.
+/// Registers are on the stack, and constants are computed once.
 #[test]
 fn steps_of_floats_allocate_nothing() {
     fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {

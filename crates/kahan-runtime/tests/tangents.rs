@@ -33,8 +33,7 @@ fn observed<O: Observer<f64>>(map: &MapAt<f64>, start: &[f64], steps: u64, mut o
     observer.report()
 }
 
-/// The two maps differ by roundings, which a chaotic orbit amplifies, so the number of steps is
-/// small.
+/// A chaotic orbit amplifies roundings, so the number of steps is small.
 #[test]
 fn reports_are_those_of_the_macro() {
     let (lorenz, map) = lorenz();
@@ -98,8 +97,7 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
 }
 
-/// Wrappers of a run-time map, such as `Compensated`, compute the same bits as the map's own
-/// methods.
+/// Wrappers, such as `Compensated`, have the bits of the map's own methods.
 #[test]
 fn modes_are_maps_of_their_own() {
     let (_, map) = lorenz();

@@ -1,5 +1,4 @@
-//! Computes a sweep of E6 by direct calls of `kahan_runtime`. Prints the seconds taken, as the
-//! baseline for the time of sweeps.
+//! Times a sweep of E6 by direct calls of `kahan_runtime`, for comparison with `kahan-sweep`.
 
 use std::sync::Mutex;
 use std::time::Instant;
@@ -10,8 +9,7 @@ use kahan_runtime::{Field, IntegralDrift, MapAt, WhileFinite};
 const STEPS: u64 = 1000;
 const CHUNK: usize = 256;
 
-/// Follows orbits from the initial values `x`. Returns the sum, over the orbits, of the largest
-/// drift of the first integral.
+/// Returns the sum, over the orbits from `x`, of the largest drift of the first integral.
 fn drifts(at: &MapAt<f64>, mut x: Vec<f64>) -> f64 {
     let (mut y, mut z) = (vec![0.3; x.len()], vec![0.7; x.len()]);
     let observers = |_| WhileFinite::new(IntegralDrift::of(at));

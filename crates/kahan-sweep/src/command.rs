@@ -101,7 +101,7 @@ Examples:
   kahan-sweep --read results/results.parquet --columns x,sali > rows.csv
   kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
 
-/// The text for standard output, or else the error message; both come with the exit status.
+/// The text for standard output, or the error message; each with the exit status.
 type CommandResult = Result<(String, u8), (String, u8)>;
 
 /// Returns a message about wrong usage, together with the exit status 2.
@@ -136,7 +136,6 @@ impl Cli {
         if let Some(path) = &self.read {
             return self.table(path);
         }
-        // Clap requires a plan unless `--read` is given.
         let path = self.plan.as_deref().unwrap_or(Path::new("plan.toml"));
         let name = path.display().to_string();
         let text = fs::read_to_string(path);
@@ -208,8 +207,8 @@ impl Cli {
         }
         match detect(&|name| std::env::var(name))? {
             Some(RecognisedLauncher { shard, sentence, beside }) => {
-                // The sentence is written at once, because launchers interleave the output of their
-                // tasks.
+                // Launchers interleave the output of their tasks, so the sentence is written at
+                // once.
                 eprint!("{}", sentence + "\n");
                 Ok((shard, beside))
             }

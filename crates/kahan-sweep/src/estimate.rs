@@ -14,7 +14,6 @@ pub(crate) struct Estimate<'a> {
     bytes: f64,
     core_seconds: f64,
     cores: usize,
-    /// The number of sampled points.
     measured: u64,
 }
 
@@ -28,7 +27,7 @@ impl<'a> Estimate<'a> {
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
         // Points may differ in cost, so the sample is spread by an odd stride. Neighbouring points
-        // may share SIMD lanes, so each measurement takes as many of them as time permits.
+        // share SIMD lanes, so several of them are measured together.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {

@@ -17,8 +17,7 @@ const SHARDS: &str = "KAHAN_SHARDS";
 /// The environment variable for the index of this shard, counted from 0, for unknown launchers.
 const INDEX: &str = "KAHAN_SHARD_INDEX";
 
-/// Launchers of task arrays. Each has a name, and environment variables for the task, the first
-/// task, the last task and the stride.
+/// Launchers of task arrays, with the variables for task, first task, last task and stride.
 const ARRAYS: [(&str, [&str; 4]); 5] = [
     (
         "Slurm",
@@ -30,8 +29,7 @@ const ARRAYS: [(&str, [&str; 4]); 5] = [
     ("Kubernetes", ["JOB_COMPLETION_INDEX", "", "", ""]),
 ];
 
-/// Launchers that number processes from 0. Each has a name, and environment variables for the
-/// number (rank) of the process and for the count of processes.
+/// Launchers that number processes from 0, with the variables for number and count.
 const RANKS: [(&str, &str, &str); 3] = [
     ("Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
     ("MPI", "PMI_RANK", "PMI_SIZE"),
@@ -47,9 +45,8 @@ struct LaunchLevel {
     of: u64,
 }
 
-/// Reads the environment; `None` if no launcher is known. Tasks of an array may start numbered
-/// processes (ranks), for instance by MPI; then each rank of each task is a shard. Fails with a
-/// sentence if information is missing.
+/// Reads the environment; `None` if no launcher is known. If the tasks of an array start numbered
+/// processes, each process of each task is a shard.
 pub(crate) fn detect(
     get: &dyn Fn(&str) -> Result<String, VarError>,
 ) -> Result<Option<RecognisedLauncher>, String> {
@@ -65,7 +62,7 @@ pub(crate) fn detect(
     if places.is_empty() {
         return Ok(None);
     }
-    // Nested levels form a mixed-radix number, in which the innermost level varies fastest.
+    // The innermost of nested launchers varies fastest.
     let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
         index: index * place.of + place.index,
         of: of * place.of,
@@ -99,8 +96,7 @@ fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<
             return Some(LaunchLevel::new(launcher, rank, Some(index), number(size)));
         }
     }
-    // Slurm is tried last, because MPI may start its processes through one Slurm task on each
-    // machine.
+    // Slurm is tried last, because MPI may start its processes through Slurm tasks.
     let size = number("SLURM_NTASKS").filter(|size| is_step_of_slurm && *size > 1)?;
     Some(LaunchLevel::new("Slurm", "SLURM_PROCID", Some(number("SLURM_PROCID")?), Some(size)))
 }
@@ -157,13 +153,13 @@ mod tests {
         assert_eq!(found(&grid_engine), None);
     }
 
-    /// If tasks of an array start ranks, the ranks of all tasks cover each shard once.
+    /// If the tasks of an array start processes, the processes cover each shard once.
     #[test]
     fn ranks_within_tasks_are_shards_of_their_own() {
         let mut shards = Vec::new();
         for task in ["2", "4", "6"] {
             for rank in ["0", "1"] {
-                // The ranks inherit the environment variables of the process that started them.
+                // The processes inherit the environment variables of the process that started them.
                 let started = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "0"), ("SLURM_NTASKS", "2")];
                 let array = [
                     ("SLURM_ARRAY_TASK_ID", task),

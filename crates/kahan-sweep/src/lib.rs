@@ -1,10 +1,8 @@
 //! Sweeps: runs of Kahan's maps for many initial states, parameters and ε, on any number of
 //! machines.
 //!
-//! In: a plan in TOML ([`Plan`], a question over axes). Out: one Parquet file, whose bytes depend
-//! only on the plan. The rows are computed in parts, which are fixed ranges of indices, and then
-//! merged. Schedulers find, share and restart machines; they start this program with the number of
-//! a shard.
+//! In: a plan in TOML ([`Plan`]). Out: one Parquet file, whose bytes depend only on the plan. The
+//! rows are computed in parts, which are fixed ranges of indices, and then merged.
 
 mod command;
 mod estimate;

@@ -36,8 +36,7 @@ pub(crate) enum RunEnd {
     Interrupted,
 }
 
-/// The interval between journal entries. A thread never computes for longer than this without
-/// handing over its rows.
+/// The interval between journal entries, and the longest time without handing over rows.
 const NOTED: Duration = Duration::from_secs(8);
 
 /// The message of `expect` on locks, which are never poisoned.
@@ -49,15 +48,12 @@ pub(crate) struct Run<'a> {
     pub(crate) threads: Option<usize>,
     /// A flag that is set when the process is told to stop.
     pub(crate) stop: &'a AtomicBool,
-    /// A function that receives the number of newly finished rows.
     pub(crate) progress: &'a (dyn Fn(u64) + Sync),
-    /// A function that receives messages for the user.
     pub(crate) say: &'a (dyn Fn(&str) + Sync),
 }
 
 impl Run<'_> {
-    /// Computes the missing parts of a shard. Fails if a part belongs to another plan, or if the
-    /// disk refuses writes.
+    /// Computes the missing parts of a shard.
     pub(crate) fn shard(&self, shard: Shard) -> Result<RunEnd, String> {
         for index in shard.parts(self.plan) {
             let part = Part::of(self.plan, index, self.folder);
@@ -66,8 +62,7 @@ impl Run<'_> {
                 Some(Ok(_)) => {
                     let rows = self.plan.part(index);
                     (self.progress)(rows.end - rows.start);
-                    // This process may have a journal of a part that another process has finished
-                    // in the meantime.
+                    // Another process may have finished the part in the meantime.
                     part.tidy();
                     continue;
                 }
@@ -137,7 +132,7 @@ impl Run<'_> {
     }
 }
 
-/// The work of a thread from its begin until it hands over its rows.
+/// The work of a thread between two times at which it hands over its rows.
 struct ThreadTurn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
@@ -146,8 +141,7 @@ struct ThreadTurn<'a> {
 }
 
 impl Watch for ThreadTurn<'_> {
-    /// Returns whether the thread must stop. On request it stops at once. After the time limit it
-    /// stops at the end of a block of rows, because an unfinished block would be lost.
+    /// Stops on request at once, and after the time limit at the end of a block of rows.
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
         let is_over = are_made && self.begun.elapsed() > NOTED;
@@ -171,8 +165,7 @@ struct Work {
 }
 
 impl Work {
-    /// Adds rows, and updates the journal when it is due. Returns only the first of several
-    /// successive errors.
+    /// Adds rows, and updates the journal when it is due. Returns the first of successive errors.
     fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;

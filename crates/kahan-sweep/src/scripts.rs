@@ -23,7 +23,6 @@ pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
 /// Replaces each `@name@` in a template by its text, in one pass.
 fn filled(template: &str, places: &[(&str, String)]) -> String {
     let parts = template.split('@').enumerate().map(|(part, text)| {
-        // Between `@` signs, every second piece is a name.
         let filled = places.iter().find(|(name, _)| part % 2 == 1 && *name == text);
         filled.map_or(text, |(_, value)| value)
     });

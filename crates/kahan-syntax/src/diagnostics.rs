@@ -1,15 +1,14 @@
-//! Represents the user's mistakes as data. Each has a kind, a position, a message and a help text.
+//! Mistakes of the user as data: a kind, a position, a message and a help text.
 //!
-//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens. The command prints it with
-//! a caret under the text. [`Diagnostics`] collects mistakes, and panics if it is dropped before
-//! they are read.
+//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens. The command prints the
+//! mistake with a caret under the text.
 
 use std::fmt;
 
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-/// The rule that a mistake breaks. Tests and tools use the rule; messages do not show the rule.
+/// The rule that a mistake breaks, for tests and tools.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
@@ -78,8 +77,8 @@ impl fmt::Display for Diagnostic {
 
 /// Shortens a message that quotes long words.
 ///
-/// If a word has more than 80 characters, its first 46 and last 16 are kept. If the message then
-/// still has more than 700 characters, its first 440 and last 240 are kept.
+/// Of a word with more than 80 characters, the first 46 and the last 16 are kept. Of a message that
+/// then still has more than 700 characters, the first 440 and the last 240 are kept.
 ///
 /// ```
 /// let name = "x".repeat(1_000_000);
@@ -112,7 +111,7 @@ const MOST_MISTAKES: usize = 200;
 /// The mistakes collected so far.
 ///
 /// # Panics
-/// If it is dropped without a call of [`Diagnostics::finish`].
+/// If the list is dropped without a call of [`Diagnostics::finish`].
 #[derive(Debug)]
 pub struct Diagnostics {
     list: Option<Vec<Diagnostic>>,

@@ -1,9 +1,7 @@
 //! Translates texts in the notation of books and other programs into the language of `kahan!`.
 //!
 //! For example, the text `x' = y, y' = -x**2` becomes the tokens of `xdot = y; ydot = -x^2;` with
-//! their positions in the text. The result also has values of parameters, initial values of states,
-//! and notes for the user. Mistakes stay in the tokens, and the parser reports them. A text in the
-//! language of `kahan!` keeps its tokens.
+//! their positions in the text. Mistakes stay in the tokens, and the parser reports them.
 
 mod items;
 mod left_side;
@@ -27,10 +25,9 @@ use xpp::Function;
 /// A text as tokens of the language, together with the values that the text gives.
 #[derive(Clone, Debug, Default)]
 pub struct Reading {
-    /// The tokens of a block. The range of each token is that of the text that it stands for.
+    /// The tokens of a block, each with the range of the text that it stands for.
     pub lexed: Lexed,
-    /// Whether the text was in the language of `kahan!` already, including its comments, so that
-    /// nothing was translated.
+    /// Whether the text was in the language of `kahan!` already, so that nothing was translated.
     pub is_canonical: bool,
     /// The parameters to which the text gives a value, with these values.
     pub parameters: Vec<(String, Rational)>,
@@ -105,8 +102,8 @@ struct Reader<'a> {
     text: &'a str,
     given: Vec<PlacedToken>,
     names: OnceCell<HashSet<String>>,
-    /// The states. If the equation of a state has order n, the entry has the names of its
-    /// derivatives of order 1 to n − 1.
+    /// The states. A state with an equation of order n has n − 1 further names, for its
+    /// derivatives.
     states: HashMap<String, Vec<String>>,
     has_derivatives: bool,
     /// The formulas of auxiliary quantities, by name.
@@ -114,7 +111,7 @@ struct Reader<'a> {
     functions: HashMap<String, Function>,
     /// The arguments of the innermost call that is expanded, by name.
     arguments: HashMap<String, Vec<PlacedToken>>,
-    /// The functions whose calls are being expanded. The outermost call comes first.
+    /// The functions whose calls are being expanded, the outermost call first.
     calls: Vec<String>,
     depth: usize,
     /// The number of tokens that expansions have added so far.
@@ -141,7 +138,7 @@ impl Reader<'_> {
         self.names.get_or_init(all).contains(name)
     }
 
-    /// Returns whether the equations define a state with this name, or a derivative with this name.
+    /// Returns whether the equations define a state or a derivative with this name.
     fn is_state(&self, name: &str) -> bool {
         self.states.contains_key(name)
     }

@@ -1,8 +1,7 @@
 //! Splits texts into tokens. Comments, raw identifiers and numbers follow the rules of Rust.
 //!
-//! The input of the macro is split by rustc; texts are split here. The lexer therefore also accepts
-//! text that rustc rejects, such as `.5`, `**`, `x²`, `−` and `# comments`. An unknown sign, such
-//! as the prime in `x'`, becomes a token with an explanation, which the parser reports.
+//! The lexer also accepts text that rustc rejects, such as `.5`, `**`, `x²`, `−` and `# comments`.
+//! An unknown sign, such as the prime in `x'`, becomes a token with an explanation.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -17,8 +16,7 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// Whether the text has comments or line continuations that Rust does not have, such as `# …`,
-    /// `" …` and `\`.
+    /// Whether the text has comments or line continuations of other languages, such as `# …`.
     pub is_of_others: bool,
 }
 
@@ -44,7 +42,7 @@ impl Lexer<'_> {
         self.text[self.at..].chars().nth(ahead)
     }
 
-    /// Returns the byte length of the text from `from` on whose characters all satisfy `keep`.
+    /// Counts the bytes from `from` up to the first character that fails `keep`.
     fn run(&self, from: usize, keep: impl Fn(char) -> bool) -> usize {
         self.text[from..].chars().take_while(|&c| keep(c)).map(char::len_utf8).sum()
     }
@@ -53,8 +51,7 @@ impl Lexer<'_> {
         let text = &self.text[self.at..self.at + length];
         let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
         let text_of_sign = match kind {
-            // Half of a field's tokens are signs. Borrowed texts avoid an allocation for each of
-            // them.
+            // Signs are half of a field's tokens; borrowed texts avoid allocations.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
                 SIGNS.find(c).map(|place| Cow::Borrowed(&SIGNS[place..=place]))
             }
@@ -75,8 +72,7 @@ impl Lexer<'_> {
         self.out.ranges.push(range);
     }
 
-    /// Reads one token, one comment or one white-space character. Returns `false` at the end of the
-    /// text.
+    /// Reads one token, comment or white-space character; returns `false` at the end of the text.
     fn next_token(&mut self) -> bool {
         let Some(c) = self.peek(0) else { return false };
         if c.is_whitespace() {
@@ -148,8 +144,7 @@ impl Lexer<'_> {
             && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
-    /// Translates the next characters to signs of the language. Returns the signs, and the number
-    /// of bytes read.
+    /// Returns the signs that the next characters stand for, and the number of bytes read.
     fn signs(&self, c: char) -> Option<(&'static str, usize)> {
         let signs = match c {
             '*' if self.peek(1) == Some('*') => return Some(("^", 2)),
@@ -164,8 +159,7 @@ impl Lexer<'_> {
         Some((signs, c.len_utf8()))
     }
 
-    /// Skips a comment `/* … */`, which may be nested as in Rust. An unclosed comment is reported
-    /// at its start.
+    /// Skips a comment `/* … */`, which may be nested; reports an unclosed comment at its start.
     fn block_comment(&mut self) {
         let mut depth = 0;
         let mut end = self.at;
@@ -189,8 +183,7 @@ impl Lexer<'_> {
         self.at = self.text.len();
     }
 
-    /// Returns the length of a number, including letters that follow it directly, as in `1.5e-3`,
-    /// `0x1F` and `2x`.
+    /// Returns the length of a number with the letters that follow, as in `1.5e-3` and `2x`.
     fn number_length(&self) -> usize {
         let length = Numeral::length_in(&self.text[self.at..]);
         length + self.run(self.at + length, continues_identifier)
@@ -213,7 +206,7 @@ pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
-/// Returns whether `c` may continue a name. Combining marks such as Newton's dot may do so.
+/// Returns whether `c` may continue a name, also as a combining mark such as Newton's dot.
 fn continues_identifier(c: char) -> bool {
     starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
 }

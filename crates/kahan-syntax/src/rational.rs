@@ -1,10 +1,9 @@
 //! Exact rational numbers, which are the numbers of the language and the coefficients of
 //! polynomials.
 //!
-//! Rationals are made from integers, decimals and floats, and are rounded correctly to floats.
 //! Numbers are in lowest terms with positive denominators, so equal numbers have equal
-//! representations. [`Rational::checked_div`] replaces a division operator, so that callers handle
-//! division by zero.
+//! representations. Conversions to floats round correctly. [`Rational::checked_div`] replaces a
+//! division operator, so that callers handle division by zero.
 
 mod arithmetic;
 pub(crate) mod numeral;
@@ -29,8 +28,7 @@ pub(crate) use text::LARGEST_EXPONENT;
 pub struct Rational(Repr);
 
 /// The representation of a number, which is unique. `Big` holds only numbers with |p| or q above
-/// `i64::MAX`, so derived equality and hashing compare values. Since `i64::MIN` is stored in `Big`,
-/// negating a `Small` cannot overflow.
+/// `i64::MAX`. Since `i64::MIN` is stored in `Big`, negating a `Small` cannot overflow.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },
@@ -149,9 +147,8 @@ impl Rational {
         }
     }
 
-    /// Returns the numerator and the denominator, if the absolute values of both are at most 2²⁴.
-    /// Numerator and denominator are then exact in `f32`, so a single division rounds correctly in
-    /// every float type.
+    /// Returns the numerator and the denominator if both are at most 2²⁴ in absolute value. Both
+    /// are then exact in `f32`.
     pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
         const EXACT_IN_F32: i64 = 1 << 24;
         self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
@@ -183,8 +180,7 @@ impl Rational {
         }
     }
 
-    /// Returns the bit length of |p| or of q, whichever is larger. The returned length is at least
-    /// 1.
+    /// Returns the bit length of |p| or of q, whichever is larger; at least 1.
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Repr::Small { num, den } => {
@@ -244,7 +240,7 @@ impl From<BigInt> for Rational {
     }
 }
 
-/// The conversion reduces the fraction. Its denominator must be nonzero.
+/// The denominator must be nonzero.
 impl From<BigRational> for Rational {
     fn from(value: BigRational) -> Self {
         Self::from_normal(value.reduced())

@@ -1,5 +1,4 @@
-//! Knows how names are spelt: keywords, misspellings, marks of derivatives, and names that messages
-//! propose.
+//! The spelling of names: keywords, misspellings, marks of derivatives, and proposed names.
 
 /// The page about fields that are not quadratic, for help texts.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
@@ -44,8 +43,7 @@ pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }
 
-/// Returns the first name of `wanted` that is not in use. If all are in use, returns one with a
-/// number appended.
+/// Returns the first name of `wanted` that is not in use, or else one with a number appended.
 ///
 /// ```
 /// use kahan_syntax::spelling::fresh;
@@ -60,8 +58,7 @@ pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
     plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
 }
 
-/// Returns advice on how to write a derivative of `state`. The advice is `xdot = …`, or a chain of
-/// equations if the order is above 1.
+/// Returns advice on how to write a derivative of `state`: `xdot = …`, or a chain of equations.
 #[must_use]
 pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
     if order < 2 {
@@ -79,8 +76,7 @@ pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) ->
     )
 }
 
-/// Counts Newton's dots and removes them: `ẋ` is `x` with one dot, `ẍ` with two. Returns `None` if
-/// there are no dots.
+/// Counts Newton's dots and removes them: `ẋ` is `x` with one dot. Returns `None` without dots.
 ///
 /// ```
 /// use kahan_syntax::spelling::without_dots;

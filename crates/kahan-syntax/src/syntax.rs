@@ -1,8 +1,7 @@
 //! The syntax tree of a block, with the spans of tokens.
 //!
-//! The tree is not checked: names may be unknown, degrees too high, and claims false. The crate
-//! `kahan-algebra` turns a block into a field and claims. Long sums and products are flat lists,
-//! not nested trees.
+//! The tree is not checked: names may be unknown, degrees too high, and claims false. Long sums and
+//! products are flat lists, not nested trees.
 
 use core::fmt;
 use std::borrow::Cow;
@@ -21,8 +20,8 @@ pub struct Name {
 
 /// A block, which has the form `[header] (const | equation | family | claim)*`.
 ///
-/// `X` is the syntax that constants and right-hand sides may contain beyond arithmetic. It is
-/// [`InFamily`], or [`InFormula`] if the block is to be lifted.
+/// `X` is the syntax beyond arithmetic in constants and right-hand sides: [`InFamily`], or
+/// [`InFormula`] if the block is to be lifted.
 #[derive(Clone, Debug)]
 pub struct Block<X = InFamily> {
     /// The header, such as `pub struct E7 { xi }`.
@@ -37,11 +36,9 @@ pub struct Block<X = InFamily> {
     pub family: Option<FamilyHead>,
     /// The claims, which begin with `integral`, `density`, `bracket` or `drift`.
     pub claims: Vec<Claim>,
-    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`. Hamiltonians are stored as claims
-    /// of integrals.
+    /// The Hamiltonians of a family, `hamiltonian H = sum(…);`, stored as claims of integrals.
     pub hamiltonians: Vec<Claim>,
-    /// Left-hand sides without `dot`. These names were already reported, so later mistakes about
-    /// them are not reported.
+    /// Left-hand sides without `dot`, which were already reported.
     pub misspelt_states: Vec<Name>,
 }
 
@@ -78,7 +75,7 @@ pub struct FamilyHead {
     pub span: Span,
     /// The number of equations before the family.
     pub equations_before: usize,
-    /// The number of equations before the family, plus the number of those in the family.
+    /// The number of equations before and in the family.
     pub equations_until: usize,
 }
 
@@ -93,11 +90,11 @@ pub struct Header {
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
-    /// For each parameter its documentation and attributes.
+    /// The documentation and the attributes of each parameter.
     pub described: Vec<WrittenTokens>,
 }
 
-/// Tokens that only Rust understands. The tokens are kept as written.
+/// Tokens that only Rust understands, kept as written.
 #[derive(Clone, Debug, Default)]
 pub struct WrittenTokens {
     /// The lines of the tokens as text.
@@ -212,8 +209,7 @@ pub struct TensorEntry {
     pub value: Expr,
 }
 
-/// A condition after `when`. The condition is a relation `expr = expr` between parameters and
-/// `eps`.
+/// A condition after `when`: a relation `expr = expr` between parameters and `eps`.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The left side.
@@ -236,7 +232,7 @@ impl Condition {
     }
 }
 
-/// An expression with its span. `X` is the syntax that it may contain beyond arithmetic.
+/// An expression with its span; `X` is the syntax that goes beyond arithmetic.
 #[derive(Clone, Debug)]
 pub struct Expr<X = InFamily> {
     /// The operation, with its operands.
@@ -378,21 +374,18 @@ pub enum InFamily {
         /// The distance from site i.
         offset: i64,
     },
-    /// The sum `sum(a)` over all sites. Sums over all sites occur only in claims.
+    /// The sum `sum(a)` over all sites, which occurs only in claims.
     OverSites(Box<Expr>),
 }
 
 /// The syntax of a formula that goes beyond arithmetic: function calls and general powers.
-///
-/// Blocks of fields cannot contain it, so fields stay polynomial and claims rational.
 #[derive(Clone, Debug)]
 pub enum InFormula {
-    /// A function call `name(a, …)`. The code that evaluates the formula decides which functions
-    /// exist.
+    /// A function call `name(a, …)`.
     Call {
         /// The name of the function.
         function: String,
-        /// The arguments. There is at least one.
+        /// One or more arguments.
         arguments: Vec<Expr<InFormula>>,
     },
     /// A power `a^b` whose exponent b is not an integer literal.
@@ -400,8 +393,7 @@ pub enum InFormula {
 }
 
 impl Expr<InFormula> {
-    /// Converts an expression without functions and general powers. Returns `None` for other
-    /// expressions.
+    /// Converts an expression without functions and general powers; `None` for other expressions.
     #[must_use]
     pub fn rational(&self) -> Option<Expr> {
         let boxed = |inner: &Expr<InFormula>| inner.rational().map(Box::new);

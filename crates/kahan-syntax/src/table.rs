@@ -1,8 +1,7 @@
 //! Sorted lists and maps of a few dozen entries.
 //!
-//! The sort and the maps of the standard library are compiled anew for every type. The sort and the
-//! maps took a third of the code that each user of the macro compiles. Insertion in order takes
-//! little code, and is fast enough here.
+//! The sort and the maps of the standard library are compiled anew for every type. That took a
+//! third of the code that each user of the macro compiles. Insertion in order takes little code.
 
 use std::cmp::Ordering;
 use std::ops::Index;
@@ -74,8 +73,7 @@ impl<K: Ord, V> Table<K, V> {
         }
     }
 
-    /// Returns the value of a key. If the map does not have the key, `make(&key)` is inserted
-    /// first.
+    /// Returns the value of a key, after inserting `make(&key)` for a missing key.
     pub fn or_insert_with(&mut self, key: K, make: impl FnOnce(&K) -> V) -> &mut V {
         let place = match self.place(&key) {
             Ok(place) => place,
@@ -88,8 +86,7 @@ impl<K: Ord, V> Table<K, V> {
         &mut self.entries[place].1
     }
 
-    /// Returns the value of a key. If the map does not have the key, the default value is inserted
-    /// first.
+    /// Returns the value of a key, after inserting the default value for a missing key.
     pub fn or_default(&mut self, key: K) -> &mut V
     where
         V: Default,

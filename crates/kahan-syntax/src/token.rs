@@ -1,14 +1,12 @@
-//! Tokens are the input of the parser.
+//! Tokens, the input of the parser.
 //!
 //! Tokens come from a text ([`crate::lexer`]) or from a macro (`tokens.rs` of `kahan-emit`).
-//! Positions are indices into the list of tokens ([`Span`]). Whoever makes the list maps them to
-//! byte ranges or to compiler spans. One parser and one set of messages therefore serve both
+//! Positions are indices into the list of tokens ([`Span`]), so that one parser serves both
 //! sources.
 
 use std::borrow::Cow;
 
-/// A range of tokens from `first` to `last`, both included. The numbers are indices into a block's
-/// list of tokens.
+/// A range of tokens from `first` to `last`, both included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// The index of the first token.
@@ -83,7 +81,6 @@ pub struct Token {
     pub text: Cow<'static, str>,
     /// Whether the next token follows without white space, as between the two signs of `**`.
     pub touches_next: bool,
-    /// The documentation lines `/// …` before the token. In tokens from rustc, documentation
-    /// consists of attributes instead.
+    /// The documentation lines `/// …` before the token in a text.
     pub docs: Box<[String]>,
 }

@@ -31,7 +31,6 @@ fn reading(text: &str) -> String {
 #[test]
 fn texts_of_other_tools_are_read() {
     for (text, expected) in [
-        // The texts use notation that is written by hand, by programs and in books.
         ("x' = y\ny' = -x - x^2", "xdot = y; ydot = -x - x^2;"),
         ("dx/dt = a*x - b*x*y; dy/dt = -c*y + d*x*y", "xdot = a*x - b*x*y; ydot = -c*y + d*x*y;"),
         (
@@ -229,8 +228,7 @@ fn random_field(draws: &mut Draws) -> Equations {
     states.iter().map(|state| (state.clone(), right(draws))).collect()
 }
 
-/// Splits a block without a family into the text before its equations, the equations, and the text
-/// after them.
+/// Splits a block into the text before its equations, the equations, and the text after them.
 fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     let begins = |line: &str| {
         line.trim().split_once("dot = ").is_some_and(|(left, _)| left.chars().all(char::is_alphanumeric))

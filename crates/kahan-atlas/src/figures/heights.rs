@@ -1,5 +1,4 @@
-//! Plots heights along exact orbits: their growth, and the remainder after the growth is divided
-//! out.
+//! Plots heights along exact orbits, and heights divided by their growth.
 
 use maud::{Markup, html};
 
@@ -15,8 +14,7 @@ fn drawing(description: &str, axes: [&str; 2], series: Vec<Series>) -> Markup {
     Plot::around(description, axes, series).drawing().inline()
 }
 
-/// Plots heights against the step number n on logarithmic scales, where nᵏ is a straight line of
-/// slope k.
+/// Plots heights against the step number n on logarithmic scales; nᵏ is a line of slope k.
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
     drawing(description, ["log n", &format!("log h({of})")], series)
 }
@@ -25,8 +23,7 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
     log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
 }
 
-/// Plots log(h(xₙ)/nᵏ) against n, where h is the logarithmic height. A dashed line is at the
-/// logarithm of the limit of h(xₙ)/nᵏ.
+/// Plots log(h(xₙ)/nᵏ) against n for the logarithmic height h, with a dashed line at its limit.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));

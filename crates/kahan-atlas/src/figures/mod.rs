@@ -15,13 +15,9 @@ use kahan_draw::document::readable;
 pub(super) struct FigureEntry {
     pub(super) id: &'static str,
     pub(super) title: &'static str,
-    /// One or more drawings. The drawings are side by side if the page is wide enough.
     pub(super) drawings: Vec<Markup>,
-    /// The system, ε, the initial point and the number of iterates.
     pub(super) data: Markup,
-    /// The text on the result that the drawing shows, and on the measured result.
     pub(super) result: Markup,
-    /// The prefixes of the names of claims about the figure.
     pub(super) claims: &'static [&'static str],
 }
 

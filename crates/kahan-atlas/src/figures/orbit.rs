@@ -27,8 +27,7 @@ impl Heights {
         self.pairs().map(|(n, h)| (libm::log(n), libm::log(h))).collect()
     }
 
-    /// Returns log(h/nᵖ) against n for n ≤ `end`, where h is the logarithmic height and p is
-    /// `power`.
+    /// Returns log(h/nᵖ) against n for n ≤ `end`, for the logarithmic height h and the power p.
     pub(super) fn correction(&self, power: i32, end: usize) -> Vec<(f64, f64)> {
         self.pairs().take(end).map(|(n, h)| (n, libm::log(h / n.powi(power)))).collect()
     }
@@ -48,8 +47,8 @@ impl Heights {
         slope(self.pairs())
     }
 
-    /// Returns the leading coefficient of the quadratic polynomial through three heights: the
-    /// first, the middle and the last height of the second half of the orbit.
+    /// Returns the leading coefficient of a parabola through three heights: the first, middle and
+    /// last height of the second half of the orbit.
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
         let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);
@@ -102,7 +101,7 @@ impl<'a> Orbit<'a> {
 /// Returns the paper's name of the map, for example `dE3` or `Lotka–Volterra map`.
 fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
-    // The paper writes a letter d before the names of its own systems to denote their maps.
+    // The paper writes dE3 for the map of E3.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 

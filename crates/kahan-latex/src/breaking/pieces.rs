@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-/// Returns the ranges of the arguments of the first fraction, or of the inside of the first
-/// parentheses. Only the top level of the factor is searched.
+/// Returns the insides of the first fraction or parentheses at the top level of a factor.
 pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     const FRACTION: &str = "\\frac{";
     const OPEN: &str = "\\left(";
@@ -27,7 +26,7 @@ pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
     None
 }
 
-/// Returns the end of the group whose inside begins at `start`. The end is a `}` or `\right`.
+/// Returns the end of the group whose inside begins at `start`: a `}` or `\right`.
 pub(super) fn closing(text: &str, start: usize) -> usize {
     let mut depth = Depth::default();
     for (at, _) in text[start..].char_indices() {
@@ -68,7 +67,7 @@ fn is_command(rest: &str, name: &str) -> bool {
     rest.strip_prefix(name).is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
 
-/// Returns the terms of a sum. All terms but the first keep their sign.
+/// Returns the terms of a sum. Each later term keeps its sign.
 pub(super) fn terms(formula: &str) -> Vec<&str> {
     split(formula, |rest| rest.starts_with(" + ") || rest.starts_with(" - "))
 }
@@ -76,8 +75,7 @@ pub(super) fn terms(formula: &str) -> Vec<&str> {
 /// Returns the factors of a product. The first factor keeps its sign.
 pub(super) fn factors(term: &str) -> Vec<&str> {
     let glued = |before: &str, rest: &str| {
-        // Do not split an accent or a function from its argument, a dot from the next factor, or
-        // explicit spaces.
+        // An accent or a function stays with its argument, and a dot with the next factor.
         let last = before.rsplit(' ').next().unwrap_or_default();
         matches!(last, "+" | "-" | "\\cdot" | "\\,")
             || last.starts_with("\\operatorname")

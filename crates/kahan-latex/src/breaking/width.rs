@@ -22,15 +22,14 @@ pub fn width_of(formula: &str) -> usize {
     width
 }
 
-/// Returns the width of the command with its arguments at the beginning of `rest`, and its length
-/// in bytes.
+/// Returns the width of the command at the beginning of `rest`, and its length in bytes.
 fn command(rest: &str) -> (usize, usize) {
     let letters = rest[1..].find(|c: char| !c.is_ascii_alphabetic()).map_or(rest.len(), |end| end + 1);
     let name = &rest[..letters];
     match name {
         "\\" => {
-            // The command `\{` is one character, `\,` is a narrow space, and `\\` is the end of a
-            // line.
+            // The commands `\,` and `\\` have no width; other commands such as `\{` have one
+            // character.
             let sign = rest[1..].chars().next().map_or(0, char::len_utf8);
             (usize::from(!rest.starts_with("\\,") && !rest.starts_with("\\\\")), 1 + sign)
         }

@@ -1,8 +1,7 @@
 //! Many trajectories in columns, one column for each variable.
 //!
-//! In: columns, ε and parameters. All trajectories share ε and each parameter, or each trajectory
-//! has a value of its own. Out: the columns after some steps, and how each trajectory ended. No
-//! trajectory depends on another.
+//! In: columns, ε and parameters; each value is shared, or each trajectory has a value of its own.
+//! Out: the columns after some steps, and how each trajectory ended.
 
 use core::ops::ControlFlow;
 use core::slice;
@@ -21,13 +20,11 @@ use crate::{DimensionError, End, Follow, Followed};
 impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories; column c holds variable c of all trajectories.
     ///
-    /// `eps` holds an ε for each trajectory, or one ε for all, or nothing for the map's own ε.
-    /// `parameters` holds a list of values for each parameter: one value for each trajectory, or
-    /// one for all. Empty `parameters` stand for the map's own values. A trajectory has the bits of
-    /// an ensemble at its ε and parameters, whatever the other trajectories are.
+    /// `eps` holds one ε for each trajectory, or one for all; an empty `eps` stands for the map's
+    /// own ε. `parameters` holds one list of the same form for each parameter, or is empty. Each
+    /// trajectory has the bits of an ensemble at its ε and parameters.
     ///
-    /// Trajectories that become NaN stay NaN. If the field divides by zero at the parameters of a
-    /// trajectory, this trajectory becomes NaN.
+    /// A trajectory becomes NaN if the field divides by zero at its parameters.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -101,8 +98,7 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Sets a trajectory to NaN if the field divides by zero at its parameters, because machine
-    /// code does not check this.
+    /// Sets a trajectory to NaN if the field divides by zero at its parameters.
     fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
@@ -118,9 +114,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories as [`advance_columns`](Self::advance_columns) does, and returns
     /// how each ended. A trajectory that ended early becomes NaN in the columns.
     ///
-    /// Bits and ends are the same as for single orbits. Cost: the steps of single orbits, a copy
-    /// and a test of the columns every thousand steps, and up to two thousand further steps for
-    /// each trajectory that leaves the range of floats.
+    /// Bits and ends are those of single orbits. Cost: the steps, and up to two thousand further
+    /// steps for each trajectory that leaves the range of floats.
     ///
     /// # Errors
     /// [`DimensionError`] for columns, `eps` or `parameters` of a wrong length.
@@ -231,8 +226,7 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time. Needed if an ε is so near zero that the step uses
-    /// another formula.
+    /// Follows trajectories one at a time, for ε so near zero that the step has another formula.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],
@@ -253,12 +247,11 @@ impl<T: MachineFloat> MapAt<T> {
         (0..trajectories).map(follow).collect()
     }
 
-    /// Returns the maps of many trajectories, each at its own ε and parameters; if all values are
-    /// shared, returns one map. Arguments are those of [`advance_columns`](Self::advance_columns).
-    /// [`observe_columns`](Self::observe_columns) takes the result as its input.
+    /// Returns the maps of many trajectories, each at its own ε and parameters. If all values are
+    /// shared, returns one map. [`observe_columns`](Self::observe_columns) takes these maps as
+    /// input. Arguments are those of [`advance_columns`](Self::advance_columns).
     ///
     /// If the field divides by zero at the parameters of a map, this map takes every point to NaN.
-    /// Cost: microseconds.
     ///
     /// # Errors
     /// [`DimensionError`] for `eps` or `parameters` of a wrong length.

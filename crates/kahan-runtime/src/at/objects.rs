@@ -17,23 +17,23 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Writes f′(x), row by row: ∂fᵢ/∂xⱼ is entry n·i + j, for n variables.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `x` is not n, or that of `out` not n².
+    /// [`DimensionError`] unless `x` has n entries and `out` has n² entries.
     pub fn field_jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::FieldJacobian, x, out, self.dimension().pow(2))
     }
 
-    /// Writes A(x,ε) = I − εf′(x), row by row.
+    /// Writes A(x,ε) = I − εf′(x), row by row, for n variables.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `x` is not the dimension n, or that of `out` not n².
+    /// [`DimensionError`] unless `x` has n entries and `out` has n² entries.
     pub fn matrix(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Matrix, x, out, self.dimension().pow(2))
     }
 
-    /// Writes ∂x̃/∂x, row by row.
+    /// Writes ∂x̃/∂x, row by row, for n variables.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `x` is not the dimension n, or that of `out` not n².
+    /// [`DimensionError`] unless `x` has n entries and `out` has n² entries.
     pub fn jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
@@ -55,8 +55,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// [composition](Self::composed), writes those of the flow.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `x` is not the dimension, or that of `out` not the
-    /// number of integrals.
+    /// [`DimensionError`] unless `x` has an entry for each variable, and `out` for each integral.
     pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
         self.object(Object::Integrals, x, out, self.map.field().integrals().len())
     }
@@ -74,11 +73,11 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(out[0])
     }
 
-    /// Writes the Poisson tensor of a bracket, row by row.
+    /// Writes the Poisson tensor of a bracket, row by row, as n² numbers for n variables.
     ///
     /// # Errors
-    /// [`ClaimError`] if the field claims no bracket called `name`, the length of `x` is not the
-    /// dimension n, or that of `out` not n².
+    /// [`ClaimError`] if the field claims no bracket called `name`, or if `x` or `out` has a wrong
+    /// length.
     pub fn bracket(&self, name: &str, x: &[T], out: &mut [T]) -> Result<(), ClaimError> {
         let mut brackets = self.map.field().brackets();
         let Some(index) = brackets.position(|known| known == name) else {
@@ -94,7 +93,6 @@ impl<T: RuntimeFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        // Most fields claim no integrals, so the evaluation is skipped for them.
         if entries > 0 {
             let is_integral = matches!(object, Object::Integrals);
             let constants = if is_integral { &self.of_integrals } else { &self.constants };
@@ -104,8 +102,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 }
 
-/// Expands the entries above the diagonal into an antisymmetric matrix, row by row, in the same
-/// slice.
+/// Expands the entries above the diagonal to an antisymmetric matrix, in place.
 fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
     // The loop runs backwards, so that no entry is overwritten before it is read.

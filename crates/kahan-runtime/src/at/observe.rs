@@ -1,4 +1,4 @@
-//! Observation of many orbits, in SIMD lanes where machine code supports this.
+//! Observation of many orbits, in SIMD lanes if machine code exists.
 //!
 //! In: one map for all orbits or one for each, first points, and observers. Out: reports. Points
 //! and reports have the bits of single orbits.
@@ -21,9 +21,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// Advances many orbits by `steps` steps, each with its own observers.
     ///
     /// Column c holds variable c of all orbits; `maps` is one map for all, or one for each.
-    /// `observers` makes the observers of the orbit with a given index. The observers see the first
-    /// point of the orbit as step 0. Points and reports equal, bit for bit, those of single orbits
-    /// that [`advance`](Self::advance) makes.
+    /// `observers` makes the observers of the orbit with a given index. Observers see the first
+    /// point as step 0. Points and reports have the bits of single orbits.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.
@@ -49,8 +48,8 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     /// Observes like [`observe_columns`](Self::observe_columns). Every few thousand steps, `tell`
-    /// receives the number of steps made since its last call. If `tell` breaks, the work stops, and
-    /// the reports cover the points seen so far.
+    /// receives the number of steps since its last call. If `tell` returns `Break`, the work stops,
+    /// and the reports cover the points seen so far.
     ///
     /// # Errors
     /// [`DimensionError`], as for [`observe_columns`](Self::observe_columns).
@@ -64,8 +63,7 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_groups(maps, columns, steps, observers, tell, |_, _, _, _| false)
     }
 
-    /// Observes orbits in groups. `has_observed` observes a group, or declines it; the default code
-    /// then observes that group.
+    /// Observes orbits in groups; the default code observes if `has_observed` returns `false`.
     pub(crate) fn observe_groups<O: Observer<T>>(
         maps: &[&Self],
         columns: &mut [&mut [T]],
@@ -164,10 +162,8 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code(Self::coded_group(maps)?, first.set, Vec::new())
     }
 
-    /// Returns machine code that steps orbits, with the tangent vectors of each orbit after its
-    /// point. If `lengths` is set, the squared lengths of the vectors come last. Points have the
-    /// bits of orbits without vectors. `None` also for maps without a straight-line program for
-    /// tangent vectors.
+    /// Returns machine code that steps orbits with their tangent vectors. `carried` is the number
+    /// of vectors, and whether the squared lengths of the vectors come last.
     pub(crate) fn group_code_with_vectors(
         maps: [&Self; GROUP],
         carried: (usize, bool),
@@ -179,8 +175,7 @@ impl<T: MachineFloat> MapAt<T> {
         first.engine().group_code_with_vectors(stages, Some(constants), carried, first.set, workspace)
     }
 
-    /// Returns machine code for the maps of the variational field; squared lengths of vectors come
-    /// last.
+    /// Returns machine code that steps orbits with their tangent vectors by the variational field.
     pub(super) fn variational_abreast(
         maps: [&Self; GROUP],
         vectors: usize,
@@ -206,12 +201,10 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Observers of one orbit among many, which see only its finite points; the report says how the
-/// orbit ended. Together with [`MapAt::observe_columns`] they do for each orbit what
-/// [`Follow::observe`](crate::Follow::observe) does for one.
+/// Observers that see only the finite points of an orbit; the report says how the orbit ended.
 ///
-/// The start is always observed. After the end of the orbit, its columns continue to advance
-/// without being observed.
+/// The start is always observed. In [`MapAt::observe_columns`], the columns continue to advance
+/// after the end of the orbit.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     pub(crate) observers: O,
@@ -226,8 +219,8 @@ impl<O> WhileFinite<O> {
         Self::within(f64::MAX, observers)
     }
 
-    /// Shows points to `observers` up to the first point with a variable larger than `bound`, which
-    /// is included. The orbit has then [escaped](End::Escaped).
+    /// Shows points up to and including the first point with a variable larger than `bound`. At
+    /// this point the orbit has [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }
@@ -261,9 +254,8 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         Followed { report: self.observers.report(), end: self.end }
     }
 
-    /// Observes in lanes while all orbits continue. Nonfinite points stay nonfinite, so the last
-    /// points of a burst show whether all its points are finite. With a bound, every point must be
-    /// tested.
+    /// Observes in lanes while all orbits continue. Without a bound, only the last points of a
+    /// burst are tested, since nonfinite points stay nonfinite.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,

@@ -1,8 +1,7 @@
 //! Rotation numbers of the variables of an orbit, in two passes.
 //!
-//! In: a map. Out: two observers. The observer of the first pass finds the extremes of each
-//! variable and of its rate of change. The observer of the second pass finds the rotation around
-//! the middle of the extremes.
+//! In: a map. Out: two observers. The first pass finds the extremes of each variable and of its
+//! rate of change. The second pass finds the rotation around the middle of the extremes.
 
 use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, RotationNumber};
 
@@ -48,8 +47,7 @@ impl<T: MachineFloat + PartialOrd> MapAt<T> {
     /// Returns an observer of the rotation of each variable over `steps` steps, in turns per step.
     ///
     /// A variable rotates in the plane of its value and its rate of change. The center is the
-    /// middle of their extremes, which [`extremes`](Self::extremes) finds in a first pass. The
-    /// result is NaN if there are no extremes, or no steps.
+    /// middle of the [`extremes`](Self::extremes). Without extremes or steps, the result is NaN.
     ///
     /// # Panics
     /// If there are more extremes than variables.

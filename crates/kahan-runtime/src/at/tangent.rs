@@ -1,8 +1,7 @@
 //! Tangent vectors of a map.
 //!
-//! In: a map at its ε. Out: the tangent map v ↦ (∂x̃/∂x)·v. A straight-line program computes it if
-//! x̃ is known; otherwise Kahan's map of the variational field does, in twice as many variables.
-//! Both run as machine code where possible.
+//! In: a map at its ε. Out: the tangent map v ↦ (∂x̃/∂x)·v. A straight-line program computes the
+//! tangent map if x̃ is known. Otherwise Kahan's map of the variational field is used.
 
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use kahan_dynamics::Precision;
@@ -15,15 +14,13 @@ use crate::{Field, MachineFloat, MapAt, Rational, RuntimeFloat, RuntimePoint, Se
 const MOST_COLUMNS: usize = 3 * MOST + 2;
 
 impl<T: MachineFloat> MapAt<T> {
-    /// Returns the map of a point together with a tangent vector; a state has twice as many
-    /// entries.
+    /// Returns the map of states that hold a point and then a tangent vector.
     #[must_use]
     pub fn tangent(&self) -> Tangent<Self> {
         Tangent::new(self.clone(), 1)
     }
 
-    /// Returns whether the field has a straight-line program that propagates tangent vectors for
-    /// known x̃.
+    /// Returns whether a straight-line program propagates tangent vectors for known x̃.
     pub(super) fn has_tangent_line(&self) -> bool {
         let has_plain_steps = matches!(self.kind.precision, Precision::Single | Precision::Double);
         let is_composed = self.composition.stages() > 1;
@@ -49,13 +46,11 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Returns the map of a point and its derivatives.
     ///
     /// A state holds x, then a vector for each entry of `by`. Begin with a vector of zeros, or for
-    /// [`Sensitivity::Start`] with the unit vector of a coordinate. Along composed or compensated
-    /// orbits, the vectors are derivatives of that orbit. [`Sensitivity::Epsilon`] adds 1/ε as a
-    /// parameter, which is the last one in [columns](Self::advance_columns).
+    /// [`Sensitivity::Start`] with the unit vector of a coordinate. [`Sensitivity::Epsilon`] adds
+    /// 1/ε as the last parameter in [columns](Self::advance_columns).
     ///
-    /// The entries of x may differ in their last bits from those of this map, since the larger
-    /// field has its own plan. For a compiled map, use [`Tangent`] for derivatives with respect to
-    /// the start, and parameters of type [`Dual`](kahan_core::Dual) for the other derivatives.
+    /// The last bits of x may differ from those of this map, since the larger field has its own
+    /// plan. For a compiled map, use [`Tangent`], or parameters of type [`Dual`](kahan_core::Dual).
     ///
     /// Cost: the first call for a field plans a field with 1 + `by.len()` times as many variables.
     ///
@@ -122,7 +117,7 @@ impl<T: MachineFloat> TangentMap for MapAt<T> {
         self.engine().evaluate(Object::Tangent, &self.constants, &state, v);
     }
 
-    /// Propagates one or two vectors of each orbit by machine code; `None` if there is no code.
+    /// Propagates one or two vectors of each orbit, if there is machine code.
     fn push_forward_group<P: Grouped<T>>(
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,

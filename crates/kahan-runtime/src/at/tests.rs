@@ -30,7 +30,6 @@ trait Steps {
     fn point(&self, point: &mut [Dd]);
 }
 
-/// An iterator over the points of an orbit, with the last point that it returned.
 struct At<O, T, const N: usize> {
     orbit: O,
     point: SVector<T, N>,
@@ -56,7 +55,6 @@ where
     }
 }
 
-/// An orbit of a run-time map, with the rounding errors of its point.
 struct Read<T: RuntimeFloat> {
     at: MapAt<T>,
     x: Vec<T>,
@@ -81,7 +79,7 @@ where
     }
 }
 
-/// Returns two orbits of a map in a scheme: by machine code where available, and interpreted.
+/// Returns the orbit of a map by machine code where available, and the interpreted orbit.
 fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<dyn Steps>; 2] {
     fn both<T: RuntimeFloat>(at: MapAt<T>, scheme: Scheme, x: Vec<T>) -> [Box<dyn Steps>; 2]
     where
@@ -154,8 +152,7 @@ where
     Box::new(At { orbit, point })
 }
 
-/// Compares all schemes from several points: at ordinary ε, at an ε too large to divide by, and at
-/// ε = 0.
+/// Compares all schemes at several points and several ε, including 0.
 fn agree<M, const N: usize>(command: &str, parameters: &[&str], exact: &M)
 where
     M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
@@ -213,8 +210,6 @@ fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     let map = Field::parse("xdot = y; ydot = 0;").expect("a field").map().expect("no parameters");
     let exact = |value: f64| Rational::from_f64(value).expect("finite");
     let half = 2_f64.powi(969);
-    // The sum of both parts is half a unit in the last place of the largest float; each part is too
-    // small to round it up.
     for share in [0.5, 1.0, 1.0 + f64::EPSILON, 1.5] {
         let start = [&exact(f64::MAX) + &exact(half), exact(half * share)];
         for scheme in Scheme::all().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
@@ -277,9 +272,8 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// Returns a field of n variables; each product of two variables occurs with probability `percent`
-/// %. The equation x1' = x0·x1 keeps x1 = 0 at zero. Coefficients are multiples of `unit`; `p` is a
-/// parameter or a number.
+/// Returns a random field of n variables, in which x1 stays 0 if it begins there. Each product of
+/// two variables occurs with a probability of `percent` %. Coefficients are multiples of `unit`.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {
@@ -300,8 +294,6 @@ fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) 
     Field::parse(&(0..n).map(component).collect::<String>()).expect("a field")
 }
 
-/// Compares loops over packed coefficients with the interpreter: at ordinary ε, with rejected
-/// pivots, at +0 and −0, and at overflow.
 #[test]
 fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     fn agree<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], steps: u64)
@@ -353,8 +345,7 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
     }
 }
 
-/// Compares columns with single orbits, for fields whose steps eliminate. Each trajectory has its
-/// own ε and parameters; some steps are rejected or overflow.
+/// Each trajectory has its own ε and parameters; some steps are rejected or overflow.
 #[test]
 fn columns_of_eliminated_fields_are_their_orbits() {
     let mut random = SplitMix64::new(6);
@@ -392,8 +383,7 @@ fn columns_of_eliminated_fields_are_their_orbits() {
     }
 }
 
-/// Returns logistic growth on a square lattice of side × side sites, each coupled to its
-/// neighbours.
+/// Returns the field of logistic growth on a square lattice, each site coupled to its neighbours.
 fn lattice(side: usize) -> Field {
     let site = |i: usize, j: usize| (i < side && j < side).then(|| format!("x{}", i * side + j));
     let equation = |i: usize, j: usize| {
@@ -406,8 +396,7 @@ fn lattice(side: usize) -> Field {
     Field::parse(&equations.collect::<String>()).expect("a field")
 }
 
-/// Compares elimination by panels of rows, in floats, with elimination by single entries, in
-/// double-double. The state is at most 1, and each step adds a few rounding errors.
+/// Compares elimination in panels over floats with elimination by entries over double-double.
 #[test]
 fn steps_of_large_lattices_are_those_in_double_double() {
     let map = lattice(28).map().expect("no parameters");

@@ -1,8 +1,8 @@
 //! Roots of the reduced denominator d(x, ε′) of a map for ε′ between 0 and ε.
 //!
-//! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root in (0, ε],
-//! or for ε < 0 in [ε, 0), in exact arithmetic on the given numbers. Floats with an error bound
-//! decide most cases; exact numbers decide the other cases, such as double roots.
+//! In: d as a polynomial, parameters, ε, and points x. Out: whether d(x, ·) has a root between 0
+//! and ε, or at ε. Floats with an error bound decide most cases; exact numbers decide the other
+//! cases.
 
 mod roots;
 
@@ -98,9 +98,8 @@ impl Denominator {
                 sizes += size;
             }
         }
-        // Rounding errors: at most nine for the factors of a term, one for each term of the sum,
-        // and about two hundred for the Bernstein form and its bisections. `EPSILON` is twice the
-        // error of one rounding.
+        // Rounding errors: at most nine for each term, one for each addition, and about two hundred
+        // for the Bernstein form. `EPSILON` is twice the error of one rounding.
         let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
         if sizes < TINY {
             return None;

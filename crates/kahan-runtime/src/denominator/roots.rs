@@ -6,10 +6,10 @@
 use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::rational::Rational;
 
-/// The largest number of coefficients. The degree in ε is at most the number of variables.
+/// The largest number of coefficients.
 pub(super) const MOST: usize = MOST_EXPANDED + 1;
 
-/// The number of bisections of the interval after which floats give up.
+/// The number of bisections of the interval before floats give up.
 const HALVINGS: u32 = 12;
 
 /// Returns whether Σ cₖtᵏ has a root in (0, 1]; `None` if errors of size `error` permit both
@@ -45,8 +45,8 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
         return (first != 0).then_some(false);
     }
     let halvings = halvings.checked_sub(1)?;
-    // In De Casteljau's algorithm, the diagonal has the Bernstein coefficients of the left half,
-    // and the last row has those of the right half.
+    // De Casteljau's algorithm: the diagonal has the coefficients of the left half, and the last
+    // row has the coefficients of the right half.
     let mut left = [0.0; MOST];
     let left = &mut left[..form.len()];
     for (k, value) in left.iter_mut().enumerate() {

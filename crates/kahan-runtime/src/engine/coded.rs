@@ -1,8 +1,7 @@
 //! Steps of single states by machine code.
 //!
 //! In: a kind of step, with the parameters and ε of each stage. Out: states after some steps. A
-//! step with elimination or in double-double computes a guard, a number that shows whether its
-//! result can be used. The caller's interpreter repeats rejected steps.
+//! step that the code rejects is repeated by the caller's interpreter.
 
 use std::sync::{Arc, OnceLock};
 
@@ -22,7 +21,7 @@ use super::scratch::{Scratch, with_scratch};
 
 pub(super) const GUARDED: u64 = 64;
 
-/// The code of an orbit, compiled at first use; `Some(None)` if it cannot be compiled.
+/// The code of an orbit, compiled at first use; `Some(None)` after a failed compilation.
 type OrbitCodeCell<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
 /// The stages of a step as code. Each distinct stage has constants; the middle stage is last.
@@ -41,8 +40,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         CodedStages { codes, kind, constants, abreast: Arc::default() }
     }
 
-    /// Returns the number of distinct stages, if all steps in `all` have the same kind and number
-    /// of stages as this step.
+    /// Returns the number of distinct stages, if all steps in `all` have this number and this kind.
     pub(super) fn is_like_all(&self, all: &[&Self]) -> Option<usize> {
         let count = self.constants.len();
         let is_like = |own: &&Self| own.kind == self.kind && own.constants.len() == count;
@@ -57,8 +55,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         self.codes[0].get()?.as_deref()
     }
 
-    /// Advances columns by the loops of a dense field. The loops reject some steps; `alone` makes
-    /// these, one trajectory at a time.
+    /// Advances columns by the loops of a dense field; `alone` repeats rejected steps.
     pub(crate) fn advance_columns(
         &self,
         columns: &mut [&mut [T::Word]],
@@ -68,8 +65,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// Returns the code for `steps` further steps; `carries` says whether states have rounding
-    /// errors. `None` if the code cannot be compiled, or if compiling does not pay yet.
+    /// Returns the code for `steps` further steps; `None` if compilation fails or does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         if once.get().is_none() && !engine.codes.is_worth_compiling(steps, engine) {
@@ -83,8 +79,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
         once.get_or_init(compile).as_deref()
     }
 
-    /// Advances a state by `steps` steps of `code`. A nonempty `carry` holds the rounding errors of
-    /// the state, which each step updates. `interpret` repeats rejected steps.
+    /// Advances a state by `steps` steps of `code`; `interpret` repeats rejected steps.
     pub(crate) fn advance(
         &self,
         code: &OrbitCode<T::Word>,
@@ -144,7 +139,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        // The scratch is taken out, because the loops of dense fields borrow it too.
+        // The state is taken out of the scratch memory, because the loops of dense fields borrow
+        // the memory.
         let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
         numbers.clear();
         numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));

@@ -1,8 +1,7 @@
 //! Advances many trajectories by machine code, in tiles of whole registers.
 //!
 //! In: columns, with ε and parameters. Out: the columns after some steps. A tile holds the columns
-//! of some trajectories; all its steps run while it is in the L1 cache. Copies of a trajectory fill
-//! the last register. The operations on a trajectory do not depend on the tiles.
+//! of some trajectories; all its steps run while the tile is in the L1 cache.
 
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::Composition;
@@ -17,15 +16,14 @@ use super::scratch::with_scratch;
 use super::{Engine, distinct, in_turn};
 
 const TILE: usize = 512;
-/// The number of bytes in a cache line. A load across two lines takes two accesses.
+/// The number of bytes in a cache line.
 const LINE: usize = 64;
 const PAGE: usize = 4096;
 /// The number of steps from which copying a tile to aligned memory pays.
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {
-    /// Advances every trajectory by `steps` steps of a composition by code; returns `false` if
-    /// there is no code. `set` is the instruction set; `None` means the processor's largest one.
+    /// Advances all trajectories by machine code. Returns `false` if the step has no machine code.
     pub(crate) fn has_advanced_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
@@ -141,7 +139,7 @@ fn run<T: MachineFloat>(
     });
 }
 
-/// Advances a tile in a copy in `workspace`, whose columns are aligned to cache lines.
+/// Copies a tile to columns aligned to cache lines, and advances the copy.
 fn run_in_lines<T: MachineFloat>(
     tile: &mut [&mut [T]],
     workspace: &mut Vec<T>,
@@ -149,9 +147,8 @@ fn run_in_lines<T: MachineFloat>(
 ) {
     let line = LINE / size_of::<T>();
     let len = tile.first().map_or(0, |column| column.len());
-    // Addresses with equal offsets in a page look equal to the processor's store buffer, so that a
-    // load would wait for an unrelated store (4K aliasing). Therefore columns begin at offsets that
-    // are spread over a page.
+    // Columns begin at offsets that are spread over a page. With equal offsets, loads would wait
+    // for unrelated stores (4K aliasing).
     let page = PAGE / size_of::<T>();
     let apart = (page / tile.len().max(1)).next_multiple_of(line);
     let stride = len.next_multiple_of(page) + apart;
@@ -178,8 +175,7 @@ struct Prepared<'a, T> {
 }
 
 impl<T: MachineFloat> Prepared<'_, T> {
-    /// Prepares the constants for some registers of trajectories, beginning with trajectory
-    /// `first`.
+    /// Prepares the constants of some registers of trajectories, from trajectory `first` on.
     fn of_registers(
         &mut self,
         Columns { columns, eps, parameters }: &Columns<'_, '_, T>,

@@ -1,8 +1,8 @@
 //! Many trajectories, one column for each variable.
 //!
-//! In: columns, ε and parameters. All trajectories share ε and each parameter, or each trajectory
-//! has a value of its own. Out: the columns after some steps. Each SIMD lane holds one trajectory.
-//! A step that eliminates branches on pivots; it therefore advances one trajectory after the other.
+//! In: columns, ε and parameters; each value is shared, or each trajectory has a value of its own.
+//! Out: the columns after some steps. Each SIMD lane holds one trajectory. With elimination, one
+//! trajectory advances after the other, because branches depend on pivots.
 
 use core::ops::Range;
 
@@ -20,7 +20,7 @@ use super::{Engine, distinct, in_turn};
 
 #[derive(Debug)]
 pub(crate) struct Columns<'a, 'b, T> {
-    /// The columns: column c holds variable c of all trajectories.
+    /// Column c holds variable c of all trajectories.
     pub(crate) columns: &'a mut [&'b mut [T]],
     pub(crate) eps: &'a [T],
     pub(crate) parameters: &'a [&'a [T]],
@@ -84,8 +84,7 @@ impl Engine {
         }
     }
 
-    /// Returns the kind of step that all single orbits of these maps would use; `None` if their
-    /// kinds differ.
+    /// Returns the common kind of step of all single orbits; `None` if the kinds differ.
     pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
         kind: StepKind,
@@ -99,7 +98,7 @@ impl Engine {
         self.kind_at(kind, eps.iter().flat_map(each))
     }
 
-    /// Returns the kind of step at these values of ε; `None` if the kinds differ.
+    /// Returns the common kind of step at these values of ε; `None` if the kinds differ.
     pub(super) fn kind_at<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -112,7 +111,7 @@ impl Engine {
     }
 }
 
-/// Advances the trajectories in groups of `V::WIDTH`. Copies of the last trajectory fill the last
+/// Advances trajectories in groups of `V::WIDTH`; copies of the last trajectory fill the last
 /// group.
 pub(super) fn advance<T, V>(
     (step, kind): (&Step, StepKind),

@@ -13,8 +13,7 @@ use kahan_core::{Constant, Scalar};
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
-/// The number of entries of A(x,ε) above which rows are eliminated in panels. Compiled fields have
-/// fewer entries.
+/// The number of entries of A(x,ε) above which rows are eliminated in panels.
 const FEWEST_IN_PANELS: usize = 16_000;
 
 /// The sparsity pattern of A(x,ε) in the order of elimination, including fill-in.
@@ -64,8 +63,7 @@ impl EliminationPattern {
         Couplings { order, rows, columns, blocks, places }
     }
 
-    /// Writes A(x,ε) from the entries of f′, and sets the workspace of [`Couplings::eliminate`] to
-    /// its size.
+    /// Writes A(x,ε) from the entries of f′, and resizes the workspace.
     fn filled<'a, V: Scalar>(&'a self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> Couplings<'a> {
         factors.values.resize(self.columns.len(), V::zero());
         factors.row.resize(self.order.len(), V::zero());
@@ -84,9 +82,7 @@ impl EliminationPattern {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Returns whether the matrix is large and sparse. In such a matrix an entry that is negligible
-    /// in its row counts as 0, and pivots are chosen among sparse rows. Generated code never has
-    /// that many variables.
+    /// Returns whether the matrix is large and sparse; pivots are then chosen among sparse rows.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
@@ -111,8 +107,7 @@ impl EliminationPattern {
     ///
     /// For each pivot, take the smaller of two numbers: the largest multiplier of its column, and
     /// the largest quotient of an entry of its row by the pivot. The result is the maximum over the
-    /// pivots. A zero pivot gives a solution that is not finite. `size` returns a magnitude;
-    /// `larger` and `smaller` choose one of two.
+    /// pivots.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(
@@ -145,8 +140,7 @@ impl EliminationPattern {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
     }
 
-    /// Replaces one column of b by A⁻¹ times this column; b is a row-major matrix with `width`
-    /// columns.
+    /// Replaces one column y of b by A⁻¹y; b is a row-major matrix with `width` columns.
     pub(crate) fn solve<V: Scalar>(
         &self,
         factors: &mut Factors<V>,
@@ -161,8 +155,7 @@ impl EliminationPattern {
         self.in_order(factors, b, [1, 0], |couplings, values, row| couplings.solve_transposed(values, row));
     }
 
-    /// Permutes a column of b into the elimination order, applies `solve`, and permutes the result
-    /// back.
+    /// Applies `solve` to a column of b in the order of elimination.
     #[inline(always)]
     fn in_order<V: Scalar>(
         &self,

@@ -2,8 +2,7 @@
 //! interpreter.
 //!
 //! In: the numbers of a state, and for each stage the packed coefficients and ε. Out: the numbers
-//! after some steps, and a guard. A large guard means that the interpreter must repeat the steps.
-//! The guard is infinite if a number is not finite, or a state is −0.
+//! after some steps, and a guard. If the guard is large, the interpreter must repeat the steps.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
@@ -22,8 +21,7 @@ use super::scratch::{Scratch, with_scratch};
 use super::step::add_quotient;
 use super::{Engine, in_turn};
 
-/// The number of steps between two checks of pivots. A rejection repeats the steps of one
-/// trajectory.
+/// The number of steps between two checks of pivots.
 const TOGETHER: u64 = 8;
 
 impl Engine {
@@ -32,8 +30,7 @@ impl Engine {
         self.coefficients.get_or_init(line).as_ref()
     }
 
-    /// Returns whether loops apply. Loops need a dense field, `f32` or `f64`, and multiply-adds as
-    /// in this build.
+    /// Returns whether loops over packed coefficients apply to steps of this kind.
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
             && kind.fuses == cfg!(target_feature = "fma")
@@ -72,8 +69,9 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
-/// Advances a state by steps of a dense field; the last number of the state is its guard. `stages`
-/// holds the result of [`Engine::packed`] for each distinct stage; the middle stage is last.
+/// Advances a state by steps of a dense field. The last number becomes large if the interpreter
+/// must repeat the steps. `stages` holds the coefficients of each distinct stage, the middle stage
+/// last.
 pub(crate) fn advance<T: MachineFloat>(kind: StepKind, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
     let Some((guard, numbers)) = numbers.split_last_mut() else { return };
     let dimension = if kind.compensated { numbers.len() / 2 } else { numbers.len() };
@@ -124,9 +122,8 @@ fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
     x.is_zero() && (T::one() / *x).approximate() < 0.0
 }
 
-/// Advances columns by steps of a dense field, one register of trajectories at a time; `stages` are
-/// those of [`advance`]. `alone` repeats the steps of a trajectory that has small pivots, or
-/// numbers that [`advance`] would leave to the interpreter.
+/// Advances columns by steps of a dense field, one register of trajectories at a time. `alone`
+/// repeats the steps of a trajectory that the loops reject.
 pub(crate) fn advance_columns<T: MachineFloat>(
     kind: StepKind,
     columns: &mut [&mut [T]],

@@ -39,7 +39,7 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
 /// Replaces `b` by the solution x of A·x = b. Returns whether A is singular; x is then not finite.
 ///
 /// A row is a nonempty list of (column, entry), ordered by column. The pivot row is the shortest
-/// row whose leading entry is at most `most` times smaller than the largest one.
+/// row whose leading entry is at most `most` times smaller than the largest leading entry.
 pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V], most: V) -> bool {
     // For each column, the rows whose first entry is in this column.
     let mut beginning = vec![Vec::new(); rows.len()];
@@ -159,7 +159,6 @@ fn subtract_row<V: Scalar + Copy>(
 mod tests {
     use super::{solve, solve_sparse};
 
-    /// Draws a number between −1 and 1, by Knuth's linear congruential generator.
     fn draw(seed: &mut u64) -> f64 {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*seed >> 32) as f64 / f64::from(1_u32 << 31) - 1.0

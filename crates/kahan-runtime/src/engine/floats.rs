@@ -14,12 +14,10 @@ use super::{Engine, Object};
 
 /// A float type of states: `f32`, `f64`, or [`Dd`].
 pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Send + Sync {
-    /// The precision of the state.
     #[doc(hidden)]
     const PRECISION: Precision;
 
-    /// The machine float in which compiled code represents this type: `f64` for `Dd`, otherwise the
-    /// type itself.
+    /// The machine float of compiled code: `f64` for `Dd`, otherwise the type itself.
     #[doc(hidden)]
     type Word: MachineFloat;
 
@@ -29,8 +27,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     #[doc(hidden)]
     fn from_words(words: &[Self::Word]) -> Self;
 
-    /// Reinterprets the numbers as machine floats without a copy; `None` for `Dd`, where a number
-    /// has two floats.
+    /// Reinterprets the numbers as machine floats without a copy; `None` for `Dd`.
     #[doc(hidden)]
     fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
@@ -46,8 +43,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         false
     }
 
-    /// Factors A(x,ε) by [`EliminationPattern::factor`], or by an equivalent function in SIMD
-    /// lanes.
+    /// Factors A(x,ε) by [`EliminationPattern::factor`], or in SIMD lanes.
     #[doc(hidden)]
     fn factor(tables: &EliminationPattern, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
         tables.factor(slopes, eps, factors)
@@ -66,11 +62,11 @@ type EightLanes<T> = RegisterPair<RegisterPair<RegisterPair<T>>>;
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + kahan_jit::Float + InLanes {
-    /// Several states as one scalar. Each instruction is then decoded once for all of them.
+    /// Several states as one scalar.
     #[doc(hidden)]
     type GroupCode: Lanes<Self>;
 
-    /// Returns the part of a field's code tables that is over this float.
+    /// Returns the code of a field over this float.
     #[doc(hidden)]
     fn codes(codes: &Codes) -> &FloatCodes<Self>;
 

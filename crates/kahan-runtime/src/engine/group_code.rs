@@ -16,7 +16,7 @@ use super::{Engine, in_turn};
 /// The code of a group's steps, compiled at first use; `Some(None)` if compilation fails.
 pub(crate) type GroupCodeCell<T> = OnceLock<Option<Arc<Sweep<T>>>>;
 
-/// Machine code over the columns of a group, with the constants that it reads.
+/// Machine code over the columns of a group, with its constants.
 #[derive(Debug)]
 pub(crate) struct GroupCode<T> {
     code: Arc<Sweep<T>>,
@@ -26,8 +26,7 @@ pub(crate) struct GroupCode<T> {
 }
 
 impl Engine {
-    /// Returns the steps of orbits that share code; the memory of `workspace` is reused for
-    /// constants.
+    /// Returns code for the steps of a group of orbits; the memory of `workspace` is reused.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -42,11 +41,10 @@ impl Engine {
         Some(GroupCode::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
-    /// Returns the steps of orbits with tangent vectors after each point.
+    /// Returns code for the steps of a group of orbits, with tangent vectors after each point.
     ///
-    /// If `constants` (the parameters and ε of each orbit) are given, the straight-line program of
-    /// [`Object::Tangent`](super::Object) propagates the vectors, and there is one stage. For
-    /// `None`, each stage is a step of the variational field.
+    /// If `constants` are given, a straight-line program propagates the vectors. Otherwise each
+    /// stage is a step of the variational field.
     pub(crate) fn group_code_with_vectors<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
@@ -68,8 +66,7 @@ impl Engine {
         }))
     }
 
-    /// Returns code that writes integrals after the points; `constants` are the parameters and ε of
-    /// each orbit.
+    /// Returns code that writes the integrals of each orbit after its point.
     pub(crate) fn group_code_of_integrals<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],

@@ -46,17 +46,14 @@ pub(crate) use transposed::Transposed;
 /// A function of one state, or of two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Object {
-    /// The field f(x).
     Field,
     /// The Jacobian f′(x), row by row.
     FieldJacobian,
-    /// The integrals, in order.
     Integrals,
-    /// The density, where the field claims one.
     Density,
     /// The entries above the diagonal of the bracket with this index.
     Bracket(usize),
-    /// The field f(x), whose coefficients may depend on ε, at the map's ε.
+    /// The field f(x) with the map's coefficients at ε.
     FieldAtEps,
     /// The Jacobian f′(x) with the map's coefficients at ε, row by row.
     FieldJacobianAtEps,
@@ -82,8 +79,7 @@ pub enum Object {
 }
 
 impl Object {
-    /// Returns the object's index within a field, and its plan; brackets have the last indices. The
-    /// plan is `None` for a missing object, and for an object computed from others.
+    /// Returns the object's index within a field, and the plan of an object that has one.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
             Object::Field => (0, Some(derived.at_eps_zero().field())),
@@ -106,14 +102,13 @@ impl Object {
     }
 }
 
-/// The plans of a field, with everything that was prepared from them so far.
+/// The plans of a field, and all data prepared from the plans so far.
 #[derive(Debug)]
 pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
     lines: Vec<OnceLock<Option<Line>>>,
-    /// A straight-line program for each integral. After a division by zero the integral is
-    /// undefined.
+    /// A straight-line program for each integral.
     single_integrals: OnceLock<Vec<Line>>,
     sensitivities: Mutex<Vec<(Vec<Sensitivity>, Arc<Engine>)>>,
     coefficients: OnceLock<Option<Line>>,
@@ -134,8 +129,7 @@ fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static
     composition.coefficients().take(composition.stages() / 2 + 1)
 }
 
-/// Calls `run` for each stage of a palindromic composition in order; `distinct` is the number of
-/// distinct stages.
+/// Calls `run` for each stage of a palindromic composition, in order.
 #[inline(always)]
 pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
@@ -186,8 +180,7 @@ impl Engine {
         self.steps.get_or_init(|| Steps::of(&self.derived))
     }
 
-    /// Returns the straight-line program of an object; `None` if the object is missing, or computed
-    /// from others.
+    /// Returns the straight-line program of an object that has a plan.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
         let (place, plan) = object.entry(&self.derived);
         let symbols = || match object {
@@ -223,8 +216,7 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Advances a state by interpreted steps. A nonempty `tangent_map` holds the rounding errors of
-    /// the state.
+    /// Advances a state by interpreted steps. A nonempty `carry` holds the rounding errors.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -277,8 +269,8 @@ impl Engine {
         }
     }
 
-    /// Evaluates an object at a state; `constants` are the parameters and ε. Results that do not
-    /// fit into `out` are dropped; a missing object leaves `out` unchanged.
+    /// Evaluates an object at a state; `constants` are the parameters and ε. A missing object
+    /// leaves `out` unchanged.
     pub(crate) fn evaluate<T: RuntimeFloat>(
         &self,
         object: Object,
@@ -303,8 +295,8 @@ impl Engine {
         }
     }
 
-    /// Writes ∂x̃/∂x of a step, row by row; `constants` are the parameters and ε. Uses dual numbers
-    /// in a straight-line step, and otherwise A(x,ε)⁻¹·A(x̃,−ε).
+    /// Writes ∂x̃/∂x of a step, row by row: by dual numbers in a straight-line step, and otherwise
+    /// as A(x,ε)⁻¹·A(x̃,−ε).
     fn jacobian<T: RuntimeFloat>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
         let step = self.steps().of_duals();
@@ -333,8 +325,7 @@ impl Engine {
         })
     }
 
-    /// Returns the derivative ∂x̃/∂c of a step, where c is `constants[index]`; `constants` are the
-    /// parameters and ε.
+    /// Returns the derivative of x̃ with respect to `constants[index]`, a parameter or ε.
     pub(crate) fn by_constant<T: RuntimeFloat>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
         let mut extended: Vec<Dual<T, 1>> =
             constants.iter().map(|constant| Dual::from_value(*constant)).collect();
@@ -363,8 +354,8 @@ pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
-/// Returns the constants with which integrals are evaluated: the parameters and ε. For compositions
-/// ε is 0, since they nearly preserve the integrals of the flow, but not those of a single stage.
+/// Returns the parameters and ε at which integrals are evaluated. For compositions ε is 0, since
+/// compositions nearly preserve the integrals of the flow.
 pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
     let (parameters, eps) = split(constants);
     let eps = if composition == Composition::KAHAN { eps } else { T::zero() };

@@ -1,7 +1,6 @@
-//! Scratch memory of each thread, reused from step to step.
+//! Scratch memory of each thread.
 //!
-//! In: a closure that needs scratch memory. Out: its result. Vectors keep their capacity, so that
-//! only the first step on a thread allocates.
+//! Vectors keep their capacity, so that only the first step on a thread allocates.
 
 use core::cell::Cell;
 use std::thread::LocalKey;
@@ -18,15 +17,14 @@ pub struct Scratch<V> {
     pub(super) constants: Vec<V>,
     /// The registers of a step that depend only on parameters and ε, not on the state.
     pub(crate) given: Vec<V>,
-    /// A copy of the caller's state.
     pub(super) state: Vec<V>,
     pub(super) stages: Vec<Vec<V>>,
-    /// Copies of columns before steps that may be rejected, followed by the guard that decides.
+    /// Copies of columns, made before steps that may be rejected.
     pub(super) guarded: Vec<V>,
     pub(super) dense: dense::Workspace<V>,
 }
 
-/// The increments of a step, and the matrix from which they were computed.
+/// The increments of a step, and the matrix from which the increments were computed.
 #[derive(Clone, Debug)]
 pub(crate) struct Workspace<V> {
     pub(super) outcome: Vec<V>,
@@ -53,7 +51,7 @@ impl<V> Default for Scratch<V> {
     }
 }
 
-/// The scratch memory of a thread; `None` while it is in use, and before its first use.
+/// The scratch memory of a thread; `None` during use, and before the first use.
 pub(super) type ScratchCell<V> = Cell<Option<Box<Scratch<V>>>>;
 
 pub(super) type ScratchKey<V> = &'static LocalKey<ScratchCell<V>>;

@@ -1,7 +1,6 @@
 //! The step of a field at any ε, by a straight-line program or by elimination.
 //!
 //! In: a state, and registers that begin with the constants of the step. Out: the next state.
-//! Machine code is deliberately absent.
 
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::StepPlan;
@@ -20,8 +19,7 @@ use super::scratch::Workspace;
 #[derive(Debug)]
 pub(crate) struct Steps {
     first: Step,
-    /// A second formula of the step, for scalars or values of ε for which dividing by ε in `first`
-    /// loses accuracy.
+    /// A second formula of the step, for values of ε at which dividing by ε loses accuracy.
     general: Option<Step>,
     divides_by_eps: bool,
 }
@@ -42,8 +40,7 @@ impl Steps {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
-    /// Returns whether generated code over V rounds an increment before adding it. Generated code
-    /// does so in the general formula, if V is a scalar that rarely needs this formula.
+    /// Returns whether generated code over V rounds an increment before adding it.
     pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
         is_general && may_divide_by(&V::one())
     }
@@ -61,12 +58,10 @@ impl Steps {
 pub(crate) struct Step {
     /// The program that computes the constants of the step; `None` for a step that eliminates.
     prepared: Option<Line>,
-    /// The programs that read the state: the step's kernel; if the step eliminates, f′ and the
-    /// field.
+    /// The programs that read the state: the kernel of the step, or f′ and the field.
     lines: Vec<Line>,
     couplings: Option<EliminationPattern>,
-    /// For each component the indices, among the results, of numerator and reciprocal of the
-    /// increment. Elimination yields the increments themselves, without reciprocals.
+    /// For each component, the indices of the increment's numerator and reciprocal in the results.
     pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
@@ -103,14 +98,12 @@ impl Step {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
-    /// Returns whether states can be stepped in lanes. Elimination cannot, because it compares
-    /// numbers.
+    /// Returns whether the step runs in SIMD lanes. Elimination does not, because it branches.
     pub(crate) fn has_lanes(&self) -> bool {
         self.prepared.is_some()
     }
 
-    /// Appends the numbers that depend only on parameters and ε to `values_of`, before any state is
-    /// read.
+    /// Appends the numbers that depend only on parameters and ε to `given`.
     pub(crate) fn prepare<V: Scalar + Copy>(
         &self,
         constants: &[V],
@@ -138,11 +131,9 @@ impl Step {
 
     /// Advances a state by one step.
     ///
-    /// A nonempty `carry` holds the rounding errors of the state, updated as in
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry). `single` rounds a
-    /// state of single precision that was computed in double precision. `factor` factors A(x,ε) in
-    /// a step that eliminates; it is [`EliminationPattern::factor`], except when a program is
-    /// traced. If `factor` returns `false`, partial pivoting is used.
+    /// A nonempty `carry` holds the rounding errors of the state. `single` rounds a state of single
+    /// precision that was computed in double precision. `factor` factors A(x,ε); if `factor`
+    /// returns `false`, partial pivoting is used.
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -171,16 +162,14 @@ impl Step {
         Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
-    /// Replaces the row-major matrix B by A(x,ε)⁻¹B, using sparse elimination; returns `false` if
-    /// that fails.
+    /// Replaces the row-major matrix B by A(x,ε)⁻¹B; returns `false` if sparse elimination fails.
     pub(super) fn solves_columns<T: RuntimeFloat>(&self, constants: &[T], state: &[T], b: &mut [T]) -> bool {
         let Some((tables, mut factors)) = self.factors(constants, state) else { return false };
         (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
         true
     }
 
-    /// Returns whether det A(x,ε) < 0; `None` if the field has no sparse elimination, or a pivot is
-    /// small.
+    /// Returns whether det A(x,ε) < 0; `None` without sparse elimination, or if a pivot is small.
     pub(super) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> Option<bool> {
         let (tables, factors) = self.factors(constants, state)?;
         Some(tables.has_negative_determinant(&factors))
@@ -248,8 +237,7 @@ impl Step {
         outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
-    /// Returns numerator and reciprocal of an increment; if `rounds`, returns their product without
-    /// a reciprocal.
+    /// Returns the numerator and the reciprocal of an increment, or their product if `rounds`.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
         let (numerator, reciprocal) = self.quotients[i];
@@ -289,8 +277,7 @@ fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: 
     (*x, *carry) = (next, rest + lacks);
 }
 
-/// Adds an increment in double precision to an x of single precision; `carry` receives the rounding
-/// error.
+/// Adds an increment in double precision to an x of single precision.
 #[inline(always)]
 fn add_through_double<V: Scalar + Copy>(
     quotient: (V, Option<V>),

@@ -10,7 +10,7 @@ use super::floats::RuntimeFloat;
 #[derive(Debug)]
 pub(crate) struct Transposed<'a, T> {
     variables: usize,
-    /// The pattern of sparse elimination; `None` for fields without one.
+    /// The pattern of sparse elimination; `None` for fields that are eliminated densely.
     tables: Option<&'a EliminationPattern>,
     entries: Vec<(usize, usize)>,
     factors: Factors<T>,

@@ -7,10 +7,8 @@
 //!
 //! # Other maps
 //!
-//! Exact divisions check each prediction; [`common_factors`](super::reduction::common_factors)
-//! finds the common factors that remain. If [`PATIENCE`] contents in a row are negligible, the
-//! search for contents stops. It resumes when the common factors found for heights reach one per
-//! cent of the digits.
+//! If [`PATIENCE`] contents in a row are negligible, the search for contents stops. The search
+//! resumes when the common factors found for heights reach one per cent of the digits.
 
 use std::collections::VecDeque;
 
@@ -23,10 +21,9 @@ use super::reduction::in_halves;
 
 /// A content with less than 1/NEGLIGIBLE of the digits is negligible.
 const NEGLIGIBLE: usize = 100;
-/// The number of successive negligible contents after which the search stops.
+/// The number of successive negligible contents after which the search for contents stops.
 const PATIENCE: u32 = 3;
-/// The number of bits from which a gcd costs clearly more than the division that tests a
-/// prediction.
+/// The number of bits from which predicting a content pays.
 const WORTH_PREDICTING: usize = 1 << 13;
 const WORTH_A_THREAD: usize = 1 << 17;
 const LAGS: usize = 4;
@@ -40,14 +37,11 @@ pub(crate) struct PrimitivePoint {
 /// The predictor of contents along an orbit.
 ///
 /// Let γ be the content of the inverse step: F₋(X) = γX₋ for the inverse map F₋, the point X and
-/// the previous point X₋. A prime divides a content if the orbit modulo that prime meets a base
-/// point of the map, after a contraction a few steps earlier (singularity confinement). Between the
-/// two, the orbit met a base point of the inverse map, so that the prime divides an earlier γ. The
-/// lag is the number of steps back to this γ; it is constant along an orbit. For dE4 the content of
-/// a step from X_n is γ_{n−1} up to a few digits.
+/// the previous point X₋. By singularity confinement, a prime that divides a content also divides γ
+/// a few steps earlier. This number of steps, the lag, is constant along an orbit. For dE4 the
+/// content of a step from X_n is γ_{n−1} up to a few digits.
 ///
-/// The predictor finds the lag while numbers are short; later it tries gcd(γ, W̃) first. Computing
-/// γ costs one division, and the gcd is fast if γ is little longer than the content.
+/// The predictor finds the lag while numbers are short; later it tries gcd(γ, W̃) first.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContentPredictor {
     misses: u32,
@@ -55,15 +49,14 @@ pub(crate) struct ContentPredictor {
     behind: VecDeque<UBig>,
     /// The number of steps back to the γ that predicts a content; `None` while unknown.
     lag: Option<usize>,
-    /// The number of long steps to make without prediction: now, and after the next failure.
+    /// The number of long steps without prediction: now, and after the next failure.
     pause: u32,
     next_pause: u32,
     was_predicted: bool,
 }
 
 impl ContentPredictor {
-    /// Divides the point by its predicted or computed content. The caller then reports the common
-    /// factor that remains to [`left`](Self::left).
+    /// Divides the point by its predicted or computed content.
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> PrimitivePoint {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
@@ -128,8 +121,8 @@ impl ContentPredictor {
     }
 }
 
-/// Returns γ, the last coordinate of the inverse step divided by the previous W. Returns `None` if
-/// the division is not exact, which happens if the previous point was divided by a content.
+/// Returns γ, the last coordinate of the inverse step divided by the previous W, if γ is an
+/// integer.
 fn factor_of_step_back((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -143,8 +136,7 @@ pub(crate) fn longest(point: &[IBig]) -> usize {
     point.iter().map(bits).max().unwrap_or(0)
 }
 
-/// Returns the point divided by gcd(γ, W̃); `None` if the gcd has fewer than a quarter of γ's
-/// digits.
+/// Returns the point divided by gcd(γ, W̃); `None` if the gcd has few digits.
 fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     if gamma.is_zero() {
         return None;
@@ -159,8 +151,7 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// Returns the quotients of the coordinates by a common divisor; otherwise a nonzero remainder.
-/// Long divisions use two threads.
+/// Returns the quotients of the coordinates by a divisor; otherwise a nonzero remainder.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let halves = in_halves(point, |half| quotients_in_turn(half, divisor));

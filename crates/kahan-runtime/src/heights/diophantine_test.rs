@@ -14,11 +14,10 @@ pub struct DiophantineTest {
     pub heights: Vec<Heights>,
     /// The growth class of the component whose height rises most.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) of the component with the largest height at the last step n, if growth is
-    /// exponential; otherwise 0. The limit is the Diophantine entropy: log 2 for the Lotka–Volterra
-    /// map, log 3 for dE9.
+    /// log(h_n/h_{n−1}) at the last step n, for the component with the largest height; 0 unless
+    /// growth is exponential. The limit for large n is the Diophantine entropy.
     pub entropy: f64,
-    /// The reason why the orbit ended before the last step; `None` if it did not.
+    /// The reason why the orbit ended before the last step; `None` if all steps were made.
     pub stopped: Option<Stop>,
 }
 
@@ -30,9 +29,9 @@ impl DiophantineTest {
 
     /// Follows an orbit for `steps` steps, or until the clock shows `seconds`.
     ///
-    /// The duration of each step is estimated from the previous step. A step that would probably
-    /// end after `seconds` is not begun. If `clock` returns `None`, there is no time limit. `each`
-    /// receives the heights in order, h(x₀) first, and may end the orbit.
+    /// A step that would probably end after `seconds` is not begun. If `clock` returns `None`,
+    /// there is no time limit. `each` receives the heights in order, h(x₀) first, and may end the
+    /// orbit.
     pub fn within(
         orbit: &mut HeightsOrbit,
         steps: u64,
@@ -75,7 +74,7 @@ impl DiophantineTest {
         series(&self.heights, i)
     }
 
-    /// Returns the component with the greatest height at the last step; the first of several.
+    /// Returns the component with the greatest height at the last step, or the first of equal ones.
     #[must_use]
     pub fn largest(&self) -> usize {
         largest(&self.heights)

@@ -4,22 +4,28 @@ use std::fmt;
 
 /// The class of the growth of heights with the number of steps n.
 ///
-/// **Rule.** Let h₁ … h_N be the heights of the component that rises most from h₁ to h_N.
+/// # Rule
 ///
-/// 1. *bounded*: N ≥ 4 and no value of the second half exceeds the greatest of the first half. (An
-///    orbit over ℚ with bounded heights is finite, and therefore periodic in the end.)
-/// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values
-///    each, d₁, d₂, d₃ their first differences, and s₁, s₂ their second ones. Means damp
-///    fluctuations. If all d are positive, with ρ = d₃/d₂:
-///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1) and the least squares residual of a line in n is at most
-///    half that of a line in log n, or *logarithmic* in the opposite case, since otherwise noise
-///    hides the class; *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n:
-///    0.81); *quadratic* if ρ > 1.15 and 0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if
-///    ρ ≥ 1.5 and both orders of differences grow by one factor: d₃/d₂ ≥ 0.9 d₂/d₁ and
-///    s₂/s₁ ≥ 0.9 ρ.
-/// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and
-///    within 5 % of each other.
-/// 4. *undecided* otherwise.
+/// Let h₁ … h_N be the heights of the component that rises most.
+///
+/// The class is *bounded* if N ≥ 4 and the greatest height occurs in the first half.
+///
+/// For 4 ≤ N < 8, the class is otherwise *exponential* if each of the last three ratios h_n/h_{n−1}
+/// is at least 1.5. The ratios must agree within 5 %.
+///
+/// For N ≥ 8, take the means of the last four quarters of ⌊N/4⌋ heights. Let d₁, d₂, d₃ be the
+/// first differences of these means, and s₁, s₂ the second differences. If d₁, d₂, d₃ > 0, the
+/// first true row gives the class:
+///
+/// | class | condition |
+/// |---|---|
+/// | linear | 0.87 ≤ d₃/d₂ ≤ 1.15; a line in n has at most half the residual of a line in log n |
+/// | logarithmic | 0.87 ≤ d₃/d₂ ≤ 1.15; a line in log n has at most half the residual |
+/// | logarithmic | d₃/d₂ < 0.75, d₂/d₁ < 0.75, N ≥ 16 |
+/// | quadratic | d₃/d₂ > 1.15, 0.7 ≤ s₂/s₁ ≤ 1.3 |
+/// | exponential | d₃/d₂ ≥ 1.5, d₃/d₂ ≥ 0.9 d₂/d₁, s₂/s₁ ≥ 0.9 d₃/d₂ |
+///
+/// In all other cases the class is *undecided*.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
     /// h_n is bounded: the orbit is periodic, or a fixed point.
@@ -37,8 +43,7 @@ pub enum Growth {
 }
 
 impl Growth {
-    /// Returns the class of h₁, h₂, … by the [rule](Growth). Does not use h₀, which may be
-    /// arbitrary.
+    /// Returns the class of h₁, h₂, … by the [rule](Growth); h₀ is not used.
     #[must_use]
     pub fn of(heights: &[f64]) -> Self {
         let n = heights.len();
@@ -52,8 +57,7 @@ impl Growth {
         if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
     }
 
-    /// Compares least-squares lines in n and in log n, and chooses the one that fits clearly
-    /// better.
+    /// Chooses between least-squares lines in n and in log n, if one fits clearly better.
     fn of_lines(heights: &[f64]) -> Self {
         let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, libm::log));
         if 2.0 * linear <= logarithmic {

@@ -28,8 +28,7 @@ impl Arithmetic for Integers {
         a - b
     }
 
-    /// Uses the squaring algorithm for equal operands, which takes two thirds of the time of a
-    /// product.
+    /// Squares equal operands, which takes two thirds of the time of a product.
     fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
         if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
     }
@@ -79,8 +78,7 @@ pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Ration
     })
 }
 
-/// Returns the greatest common divisor; 0 if all values are 0. Starts with the two smallest values,
-/// since the other values can then be reduced modulo their gcd.
+/// Returns the greatest common divisor; 0 if all values are 0. Starts with the two smallest values.
 pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a IBig>) -> UBig {
     let mut values: Vec<&IBig> = values.into_iter().filter(|value| !value.is_zero()).collect();
     values.sort_by_key(|value| bits(value));

@@ -1,8 +1,7 @@
 //! Logarithms of big integers, accurate to the last digits of `f64`.
 //!
-//! If m has b bits, log m = b·log 2 + log(m/2ᵇ), where m/2ᵇ is taken from the top 128 bits. For m <
-//! 2⁵³ the logarithm of m as `f64` is taken, so that log 1 = 0. Otherwise b ≥ 54. The second term
-//! lies in [−log 2, 0], so that almost nothing of the first term cancels.
+//! If m has b bits, log m = b·log 2 + log(m/2ᵇ), where m/2ᵇ is taken from the top 128 bits. Below
+//! 2⁵³ the logarithm of m as `f64` is taken, so that log 1 = 0.
 
 use std::f64::consts::{LN_2, LN_10};
 
@@ -14,8 +13,7 @@ const LN_2_HIGH: f64 = f64::from_bits(LN_2.to_bits() & !0x1f_ffff);
 /// log 2 − [`LN_2_HIGH`], including the rounding error of the double `LN_2`.
 const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319_046_813_846_299_6e-17;
 
-/// Returns log m with an error below one unit in the last place. Returns 0 for m = 0, because 0 =
-/// 0/1 has the height 0.
+/// Returns log m with an error below one unit in the last place; 0 for m = 0.
 pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
     let bits = m.bit_len();
     if bits <= 53 {

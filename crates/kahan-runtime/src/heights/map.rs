@@ -1,10 +1,8 @@
 //! Kahan's map on projective integers (X₁ : … : X_n : W), which stand for the point xᵢ = σXᵢ/W.
 //!
 //! In: a system, values of its parameters, and ε. Out: steps without fractions. The reduced map is
-//! homogenised with W, and its denominators are cleared once. If it has too many terms,
-//! fraction-free elimination solves A x̃ = b over ℤ. A homogeneous field has the symmetry (x, ε) ↦
-//! (λx, ε/λ). With σ = 1/ε this symmetry removes ε from the equations, so that no power of ε
-//! lengthens the numbers.
+//! homogenised with W. If the reduced map has too many terms, fraction-free elimination solves A x̃
+//! = b over ℤ. For a homogeneous field σ = 1/ε, so that no power of ε lengthens the numbers.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -34,15 +32,14 @@ pub struct ProjectiveMap {
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// The reduced map, whose numerators are N₁ … N_n and whose denominator D has a monomial factor
-    /// m. The plan computes the forms N₁ … N_n and D/m, then the denominator D of the inverse map.
+    /// The reduced map, with numerators N₁ … N_n and a denominator D that has a monomial factor m.
+    /// The plan computes N₁ … N_n and D/m, then the denominator of the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
-    /// The plan of the n×n entries of A and the n entries of b, which are homogeneous of degree
-    /// one.
+    /// The plan of the entries of A and of b, which are forms of degree one.
     Elimination(Plan),
 }
 
-/// The result of a step before it is divided by its content, the common factor of its coordinates.
+/// The result of a step, before the common factor of its coordinates is divided out.
 #[derive(Clone, Debug)]
 pub(crate) struct Image {
     pub(crate) point: Vec<IBig>,
@@ -52,11 +49,10 @@ pub(crate) struct Image {
 }
 
 impl ProjectiveMap {
-    /// Prepares the map of `system` at ε, half the time step, and at parameter values, given in the
-    /// order of declaration.
+    /// Prepares the map of `system` at ε, half the time step. Parameter values have the order of
+    /// declaration.
     ///
-    /// The values are substituted *after* the reduction over ℚ(ε, parameters). A factor that
-    /// numerators and denominator have in common only at these values is not divided out.
+    /// The values are substituted *after* the reduction over ℚ(ε, parameters).
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
@@ -100,8 +96,8 @@ impl ProjectiveMap {
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
-    /// Returns the factor σ in xᵢ = σXᵢ/W. σ is 1/ε for a homogeneous field whose coefficients do
-    /// not depend on ε; otherwise 1.
+    /// Returns the factor σ in xᵢ = σXᵢ/W: 1/ε for a homogeneous field whose coefficients do not
+    /// depend on ε, and otherwise 1.
     #[must_use]
     pub fn unit(&self) -> &Rational {
         &self.unit
@@ -121,8 +117,7 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// Makes one step, and divides out a common factor if one is known; `factors` are the gcds of
-    /// Xᵢ and W. Cost: a few products of numbers as long as the coordinates.
+    /// Makes one step, and divides out a known common factor; `factors` are the gcds of Xᵢ and W.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {
@@ -166,8 +161,7 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// Returns, for the reduced map x̃ = x + 2εn/d, the polynomials xᵢd + 2εnᵢ and d as forms of
-    /// one degree.
+    /// Returns the polynomials xᵢd + 2εnᵢ and d as forms of one degree; x̃ = x + 2εn/d is the map.
     fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;
@@ -181,8 +175,7 @@ impl Values<'_> {
         self.homogeneous(&forms, degree)
     }
 
-    /// Returns the entries of A, row by row, and of b, as forms of degree one. In each row the
-    /// coefficients are coprime.
+    /// Returns A, row by row, and b, as forms of degree one with coprime coefficients in each row.
     fn linear_system(&self) -> Vec<Polynomial> {
         let (mut entries, mut right) = (Vec::new(), Vec::new());
         for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {
@@ -195,8 +188,7 @@ impl Values<'_> {
         entries
     }
 
-    /// Returns the polynomials as forms of this degree in the states and W, scaled so that
-    /// coefficients are coprime integers.
+    /// Returns the polynomials as forms in the states and W, with coprime integer coefficients.
     fn homogeneous(&self, polynomials: &[Polynomial], degree: u32) -> Vec<Polynomial> {
         let coefficients = || polynomials.iter().flat_map(|p| p.terms().map(|(_, coefficient)| coefficient));
         let multiple = IBig::from(common_denominator(coefficients()));

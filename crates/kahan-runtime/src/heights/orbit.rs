@@ -32,8 +32,7 @@ use super::report::{Heights, Stop};
 #[derive(Clone, Debug)]
 pub struct HeightsOrbit {
     map: ProjectiveMap,
-    /// The current point. The next fields hold gcd(Xᵢ, W) for each coordinate Xᵢ, and the previous
-    /// point.
+    /// The current point, then gcd(Xᵢ, W) for each coordinate Xᵢ, then the previous point.
     point: Vec<IBig>,
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
@@ -58,9 +57,8 @@ impl PointBits {
 }
 
 impl HeightsOrbit {
-    /// Begins the orbit of `system` from `start` at ε, half the time step, and at parameter values,
-    /// given in the order of declaration. Parameters are substituted after the reduction of the
-    /// map.
+    /// Begins the orbit of `system` from `start` at ε, half the time step. Parameter values have
+    /// the order of declaration.
     ///
     /// # Errors
     /// [`UndefinedField`] if the field divides by zero at the parameters.
@@ -91,8 +89,7 @@ impl HeightsOrbit {
         }
     }
 
-    /// Sets a bound: the orbit ends before a numerator or denominator has more than `max_digits`
-    /// decimal digits.
+    /// Ends the orbit before a numerator or denominator has more than `max_digits` decimal digits.
     #[must_use]
     pub fn within_digits(self, max_digits: u64) -> Self {
         HeightsOrbit { max_digits: Some(max_digits), ..self }
@@ -110,8 +107,8 @@ impl HeightsOrbit {
         &self.map
     }
 
-    /// Returns the point whose heights were yielded last, in lowest terms; before the first yield,
-    /// returns x₀. Cost: for each component a gcd, two divisions, and a conversion to [`Rational`].
+    /// Returns the point whose heights were yielded last, in lowest terms; x₀ before the first
+    /// yield.
     #[must_use]
     pub fn point(&self) -> Vec<Rational> {
         self.map.coordinates(&self.point)
@@ -157,8 +154,7 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Returns an error if the next step would have more than twice the allowed digits, assuming
-    /// that digits grow as in the last step.
+    /// Returns an error if the next step is expected to have more than twice the allowed digits.
     pub(super) fn check_expected_digits(&self) -> Result<(), Stop> {
         let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
         match self.max_digits {
@@ -167,8 +163,7 @@ impl HeightsOrbit {
         }
     }
 
-    /// Estimates the ratio of the next step's time to the last step's time, as the squared growth
-    /// factor of digits.
+    /// Estimates the time of the next step, relative to the last step.
     pub(super) fn slowdown(&self) -> f64 {
         self.bits.growth().powi(2)
     }

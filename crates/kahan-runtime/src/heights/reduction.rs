@@ -1,10 +1,8 @@
 //! The gcd(Xᵢ, W) of each coordinate with W, which heights need at every step.
 //!
-//! The gcds are seldom large. If they are small, one long gcd is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P)
-//! for P = gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P divides W. A coordinate that has a
-//! large factor in common with W would make P as long as W, so it is left out of the product. Its
-//! own gcd is fast, since the quotients are short. If a coordinate has a large common factor at one
-//! step, it has one at every step. Long lists are divided between two threads.
+//! If the gcds are small, one long gcd is enough: gcd(Xᵢ, W) = gcd(Xᵢ, P) for P = gcd(W, ∏Xᵢ mod
+//! W). Coordinates with a large gcd would make P long, so they are left out of the product. A
+//! coordinate with a large gcd at one step has a large gcd at every step.
 
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -17,16 +15,13 @@ const LONG: usize = 1 << 16;
 /// The number of bits of W from which large gcds are predicted.
 const WORTH_GUESSING: usize = 1 << 10;
 
-/// A common factor of a coordinate and W counts as large if it has at least 1/MUCH of the digits of
-/// W.
+/// A common factor is large if it has at least 1/MUCH of the digits of W.
 const MUCH: usize = 8;
 
 /// Returns gcd(Xᵢ, W) for each i; W must not be 0.
 ///
 /// `parts` are factors whose product is W, or empty. `before` are the gcds of the previous point,
-/// or empty; they predict which gcds are large. The cost is one long gcd if all results are short,
-/// and a further gcd for each long result. If `parts` are given, several shorter gcds replace the
-/// long gcd.
+/// which predict large gcds, or empty.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {
@@ -70,8 +65,7 @@ fn each_with(x: &[IBig], weight: &UBig, shared: &UBig) -> Vec<UBig> {
     x.iter().map(|x| factor_of(x, weight, shared)).collect()
 }
 
-/// Returns gcd(Xᵢ, W); `shared` is a divisor P of W and a multiple of gcd(Xᵢ, W), so that gcd(Xᵢ,
-/// P) suffices.
+/// Returns gcd(Xᵢ, W); `shared` divides W, and gcd(Xᵢ, W) divides `shared`.
 fn factor_of(x: &IBig, weight: &UBig, shared: &UBig) -> UBig {
     match x {
         x if x.is_zero() => weight.clone(),

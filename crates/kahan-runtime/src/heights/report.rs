@@ -22,15 +22,11 @@ impl Heights {
 /// The reason why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last point is a pole. In the reduced map W = 0; in a map that is not reduced, det A = 0.
+    /// The last point is a pole: W = 0, or det A = 0 in a map that is not reduced.
     Pole,
-    /// The next point exceeds the bound of [`within_digits`]. Or: it would have more than twice as
-    /// many digits as the bound, if digits grew as in the last step.
-    ///
-    /// [`within_digits`]: super::HeightsOrbit::within_digits
+    /// The next point exceeds the bound of [`within_digits`](super::HeightsOrbit::within_digits),
+    /// or is expected to exceed twice this bound.
     Digits,
-    /// The next point would exceed the time limit of
-    /// [`DiophantineTest::within`](super::DiophantineTest::within), or the callback ended the
-    /// orbit.
+    /// The next point would exceed the time limit, or the callback ended the orbit.
     Seconds,
 }

@@ -7,8 +7,7 @@
 //! # Gain
 //!
 //! Few long products remain, and the lowest power of g in all forms is divided out at no cost. The
-//! gcd of g with the terms N₀ divides the result, too. For dE7 this gcd is g up to a few digits,
-//! and it is found quickly, since the quotients are short.
+//! gcd of g with the terms N₀ divides the result, too. For dE7 this gcd is g up to a few digits.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -23,7 +22,7 @@ const LONG: usize = 1 << 12;
 #[derive(Clone, Debug)]
 pub(crate) struct Splits {
     forms: Vec<Polynomial>,
-    /// The split that was used last; an orbit seldom changes it.
+    /// The last split; orbits seldom change the split.
     last: Option<Split>,
 }
 
@@ -42,8 +41,7 @@ impl Splits {
         Splits { forms, last: None }
     }
 
-    /// Returns the image of a point, divided by a known common factor; `None` if no coordinate is
-    /// short.
+    /// Returns the image of a point, divided by a known factor; `None` if no coordinate is short.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
         let size = point.last().map(bits).filter(|size| *size >= LONG)?;
         let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
@@ -86,8 +84,7 @@ impl Split {
             .zip(&self.is_short)
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
-        // The quotients and remainders of all terms N₀ by g; the other terms Nⱼ count as
-        // remainders.
+        // Divides the terms N₀ by g; the other terms Nⱼ count as remainders.
         let divisor = IBig::from(g.clone());
         let divided =
             |(part, &j): (IBig, &usize)| if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) };

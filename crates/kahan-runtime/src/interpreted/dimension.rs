@@ -1,8 +1,7 @@
 //! One type for run-time systems of up to [`LARGEST_DIMENSION`] variables.
 //!
 //! Generic code is compiled for the largest dimension; smaller systems are padded with constant
-//! variables ([`Map::as_padded_kahan_map`]). A type for each dimension would take eight times as
-//! long to compile. Padding does not slow interpreted steps.
+//! variables ([`Map::as_padded_kahan_map`]). A type for each dimension would multiply compile time.
 
 use kahan_core::Scalar;
 

@@ -1,9 +1,8 @@
 //! A run-time system as a map over any scalar, with the traits that generated code implements.
 //!
-//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) which computes the same
-//! bits as generated code. Code that is generic over maps (orbits, compositions, the step with an
-//! error bound) thus accepts fields from the command line. Interpretation is several times slower
-//! than generated code.
+//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap) with the bits of generated
+//! code. Code that is generic over maps thus accepts run-time fields, several times slower than
+//! compiled fields.
 
 mod dimension;
 mod map;
@@ -61,8 +60,7 @@ impl<const N: usize> Interpreted<BigRational, N> {
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// Wraps the map of a field that is defined at these parameters; N is at least the field's
-    /// dimension.
+    /// Wraps a field that is defined at these parameters and has at most N variables.
     pub(crate) fn of(engine: &Arc<Engine>, parameters: Arc<[T]>) -> Self {
         Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
@@ -142,8 +140,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.parameters.iter().chain([eps]).cloned()
     }
 
-    /// Runs a program and passes its results to `see`; programs that do not depend on ε ignore
-    /// `eps`.
+    /// Runs a program and passes its results to `see`.
     ///
     /// # Panics
     /// For exact scalars, at a division by zero.
@@ -156,8 +153,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 type Registers<T> = SmallVec<[T; 64]>;
 
-/// Resizes the registers and returns them as a slice, so that code checks only once whether they
-/// are on the stack or on the heap.
+/// Returns the resized registers as a slice, so that their place in memory is looked up once.
 #[inline]
 fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
     registers.resize(size, T::zero());

@@ -11,8 +11,7 @@ use super::{Interpreted, Registers, sized};
 
 /// The step of an [`Interpreted`] system at one ε: the constants and the kernel of the step.
 ///
-/// The associated constant `COST` is the cost of elimination, because a type cannot depend on the
-/// system; use [`Interpreted::cost`] instead.
+/// The associated constant `COST` is the cost of elimination; use [`Interpreted::cost`] instead.
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,

@@ -1,8 +1,7 @@
 //! A family at one ε, for chains of one length.
 //!
 //! In: a state, site by site, with the arrays interleaved. Out: the next state in place of the old
-//! one, linear integrals, and the modified energy. Steps use preallocated memory, or the caller's
-//! workspace.
+//! one, linear integrals, and the modified energy.
 
 use std::sync::Arc;
 
@@ -118,9 +117,8 @@ impl ChainAt {
         Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
-    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map preserves if H has a degree of at
-    /// most three. `None` if the family has no Hamiltonian H. Cost: one step, since x̃ − x = 2ε A⁻¹
-    /// f, and a copy of the state.
+    /// Returns H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x) for the Hamiltonian H; `None` without H. The map
+    /// preserves this energy if H has a degree of at most three.
     ///
     /// # Errors
     /// [`DimensionError`] for a state of another length.
@@ -134,8 +132,7 @@ impl ChainAt {
     }
 }
 
-/// Steps use the memory of the workspace, so that threads can share a chain. A state of the wrong
-/// length causes a panic.
+/// A state of the wrong length causes a panic.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

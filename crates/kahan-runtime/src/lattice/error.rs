@@ -21,7 +21,7 @@ pub enum LatticeError {
     Values {
         /// The name of the parameter.
         name: String,
-        /// The number of its values.
+        /// The number of values found.
         found: usize,
         /// The number of sites; `None` for a parameter of the whole chain.
         sites: Option<usize>,

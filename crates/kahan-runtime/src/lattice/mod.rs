@@ -1,10 +1,8 @@
 //! Families read at run time, as maps of chains with any number of sites.
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
-//! and parameters. Out: steps in `f64`. The program of a site is interpreted for many sites at
-//! once; the linear solver is the one of compiled families. Results have the bits of compiled
-//! families, with one exception: long chains whose stencil is missing in the solver's
-//! [`StencilMenu`] are eliminated as a whole.
+//! and parameters. Out: steps in `f64`, with the bits of compiled families. One exception: long
+//! chains whose stencil is missing in the solver's [`StencilMenu`] are eliminated as a whole.
 
 mod at;
 mod error;
@@ -40,12 +38,11 @@ struct LatticeCode {
     boundary: core::Boundary,
     /// The program that computes the prepared constants from the parameters of the chain and ε.
     constants: Line,
-    /// The numbers in the equations; in memory they follow the prepared constants.
+    /// The numbers in the equations, which follow the prepared constants in memory.
     literals: Vec<Literal>,
     /// The program that computes the field, one result for each array, and then the rows of A.
     rows: Program,
-    /// The program that computes the densities of the integrals, and then the density of the
-    /// Hamiltonian.
+    /// The program that computes the densities of the integrals, then of the Hamiltonian.
     sums: Program,
     /// The indices of the entries of A that may differ from 0.
     entries: Vec<usize>,

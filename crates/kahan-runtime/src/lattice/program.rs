@@ -1,8 +1,7 @@
 //! The straight-line program of a site, run over one scalar or for several sites in SIMD lanes.
 //!
 //! In: a plan. Out: its results, in the first registers. Operations and their order are those of
-//! the plan, so that bits equal those of a compiled family. In SIMD lanes, an instruction is
-//! decoded once for the [`ROOM`] numbers of consecutive sites.
+//! the plan, so that bits equal those of a compiled family.
 
 use kahan_algebra::plan::{Input, Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
@@ -12,17 +11,17 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// The number of sites for which an instruction is decoded once; a multiple of the number of lanes
-/// of every instruction set.
+/// The number of sites for one decoded instruction; a multiple of the lanes of all instruction
+/// sets.
 const ROOM: usize = 128;
 
 #[derive(Debug)]
 pub(super) struct Program {
     instructions: Vec<Instruction>,
-    /// The number of results. The results occupy the first registers, which no other value uses.
+    /// The number of results, which alone occupy the first registers.
     results: usize,
     registers: usize,
-    /// The number of arrays; the field `parameters` is the number of parameters of a site.
+    /// The number of arrays in a site.
     block: usize,
     parameters: usize,
     reach: usize,
@@ -31,9 +30,9 @@ pub(super) struct Program {
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     kind: Kind,
-    /// The register of the result; it is different from all operands.
+    /// The register of the result, different from all operands.
     to: usize,
-    /// The operands. An instruction with fewer than three operands repeats its last one.
+    /// The operands. An instruction with fewer than three operands repeats the last operand.
     operands: [Operand; 3],
     /// The positions of the operands in the memory that holds several sites.
     places: [OperandOffset; 3],
@@ -73,12 +72,12 @@ pub(super) struct Numbering<'a> {
     pub(super) block: usize,
     pub(super) stencil: usize,
     pub(super) site_parameters: usize,
-    /// The number of prepared constants; in memory, the plan's literals follow them.
+    /// The number of prepared constants, which the plan's literals follow in memory.
     pub(super) prepared: usize,
 }
 
 impl Program {
-    /// Compiles a plan whose results go to the registers `places`; all are below `results`.
+    /// Compiles a plan. The results go to the registers `places`, which are below `results`.
     pub(super) fn of(
         plan: &Plan,
         places: impl IntoIterator<Item = usize>,
@@ -156,9 +155,8 @@ impl Program {
         self.instructions.push(Instruction { kind, to, operands, places });
     }
 
-    /// Returns the position of an operand. Registers come first, with [`ROOM`] numbers each. Inputs
-    /// follow, one array or parameter after the other, so that the next site is one register of
-    /// lanes further. Constants come last, with `ROOM` numbers each.
+    /// Returns the position of an operand. Registers come first and constants last, with [`ROOM`]
+    /// numbers each. Between them come inputs, one array or parameter after the other.
     fn place(&self, operand: Operand) -> OperandOffset {
         let (numbers, registers) = match operand {
             Operand::Register(k) => (k * ROOM, 0),
@@ -205,8 +203,7 @@ impl Program {
         }
     }
 
-    /// Returns the program's results at the next site; computes several sites at once when none is
-    /// left.
+    /// Returns the results at the next site; computes several sites at once.
     #[inline(always)]
     pub(super) fn line<L: Lanes<f64>, const B: usize, const C: usize, const SITES: usize>(
         &self,
@@ -252,8 +249,7 @@ impl Program {
 }
 
 impl Numbering<'_> {
-    /// Returns the operand of an input. Symbols count site parameters after the states, one
-    /// parameter after the other; operands count them site by site.
+    /// Returns the operand of an input.
     fn operand(&self, symbol: Symbol) -> Operand {
         let states = self.stencil * self.block;
         match symbol {
@@ -290,8 +286,7 @@ impl OverLanes<f64> for Run<'_> {
             for index in 0..count {
                 let to = &mut self.numbers[program.array(array + index)..];
                 let from = &gathered[(site - program.reach) * count * width..];
-                // The last stencils may reach beyond the end of the chain; results of those sites
-                // are never read.
+                // The last stencils may reach beyond the chain; results there are never read.
                 let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
                 for site in 0..seen {
                     for register in 0..width / L::WIDTH {
@@ -305,8 +300,7 @@ impl OverLanes<f64> for Run<'_> {
         for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * ROOM);
             let (result, after) = rest.split_at_mut(ROOM);
-            // This is a macro, because closures may not be compiled with the level's instruction
-            // set.
+            // A macro is used, because closures may be compiled without the level's instructions.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(

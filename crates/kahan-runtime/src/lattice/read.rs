@@ -15,8 +15,7 @@ pub(super) struct RuntimeFamily {
     pub(super) site_parameters: Arc<[Vec<f64>]>,
 }
 
-/// Names and sizes are known at run time, so the constants of the trait are placeholders. Callers
-/// ask for the energy only if the family has a Hamiltonian.
+/// Names and sizes are known at run time, so the constants of the trait are placeholders.
 impl LatticeMap<f64> for RuntimeFamily {
     const ARRAYS: &'static [&'static str] = &[];
     const REACH: usize = 0;

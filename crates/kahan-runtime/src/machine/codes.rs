@@ -1,7 +1,6 @@
 //! The machine code of a field, compiled at first use and shared by all maps of the field.
 //!
-//! In: an engine and a kind of step. Out: code from the tables of [`Codes`], or `None` if it cannot
-//! be compiled; the interpreter then does the work.
+//! In: an engine and a kind of step. Out: code, or `None` if compilation fails.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -14,15 +13,13 @@ use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
 use super::{GroupKind, StepKind, programs};
 
-/// Whether machine code can run. Without the feature `jit` no program is traced, and the binary
-/// contains neither the compiler nor the tracing numbers.
+/// Whether machine code can run; without the feature `jit`, the binary contains no compiler.
 const CAN_RUN: bool = cfg!(feature = "jit");
 
 /// The number of steps that a field makes before the code of an elimination is compiled. Compiling
-/// pays after some 300 steps for 9 dense variables, 2000 for 40 sparse ones (13 000 operations),
-/// and 7000 for 50 sparse ones (28 000 operations).
+/// pays after some 300 steps for 9 dense variables, and after 7000 for 50 sparse ones.
 const STEPS_BEFORE_CODE: u64 = 256;
-/// The number of operations of a step that delays the compilation by one further step.
+/// Compilation waits one further step for each group of this many operations in a step.
 const OPERATIONS_A_STEP: u64 = 8;
 
 /// The code for each key; `None` if compilation failed.
@@ -81,8 +78,7 @@ enum StepCode<T> {
 
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
-    /// The code that computes the constants of a step from parameters and ε, for one register of
-    /// trajectories.
+    /// The code that computes the constants of a step for one register of trajectories.
     constants: Function<T>,
     shared: Sweep<T>,
     own: Sweep<T>,
@@ -90,16 +86,14 @@ pub(crate) struct ColumnsCode<T> {
 }
 
 impl Codes {
-    /// Returns the number of operations of a step, if the step eliminates; `engine` owns this
-    /// table.
+    /// Returns the number of operations of a step that eliminates; `None` for other steps.
     pub(super) fn operations(&self, engine: &Engine) -> Option<u32> {
         *self
             .operations
             .get_or_init(|| Some(engine.derived.couplings()?.cost(engine.derived.field()).operations))
     }
 
-    /// Counts further steps, and returns whether compiling pays. For a straight-line step it always
-    /// pays.
+    /// Counts further steps, and returns whether compiling pays; always for a straight-line step.
     pub(crate) fn is_worth_compiling(&self, steps: u64, engine: &Engine) -> bool {
         let Some(operations) = self.operations(engine) else { return true };
         let needed = STEPS_BEFORE_CODE + u64::from(operations) / OPERATIONS_A_STEP;
@@ -130,8 +124,8 @@ impl Codes {
         })
     }
 
-    /// Returns the code of points in lanes, each with its own constants; `None` if it cannot be
-    /// compiled.
+    /// Returns the code of points in lanes, each with its own constants; `None` if compilation
+    /// fails.
     pub(crate) fn group_code<T: MachineFloat>(
         &self,
         engine: &Engine,
@@ -149,7 +143,7 @@ impl Codes {
         })
     }
 
-    /// Returns the code of an object, without fused multiply-adds; `None` if it cannot be compiled.
+    /// Returns the code of an object, without fused multiply-adds; `None` if compilation fails.
     pub(crate) fn function<T: MachineFloat>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
         if !CAN_RUN {
             return None;
@@ -185,17 +179,13 @@ impl<T: MachineFloat> OrbitCode<T> {
         matches!(self.step, StepCode::Loops(_))
     }
 
-    /// Returns whether a guard follows the numbers of a state. A guard is a number, initially 0,
-    /// that shows whether steps must be repeated.
-    ///
-    /// The guard is at most [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while each
-    /// step has the interpreter's operations or leads to a nonfinite number.
+    /// Returns whether a number, the guard, follows the numbers of a state. Steps must be repeated
+    /// if the guard exceeds [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR).
     pub(crate) fn is_guarded(&self) -> bool {
         self.is_guarded
     }
 
-    /// Writes the state one step later into `next`; `stages` are those of
-    /// [`advance`](Self::advance).
+    /// Writes the state one step later into `next`.
     pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
         match &self.step {
             StepCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
@@ -227,8 +217,7 @@ impl<T: MachineFloat> ColumnsCode<T> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
         let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
         Some(ColumnsCode {
-            // Constants are computed without fused multiply-adds, since each operation is rounded
-            // once.
+            // Constants are computed with separate roundings, so multiply-adds are not fused.
             constants: Function::compile(&prepared, Shape { fuses: false, ..shape }).ok()?,
             shared: Sweep::compile(&program, shape, Constants::Shared).ok()?,
             own: Sweep::compile(&program, shape, Constants::Own).ok()?,

@@ -1,10 +1,9 @@
 //! Double-double arithmetic as a program of doubles. Without overflow and underflow, the program
 //! has the operations of [`Dd`](kahan_core::Dd) in their order.
 //!
-//! The program does not branch. Some operations are correct only if sizes are moderate, that is far
-//! from overflow and underflow. These operations check the sizes by adding to a guard, which is 0
-//! while all sizes are moderate, and NaN after the first exception. The caller checks the guard
-//! from time to time; if it is not 0, the interpreter repeats the steps.
+//! The program does not branch. Some operations are correct only far from overflow and underflow. A
+//! guard, a number that begins at 0, becomes NaN after the first operation on other sizes. If the
+//! guard is not 0, the interpreter repeats the steps.
 
 use core::ops::Neg;
 use std::cell::RefCell;
@@ -47,7 +46,7 @@ pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) 
         let mut results: Vec<Double> =
             compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::input(Input::State(results.len()));
-        // The notes have a sum of their own, so that this sum need not wait for the previous step.
+        // The checks are summed separately, so that their sum does not wait for the previous step.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
         results.push(noted.map_or(guard, |noted| guard + noted));
         Some(results)
@@ -74,8 +73,7 @@ fn note_moderate(a: Double, inverse: Double) {
     guard_below(inverse, 1024 - DIVISORS);
 }
 
-/// Sets the guard to NaN unless |leading| < 2^1022, which leaves room for the lower terms of the
-/// sum.
+/// Sets the guard to NaN unless |leading| < 2^1022.
 fn guard_headroom(leading: Double) {
     guard_below(leading, 1024 - 1022);
 }
@@ -94,8 +92,7 @@ fn fast_two_sum(a: Double, b: Double) -> Pair {
     Pair { high, low: b - (high - a) }
 }
 
-/// Returns a·b and the rounding error of the product, by a fused multiply-add or by splitting
-/// (Dekker).
+/// Returns a·b and its rounding error, by a fused multiply-add or by splitting (Dekker).
 fn two_product(a: Double, b: Double) -> (Double, Double) {
     let product = a * b;
     if fuses() {

@@ -10,8 +10,7 @@ pub(crate) struct StepKind {
     /// The precision of the state, and the precision in which a step is computed.
     pub(crate) precision: Precision,
     pub(crate) compensated: bool,
-    /// Whether the step uses the formula that is valid for every scalar and every ε. Otherwise it
-    /// uses the formula for single orbits at ordinary ε.
+    /// Whether the step uses the formula that is valid for every scalar and every ε.
     pub(crate) is_general: bool,
     pub(crate) rounds_increments: bool,
     pub(crate) fuses: bool,
@@ -30,8 +29,7 @@ pub(crate) struct TangentKind {
     /// The kind of the step, either of the point or of the variational field.
     pub(crate) kind: StepKind,
     /// Whether `kind` is a step of the variational field. If not, the program of
-    /// [`Object::Tangent`](crate::engine::Object) propagates vectors. The constants of that program
-    /// are the parameters and ε; they follow the constants of the step.
+    /// [`Object::Tangent`](crate::engine::Object) propagates vectors.
     pub(crate) is_variational: bool,
     pub(crate) vectors: usize,
     pub(crate) has_squares: bool,

@@ -23,8 +23,8 @@ impl StepKind {
     /// of the step. `None` for a step that branches, and for compensated double-double.
     ///
     /// A state is x₁, …, xₙ; a compensated state has n rounding errors after it. In double-double
-    /// each xᵢ is two numbers, the high one first, and the guard of
-    /// [`double_double`](super::double_double) comes last.
+    /// each xᵢ is two numbers, the high one first, and a last number shows whether the result is
+    /// valid.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
@@ -48,13 +48,9 @@ impl StepKind {
         }
     }
 
-    /// Returns the program of a step that eliminates. The constants are the parameters and ε; the
-    /// last number is a guard. The guard is at most [`LARGEST_FACTOR`] while the interpreter
-    /// accepts all pivots and all numbers are finite. Returns `None` in double-double, if
-    /// multiply-adds differ from those of this build, and for more than [`MOST_OPERATIONS`]
-    /// operations.
-    ///
-    /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
+    /// Returns the program of a step that eliminates. The last result is at most
+    /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) while all pivots are accepted and
+    /// all numbers are finite.
     fn eliminating<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         if !self.has_eliminating_code(engine) {
             return None;
@@ -88,9 +84,8 @@ impl StepKind {
         })
     }
 
-    /// Returns whether a step that eliminates can be compiled. Compiling needs a supported
-    /// processor, one float for each number, multiply-adds as in this build, and at most
-    /// [`MOST_OPERATIONS`] operations.
+    /// Returns whether a step that eliminates can be compiled. Double-double, and more than
+    /// [`MOST_OPERATIONS`] operations, prevent this.
     pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
         InstructionSet::best().is_some()
             && self.precision != Precision::DoubleDouble
@@ -122,9 +117,8 @@ impl StepKind {
 }
 
 impl TangentKind {
-    /// Returns the program of a point with tangent vectors after it; `None` for a step that
-    /// branches. If squared lengths are requested, they follow as states that are written but not
-    /// read.
+    /// Returns the program of a point, of tangent vectors after it, and of their squared lengths if
+    /// requested. `None` for a step that branches.
     pub(super) fn program<T: MachineFloat>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.kind.is_general);
         let n = engine.dimension() / if self.is_variational { 2 } else { 1 };
@@ -157,8 +151,7 @@ impl TangentKind {
     }
 }
 
-/// Returns the tangent vector at the next point, from a state as in [`Object::Tangent`]. The
-/// constants of the step come before the parameters and ε.
+/// Returns the tangent vector at the next point, from a state as in [`Object::Tangent`].
 fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]) -> Option<Vec<Traced<T>>> {
     let [prepared, _] = engine.steps().form(kind.is_general).lines()?;
     let (line, first) = (engine.line(Object::Tangent)?, prepared.outputs());
@@ -167,8 +160,7 @@ fn tangent<T: MachineFloat>(engine: &Engine, kind: StepKind, state: &[Traced<T>]
     Some(traced::unfused(|| results(line, &constants.collect::<Vec<_>>(), state)))
 }
 
-/// Returns the program that computes an object from a state; `None` unless the object has a
-/// straight-line program.
+/// Returns the program that computes an object with a straight-line program from a state.
 pub(super) fn object<T: MachineFloat>(object: Object, engine: &Engine) -> Option<Program> {
     traced::program(|| {
         let n = engine.dimension();

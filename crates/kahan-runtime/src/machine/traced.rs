@@ -1,5 +1,5 @@
-//! A number that records its operations. If the interpreter runs over [`Traced`] numbers, it writes
-//! the program of its own operations in their order.
+//! A number that records its operations. An interpreter that runs over [`Traced`] numbers writes
+//! the program of its own operations.
 
 use core::ops::Neg;
 use std::cell::{Cell, RefCell};
@@ -19,8 +19,7 @@ thread_local! {
     static IS_UNFUSED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `compute`, and records each of its multiply-adds as two operations, even in a program that
-/// fuses.
+/// Runs `compute`, and records each multiply-add as a product and a sum.
 pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
     IS_UNFUSED.set(true);
     let result = compute();
@@ -28,8 +27,7 @@ pub(super) fn unfused<R>(compute: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Returns the program that computes the numbers that `compute` returns; `None` if `compute`
-/// returns `None`.
+/// Returns the program that computes the numbers returned by `compute`.
 pub(super) fn program<T>(compute: impl FnOnce() -> Option<Vec<Traced<T>>>) -> Option<Program> {
     OPERATIONS.take();
     let outputs = compute()?.into_iter().map(|number| number.place).collect();
@@ -83,8 +81,7 @@ impl<T> Traced<T> {
         if let Constant(number) = self.operation() { Some(number.value()) } else { None }
     }
 
-    /// Returns the node a with self = −a, if it is known. The bits of b − a then equal those of b +
-    /// self.
+    /// Returns the node a with self = −a, if it is known.
     fn negated(self) -> Option<Node> {
         if let Negate(inner) = self.operation() { Some(inner) } else { None }
     }

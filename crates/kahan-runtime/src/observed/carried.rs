@@ -1,9 +1,8 @@
 //! Observation of a group of orbits whose points and tangent vectors advance by machine code.
 //!
-//! In: maps, points, and observers that do not need every point. Out: points and reports, equal to
-//! those of single orbits bit for bit. The code makes [`PAUSE`] steps in one call; observers that
-//! are due then read their vectors. If an orbit has left the range of floats, the steps of the last
-//! call are repeated one by one for this orbit.
+//! In: maps, points, and observers that do not need every point. Out: points and reports with the
+//! bits of single orbits. The code makes [`PAUSE`] steps in one call; between calls, observers read
+//! the vectors.
 
 use core::array::from_fn;
 use std::ops::ControlFlow;
@@ -16,8 +15,7 @@ use crate::{End, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 /// The largest number of columns of a group: those of the points, and of three tangent vectors.
 const MOST_COLUMNS: usize = 4 * MOST;
 
-/// Follows a group of orbits by machine code. If this is not possible, does nothing and returns
-/// `false`.
+/// Follows a group of orbits by machine code, or does nothing and returns `false`.
 pub(super) fn has_carried<T: MachineFloat, O: Observer<T>>(
     maps: [&MapAt<T>; GROUP],
     points: &mut RuntimeGroup<T>,

@@ -2,7 +2,7 @@
 //!
 //! In: maps, first points, and a list of observables. Out: the observed values, in the order of the
 //! list. The loops are instantiated in this crate, beside the steps that they call. In another
-//! compilation unit they would take up to twice the time.
+//! compilation unit, the loops would take up to twice the time.
 
 mod carried;
 mod observable;
@@ -62,11 +62,10 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Followed<Vec<ObservedValue>>, DimensionError>;
 
-    /// Observes many orbits, in SIMD lanes where machine code supports this.
+    /// Observes many orbits, in SIMD lanes if machine code exists.
     ///
     /// Orbit k has the map `maps[k]`; column c of `starts` holds variable c of all first points.
-    /// The numbers equal those of [`observe_one`](Self::observe_one). If `tell` stops the work,
-    /// they are meaningless.
+    /// The numbers equal those of [`observe_one`](Self::observe_one), unless `tell` stops the work.
     ///
     /// # Errors
     /// [`DimensionError`] for columns whose lengths do not fit the maps or each other.

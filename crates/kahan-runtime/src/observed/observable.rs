@@ -1,7 +1,5 @@
-//! Descriptions of observables (name, table columns, position in results and charts), and the
-//! conversion of observed values into numbers for the columns.
-//!
-//! The list of observables, with their observers, is in `running.rs`.
+//! The names, columns and labels of observables, and the observed values as numbers for the
+//! columns.
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, RotationNumber};
 
@@ -12,8 +10,7 @@ use crate::PassedPoleCount;
 pub(super) struct ObservableInfo {
     pub(super) name: &'static str,
     of: ColumnScope,
-    /// The names of the columns and their meanings; `{}` stands for a variable, an integral or a
-    /// number.
+    /// The names of the columns and their meanings; `{}` stands for a variable, integral or number.
     columns: &'static [(&'static str, &'static str)],
     follows: ObservedPart,
     is_usual: bool,
@@ -21,13 +18,13 @@ pub(super) struct ObservableInfo {
     is_logarithmic: bool,
 }
 
-/// The items for each of which an observable has columns.
+/// The items that have columns: the orbit, each variable, each integral, or each number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ColumnScope {
     Orbit,
     Variables,
     Integrals,
-    /// The numbers from 1 to the number of variables; each has columns.
+    /// The numbers from 1 to the number of variables.
     Numbers,
 }
 
@@ -100,8 +97,7 @@ impl Observable {
         Self::ALL.iter().copied().find(|one| one.name() == name)
     }
 
-    /// Returns the observable called `name`, or otherwise the observable that has a column called
-    /// `name`.
+    /// Returns the observable called `name`, or otherwise the one with a column called `name`.
     #[must_use]
     pub fn of_column(name: &str) -> Option<Self> {
         let is_its = |(column, _): &(&str, &str)| match column.split_once("{}") {
@@ -124,16 +120,15 @@ impl Observable {
         self.about().name
     }
 
-    /// Returns the name in results. For an observable of the whole orbit, it is the name of the
-    /// first column.
+    /// Returns the name in results; for an observable of the whole orbit, the name of its first
+    /// column.
     #[must_use]
     pub fn key(self) -> &'static str {
         let ObservableInfo { name, of, columns, .. } = self.about();
         if of == ColumnScope::Orbit { columns[0].0 } else { name }
     }
 
-    /// Returns whether the observable needs tangent vectors; in a lifted field these are in the
-    /// original variables.
+    /// Returns whether the observable needs tangent vectors.
     #[must_use]
     pub fn is_of_tangent_vectors(self) -> bool {
         self.about().follows == ObservedPart::TangentVectors

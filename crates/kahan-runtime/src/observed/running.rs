@@ -1,14 +1,13 @@
 //! The list of observables with their observers, and the observation of one or many orbits.
 //!
 //! In: a map for each orbit, first points, and observables. Out: the observed values in the
-//! requested order, equal for an orbit singly or in a group.
+//! requested order, equal for single orbits and for groups.
 //!
 //! # Files
 //!
 //! An observable with an observer of its own is a file in `running/` such as `last.rs`: `ABOUT`
-//! describes the observable, `Own` is the observer's type, `observer` makes an observer, `seen`
-//! reads its report. The list names the observers of `kahan_core` directly. Results have the order
-//! of the list.
+//! describes the observable, `Own` is the observer's type, `observer` makes an observer, and `seen`
+//! reads its report.
 
 use std::ops::ControlFlow;
 
@@ -26,8 +25,7 @@ use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
 
-/// The extremes of each variable, and of its rate of change. Orbits rotate around the middles of
-/// extremes.
+/// The extremes of each variable, and of its rate of change.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
@@ -95,8 +93,7 @@ macro_rules! observables {
                 }
             }
 
-            /// Shows a burst of points to the observers of one observable, which are all of one
-            /// variant.
+            /// Shows a burst of points to the observers of one observable.
             fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
                 match &own[0] {
                     $(Some(Running::$name(_)) => {
@@ -244,9 +241,7 @@ where
         }
     }
 
-    /// Shows a burst of points to one observable after the other, for all orbits at once, so that
-    /// tangent vectors and integrals use SIMD lanes. For a lifted field with a plane of tangent
-    /// vectors, shows the burst to one orbit after the other.
+    /// Shows a burst of points to one observable after the other, for all orbits at once.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let Some(first) = &group[0] else { return };
         if first.carrier.plane.is_some() {
@@ -308,8 +303,7 @@ where
     }
 }
 
-/// Observes the orbit of `start` under `step`. If rotations are requested, a second pass finds
-/// them.
+/// Observes the orbit of `start` under `step`; a second pass finds rotations.
 pub(super) fn observe_one<T: MachineFloat + EmbedScalar + PartialOrd>(
     step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,

@@ -6,9 +6,8 @@
 //! # Resets
 //!
 //! If the map preserves the relations, the propagated plane stays near the vectors (e, Dg·e).
-//! Resetting the plane at every step would change exponents by a multiple of ε, and make vectors on
-//! regular orbits grow exponentially. Therefore the plane is reset only if its distance from (e,
-//! Dg·e) exceeds [`FARTHEST`].
+//! Resets at every step would change exponents by a multiple of ε. Therefore the plane is reset
+//! only if its distance from (e, Dg·e) exceeds [`FARTHEST`].
 
 use core::fmt;
 use std::cell::RefCell;
@@ -20,8 +19,7 @@ use kahan_core::{EmbedScalar, Scalar, Step, Stopped, Workspace};
 use crate::engine::determinant;
 use crate::{MachineFloat, MapAt};
 
-/// The relations w = g(x) of a lifted field. The added variables w are functions of the original
-/// variables x.
+/// The relations w = g(x) of a lifted field, between original variables x and added variables w.
 pub trait Relations: fmt::Debug + Sync {
     /// Returns the number of original variables x, which come first.
     fn originals(&self) -> usize;
@@ -175,8 +173,7 @@ impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
 }
 
 impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
-    /// Propagates a vector. In a lifted field, uses the images of the last step; otherwise, the map
-    /// at `x`.
+    /// Propagates a vector; in a lifted field, by the images of the last step.
     fn push_forward(&self, x: &[T], v: &mut Vec<T>) {
         let Some(plane) = &self.plane else { return self.map.push_forward(x, v) };
         let mut sum = vec![T::zero(); v.len()];

@@ -1,8 +1,7 @@
 //! Exact orbits. Points are projective integer coordinates; fractions are computed on demand.
 //!
-//! An integral is constant along the orbit. If it is N/D at the point and was p/q at the first
-//! point, the products N q and D p are compared, which is far cheaper than reducing N/D. If they
-//! differ, N/D is reduced.
+//! An integral is constant along the orbit. Let N/D be the integral at the point, and p/q at the
+//! first point. The products N q and D p are compared, which is cheaper than reducing N/D.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
@@ -22,8 +21,7 @@ pub struct ExactOrbit {
 }
 
 impl Map {
-    /// Begins the orbit of a first point in exact numbers, at ε, half the time step. Substitutes
-    /// the parameters into the reduced map.
+    /// Begins the orbit of a first point in exact numbers, at ε, half the time step.
     ///
     /// # Errors
     /// [`DimensionError`] if `start` does not have one entry for each variable.
@@ -48,16 +46,12 @@ impl Map {
 
 impl ExactOrbit {
     /// Makes one step; returns `false` at a pole, where det A = 0.
-    ///
-    /// Cost: products and gcds of numbers as long as the coordinates.
     pub fn advance(&mut self) -> bool {
         self.orbit.next().is_some()
     }
 
     /// Returns the coordinates of the point, and the integrals claimed without `when`, all in
     /// lowest terms. An integral that divides by zero at the point is `None`.
-    ///
-    /// Cost: a gcd and two divisions for each coordinate, and some products for each integral.
     #[must_use]
     pub fn values(&self) -> (Vec<Fraction>, Vec<Option<Fraction>>) {
         let state = self.state();

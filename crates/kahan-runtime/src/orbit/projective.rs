@@ -1,8 +1,7 @@
 //! Orbits through poles, over a scalar chosen at compile time.
 //!
 //! In: a map of at most [`LARGEST_DIMENSION`](crate::interpreted::LARGEST_DIMENSION) variables, ε,
-//! and a first point. Out: points, including those at infinity. The generic code is compiled once,
-//! in this crate, for all callers.
+//! and a first point. Out: points, including those at infinity.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
@@ -14,7 +13,7 @@ use crate::interpreted::{LARGEST_DIMENSION, Padded, UnsupportedDimension, round}
 
 /// An orbit through poles with its current point; begun by [`Map::projective_orbit`].
 pub trait ProjectiveOrbit<T> {
-    /// Makes one step, or returns why there is no next point.
+    /// Makes one step, or returns an error if the next point does not exist.
     fn advance(&mut self) -> Result<(), Option<SingularStep>>;
 
     /// Returns the coordinates. At a point at infinity, finite coordinates are returned as 0.
@@ -35,8 +34,7 @@ pub trait ProjectiveScalar: ThroughPoles {
     fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>>;
 }
 
-/// Implements the trait in this crate. A provided method would be compiled again in each caller's
-/// crate.
+/// Implements the trait in this crate, so that callers do not compile it again.
 macro_rules! compile_for {
     ($($scalar:ty),*) => {$(
         impl ProjectiveScalar for $scalar {

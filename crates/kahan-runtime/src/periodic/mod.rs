@@ -49,8 +49,7 @@ impl MapAt<f64> {
 }
 
 impl ParametricAt {
-    /// Returns the index of the differentiated parameter. The index after the last parameter stands
-    /// for ε.
+    /// Returns the index of the differentiated parameter; ε comes after the last parameter.
     #[must_use]
     pub fn place(&self) -> usize {
         self.place

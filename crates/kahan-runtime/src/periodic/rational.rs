@@ -14,9 +14,7 @@ use crate::heights::HeightsOrbit;
 
 use super::circle::{Z, characteristic_polynomial, product, stability};
 
-/// The largest number of decimal digits of a coordinate of a rational cycle. On a cycle, numbers of
-/// digits return to their first values; on other orbits they grow, usually by a factor in each
-/// step.
+/// The largest number of decimal digits of a coordinate of a rational cycle.
 pub const MOST_DIGITS: u64 = 200;
 /// The largest number of products of fractions for a characteristic polynomial.
 const MOST_PRODUCTS: usize = 200_000;
@@ -29,14 +27,13 @@ pub struct RationalCycle {
     /// The polynomial det(z·I − ∂φᵖ/∂x) in z, where φ is the map and p the period. The multipliers
     /// are its roots.
     pub polynomial: Polynomial,
-    /// The stability, which follows from the multipliers and is decided without rounding.
+    /// The stability, decided without rounding.
     pub stability: Stability,
 }
 
 impl RationalCycle {
-    /// Returns the cycle with its multipliers on the level set of independent integrals;
-    /// `integrals` is their number. Each integral accounts for one multiplier 1, which is divided
-    /// out.
+    /// Returns the cycle with its multipliers on a level set of independent integrals. For each of
+    /// the `integrals` integrals, one multiplier 1 is divided out.
     #[must_use]
     pub fn on_leaf(self, integrals: usize) -> Self {
         let own = &Polynomial::variable(Z) - &Polynomial::one();
@@ -49,14 +46,11 @@ impl RationalCycle {
 impl Map {
     /// Searches for a rational cycle near a cycle in floats, for the map at ε, half the time step.
     ///
-    /// Returns `None` if no fractions with small denominators form a cycle. Also returns `None` for
-    /// more than 200 digits, or 200 000 products (such as for a fixed point in more than 20
-    /// variables). Cost: an exact orbit over the period for each of up to four guesses, and the
-    /// exact derivative at each point.
+    /// Returns `None` if no fractions with small denominators form a cycle. The search also ends at
+    /// 200 digits, and at 200 000 products of fractions.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
-        /// Distances within which the simplest fraction is taken, relative to the size of the
-        /// cycle, in order of trial.
+        /// Relative distances within which the simplest fraction is taken.
         const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;

@@ -71,7 +71,6 @@ fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
         let slope = at.by(parameter).by_parameter(&x);
         for i in 0..2 {
             let left = rows[2 * i] * slope[0] + rows[2 * i + 1] * slope[1];
-            // The bound allows some ten roundings of numbers of size 1.
             assert!((left - right[i]).abs() < 1e-15 * 4.0, "{parameter:?}: {left} for {}", right[i]);
         }
     }
@@ -89,7 +88,6 @@ fn the_derivative_by_eps_goes_through_elimination_too() {
     at.matrix(&x, &mut rows).unwrap();
     for (i, row) in rows.chunks(10).enumerate() {
         let left: f64 = row.iter().zip(&slope).map(|(entry, slope)| entry * slope).sum();
-        // The bound allows some tens of roundings of slopes below 4.
         assert!((left - (next[i] - x[i]) / eps).abs() < 1e-14, "{i}: {left}");
     }
 }
@@ -119,7 +117,6 @@ fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
     let found = [-(a * b * c), a * b + a * c + b * c, -(a + b + c), Complex::new(1.0, 0.0)];
     for ((k, expected), found) in (0..).zip(expected).zip(found) {
         let exact = proved.coefficient(&Monomial::power(Variable(0), k)).to_f64();
-        // The bound allows some tens of roundings of numbers of this size.
         let bound = 1e-13 * (1.0 + determinant.abs() + trace.abs());
         assert!(
             (exact - expected).abs() < bound && (found - expected).norm1() < bound,
@@ -160,8 +157,6 @@ fn henon_and_heiles_have_a_rational_cycle_of_three_at_each_rational_eps() {
         assert_eq!(proved.stability, Stability::Saddle);
         let [a, b, c, d] = cycle.multipliers[..] else { panic!("four") };
         for product in [a * d, b * c] {
-            // The bound allows some tens of roundings, times the condition of multipliers that
-            // differ by a factor of up to 100.
             assert!((product - Complex::new(1.0, 0.0)).norm1() < 1e-12, "{eps}: {product}");
         }
     }
@@ -184,15 +179,13 @@ fn has_turns(branch: &Branch, expected: &[(BranchChange, f64, f64)]) -> bool {
 #[test]
 fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
     // At ε = 2, let m and 1/m be the multipliers across the plane x = p = 0. Then m + 1/m − 2 = (11
-    // − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)), so they leave the circle at a = 11/8.
+    // − 8a)(32a² − 8a + 3)/(2(2a + 1)²(8a − 3)). The multipliers leave the circle at a = 11/8.
     let field = Field::parse(HENON_HEILES).unwrap();
     let map = |a: f64| field.with([("a", a)]).unwrap().at(2.0).by(Some(0));
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
     for (from, to) in [(1.0, 2.0), (2.0, 1.0)] {
         let cycle = periodic_point(&map(from), &start, 3).unwrap();
         let branch = branch(map, &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
-        // A multiplier counts as off the circle from 1 + 10⁻⁶ on; the parameter a then differs by
-        // about the square of 10⁻⁶.
         assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
     }
 }
@@ -211,15 +204,14 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     let origin = periodic_point(&map(0.5), &[0.0; 3], 1).unwrap();
     for steps in [1, 7] {
         let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
-        // The multiplier is known up to rounding; its difference from 1 is (r − 1)·2ε·10/11.
         assert!(has_turns(&branch, &[(BranchChange::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
     // At r = 1 the other two equilibria meet at the origin, where their branch has a fold.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
     let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (BranchChange::ThroughCircle, 470.0 / 19.0, 1e-9);
-    // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is the square
-    // of this distance. A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
+    // Near r = 1 the residual is the cube of the distance from the branch, and r − 1 is its square.
+    // A residual of 10⁻¹² therefore gives an error of 10⁻⁸ in r.
     let fold = (BranchChange::Fold, 1.0, 1e-7);
     assert!(has_turns(&branch, &[hopf, fold, hopf]), "{:?}", branch.turns);
     let last = branch.points.last().unwrap();
@@ -245,8 +237,6 @@ fn cycles_of_maps_that_keep_a_volume_keep_it() {
         assert_eq!(cycle.points.len(), period, "{text}");
         let one = Complex::new(1.0, 0.0);
         let product = cycle.multipliers.iter().fold(one, |product, multiplier| product * multiplier);
-        // The bound allows some tens of roundings in each step, in derivatives with entries below
-        // 100.
         assert!((product - one).norm1() < 1e-12, "{text}: {product}");
     }
 }

@@ -105,7 +105,6 @@ fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1,1", 20), Growth::Bounded);
     // At ε = 1 the rotation is by a right angle, so orbits have period 4.
     assert_eq!(growth("xdot = y; ydot = -x;", "", "1", "3/7,2", 30), Growth::Bounded);
-    // The map is not integrable; it is tested with few steps and with many.
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 7), Growth::Exponential);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 11), Growth::Exponential);
     assert_eq!(growth("xdot = x - x*y; ydot = -y + x*y;", "", "1/3", "1/2,5/3", 3), Growth::Undecided);
@@ -164,7 +163,7 @@ fn bounds_end_an_orbit_and_keep_what_is_known() {
 }
 
 /// Uses a clock that advances a second at each reading. The clock is read before and after each
-/// step. Step n therefore ends at 2n + 1 seconds, and takes one second.
+/// step, so step n ends at 2n + 1 seconds.
 #[test]
 fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
     let within = |seconds: f64| {
@@ -178,8 +177,7 @@ fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
     };
     // If no time is left, no step is made. The first step begins at 2 seconds, without an estimate.
     assert_eq!([0.0, 1.9, 2.0].map(within), [1, 1, 2]);
-    // Digits double, so a step is estimated at slightly more than four times the duration of the
-    // previous step. Step n is thus expected to end slightly after 2n + 4 seconds.
+    // Digits double, so a step is expected to take four times as long as the previous step.
     assert_eq!([20.0, 22.0].map(within), [8, 9]);
 }
 
@@ -203,8 +201,7 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// If noise hides the growth, the class is `Undecided`. Nearly constant heights, however large, are
-/// `Undecided`, too.
+/// If noise hides the growth, the class is `Undecided`.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {

@@ -1,5 +1,4 @@
-//! Growth classes of systems of the catalog. `kahan-paper` tests the heights in the paper's
-//! figures.
+//! Growth classes of systems of the catalog.
 
 use kahan_runtime::heights::{DiophantineTest, Growth};
 
@@ -13,8 +12,7 @@ fn the_other_systems_grow_as_the_paper_says() {
         ("e2", "", Growth::Logarithmic),
         ("e5", "", Growth::Linear),
         ("euler", "1,2,-3", Growth::Quadratic),
-        // At this parameter E9 is E3 or E4, and heights grow equally, although a factor remains
-        // that cancels in E3.
+        // At these parameters E9 is E3 or E4, and heights have the same growth.
         ("e9", "1", Growth::Linear),
         ("e9", "-1", Growth::Quadratic),
         ("e7", "1", Growth::Logarithmic),

@@ -7,7 +7,7 @@ use kahan_runtime::{End, MapAt, Observable, ObservationRequest, ObservedFloat};
 
 use super::support::{columns, maps};
 
-/// The number of orbits; they fill more than two groups.
+/// The number of orbits, which fill more than two groups.
 const ORBITS: usize = 37;
 
 fn agree<T: ObservedFloat>(at: &MapAt<T>, starts: &[Vec<T>], asked: &ObservationRequest<'_>) -> Vec<End> {

@@ -159,8 +159,7 @@ fn maps_and_columns_have_to_fit() {
     assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
 }
 
-/// Counts the orbits from (1, 1, …) by how they end. Each must end like a single orbit, and have
-/// equal reports.
+/// Counts the orbits from (1, 1, …) by their ends, which must be those of single orbits.
 fn ends<O: Observer<f64, Report: Debug>>(
     maps: &[&MapAt<f64>],
     variables: usize,

@@ -4,8 +4,7 @@ use kahan_runtime::{Field, MachineFloat, Map};
 
 pub(crate) const STEPS: u64 = 70;
 
-/// Fields of one, two, three, four, five and nine variables. The field of nine variables has no
-/// machine code.
+/// Fields of one, two, three, four, five and nine variables. The last field has no machine code.
 pub(crate) const FIELDS: [(&str, &[(&str, f64)]); 6] = [
     ("xdot = r - x^2;", &[("r", -0.3)]),
     ("xdot = x*(1 - y); ydot = r*y*(x - 1);", &[("r", 1.1)]),

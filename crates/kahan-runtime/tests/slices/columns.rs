@@ -1,5 +1,4 @@
-//! Tests that columns compute the same bits as ensembles. Each trajectory has its own ε and
-//! parameters.
+//! Compares columns with ensembles; each trajectory has its own ε and parameters.
 
 use std::ops::ControlFlow;
 
@@ -30,8 +29,7 @@ fn advance<T: MachineFloat>(
     at.composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
 }
 
-/// Returns the map at each instruction-set level of this processor; reports that other levels were
-/// not run.
+/// Returns the map at each instruction-set level of this processor.
 fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, MapAt<T>)> {
     let at = map.at(eps);
     [Level::Baseline, Level::Avx2, Level::Avx512, Level::Neon].into_iter().filter_map(move |level| {
@@ -119,11 +117,8 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
     }
 }
 
-/// Compares a million points at each instruction-set level. Some entries are 0, subnormal, huge, or
-/// NaN.
-///
-/// This command runs the test: `cargo test --release -p kahan-runtime --test slices -- --ignored
-/// --nocapture`
+/// Some entries are 0, subnormal, huge, or NaN. This command runs the test: `cargo test --release
+/// -p kahan-runtime --test slices -- --ignored --nocapture`
 #[test]
 #[ignore = "a million points at every level"]
 fn a_million_points_agree_at_every_level() {
@@ -257,7 +252,6 @@ fn each_trajectory_has_a_map_of_its_own() {
         let mut x = [1.0, 0.5];
         other.composed(composition).advance(&mut x, 1).expect("two variables");
         assert_eq!(points[1], x);
-        // The field is undefined at these parameters.
         assert!(points[0].iter().chain(&points[2]).all(|x| x.is_nan()), "{points:?}");
     }
 }

@@ -1,5 +1,4 @@
-//! Compares steps of random fields with partial pivoting. Fields have up to 200 variables with all
-//! kinds of couplings.
+//! Compares steps of random fields of up to 200 variables with partial pivoting.
 
 use kahan_runtime::Field;
 
@@ -78,8 +77,7 @@ fn backward_error(a: &[Vec<f64>], right: &[f64], d: &[f64]) -> f64 {
 }
 
 /// If entries do not grow, partial pivoting has a backward error of at most n·u, where u is the
-/// unit roundoff (Higham 2002, §9.3); the residual has as many roundings. The bound allows products
-/// 16 times as large as entries; x̃ − x is rounded to the size of x.
+/// unit roundoff (Higham 2002, §9.3).
 #[test]
 fn steps_along_couplings_are_as_good_as_partial_pivoting() {
     let mut random = Random(29);

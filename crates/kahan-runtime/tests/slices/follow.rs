@@ -136,8 +136,7 @@ fn chains_are_followed_by_the_same_calls() {
     assert!(matches!(stopped.end, End::Stopped(steps) if steps < 100), "{stopped:?}");
 }
 
-/// The growth exp(2εn) leaves the range near step 7092. The other field has a pole at the first
-/// step.
+/// The growth exp(2εn) leaves the range near step 7092.
 #[test]
 fn an_orbit_ends_at_its_last_finite_point() {
     let growth = Field::parse("xdot = x; ydot = x - y;").unwrap().map().unwrap();

@@ -30,8 +30,7 @@ fn exactly(steps: u64) -> PassedPoleCount {
 /// A function that returns the coefficients of the denominator, by powers of ε, at an exact point.
 type Denominator = fn(&[Rational]) -> Vec<Rational>;
 
-/// Returns whether Σ cₖtᵏ has a root between 0 and `end`, including `end`. In each interval, the
-/// value in the middle and a bound on the slope give bounds on all values.
+/// Returns whether Σ cₖtᵏ has a root between 0 and `end`, including `end`.
 fn has_root(coefficients: &[Rational], end: &Rational) -> bool {
     let zero = Rational::ZERO;
     let at = |t: &Rational| coefficients.iter().rev().fold(zero.clone(), |sum, c| &(&sum * t) + c);
@@ -211,8 +210,7 @@ fn counts_depend_on_no_unit() {
     assert!(passes > 10, "{passes} poles");
 }
 
-/// The fields have too many terms for an expanded denominator; some have fewer and some have more
-/// variables than are expanded.
+/// The fields have too many terms for an expanded denominator.
 #[test]
 fn beyond_the_budget_the_sign_of_the_determinant_is_a_lower_bound() {
     for text in [dense(7), chain(12)] {

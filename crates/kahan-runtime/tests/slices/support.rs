@@ -30,8 +30,7 @@ pub(crate) fn number<T: MachineFloat>(value: f64) -> T {
     )
 }
 
-/// Returns values of ε of every kind: ordinary values, values too small or too large to divide by,
-/// and 0.
+/// Returns ordinary values of ε, values too small or too large to divide by, and 0.
 pub(crate) fn steps<T: MachineFloat>() -> Vec<T> {
     let powers = [-140, -70, -20, 15, 17, 65, 100].map(|power| f64::from(power).exp2());
     let sizes = [0.0, 0.05, 1.0 / 7.0, 0.5, 3.0].into_iter().chain(powers);

@@ -6,8 +6,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_runtime::{Field, Rational};
 
-/// Reads a field over ℚ; `parameters` are the values of its parameters, in the order of
-/// declaration.
+/// Reads a field over ℚ, with values of its parameters in the order of declaration.
 pub(crate) fn read<const N: usize>(text: &str, parameters: &[BigRational]) -> Interpreted<BigRational, N> {
     let field = Field::parse(text).expect("a field");
     let map = field.with(field.parameters().iter().zip(parameters)).expect("a value for each parameter");
@@ -18,8 +17,7 @@ pub(crate) fn q(text: &str) -> BigRational {
     Rational::parse(text).expect("a number").to_big()
 }
 
-/// Returns points and values of ε of ordinary size. The numbers are sevenths and elevenths from a
-/// fixed sequence, so that no coordinate is a float with few bits.
+/// Returns points and values of ε of ordinary size, whose numbers need many bits.
 pub(crate) fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

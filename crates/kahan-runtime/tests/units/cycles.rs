@@ -1,5 +1,4 @@
-//! Periodic points, and their branches over ε and over a parameter, in all units of length and
-//! time.
+//! Periodic points and their branches, in all units of length and time.
 
 use std::ops::ControlFlow;
 

@@ -1,7 +1,7 @@
 //! Twenty fields in any units of length and time.
 //!
-//! For all numbers q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is one field; x is measured in units of 1/q
-//! and time in units of 1/ν.
+//! For all numbers q and ν, ẋ = ν·(q·Q(x) + Bx + c/q) is one field, in units 1/q of length and 1/ν
+//! of time.
 
 use kahan_runtime::{Field, Map};
 
@@ -15,7 +15,7 @@ pub(crate) struct Case {
     pub(crate) start: &'static [f64],
 }
 
-/// Units of length and time: `length` and `time` are their exponents of 2.
+/// Units of length and time; `length` and `time` are exponents of 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unit {
     pub(crate) length: i32,
@@ -39,8 +39,7 @@ impl Unit {
 }
 
 impl Case {
-    /// Returns the field. The field has the parameter `nu`, and the parameter `q` if the text
-    /// contains `q`.
+    /// Returns the field. Its parameters are `nu`, and `q` if the text contains `q`.
     pub(crate) fn field(&self) -> Field {
         let timed = |statement: &str| match statement.split_once("dot = ") {
             Some((variable, rate)) => format!("{variable}dot = nu*({rate});"),

@@ -1,8 +1,7 @@
 //! Answers do not depend on the units of length and time: they scale by exact powers of two.
 //!
 //! Twenty fields run in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (for `f32` from 2⁻⁴⁰ to 2⁴⁰). Units of
-//! time are such that ε stays between 2⁻⁶³ and 2⁶³. In `f32` the stages of a composition stay
-//! between 2⁻¹⁶ and 2¹⁶, because other steps use another formula.
+//! time are such that ε stays between 2⁻⁶³ and 2⁶³.
 
 mod answers;
 mod chains;

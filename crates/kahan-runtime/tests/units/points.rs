@@ -1,5 +1,4 @@
-//! Maps over points, compiled and read at run time: orbits, steps with error bounds, ensembles, and
-//! the choice of a setting.
+//! Maps over points in all units: orbits, steps with error bounds, ensembles, and settings.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;

@@ -1,9 +1,8 @@
-//! The journal of an unfinished part. After an interruption, its rows need not be computed again.
+//! The journal of an unfinished part. After an interruption, recorded rows are not computed again.
 //!
-//! Each process appends records of finished rows to its own file. A record holds its kind, the
-//! number of its first row, the numbers of rows and bytes, a checksum, and the rows. Readers skip
-//! incomplete records, and records of another plan, version or floating-point mode. The files are
-//! deleted once the part exists.
+//! Each process appends records of finished rows to its own file. Readers skip incomplete records,
+//! and records of another plan, version or floating-point mode. The files are deleted once the part
+//! exists.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -30,8 +29,7 @@ impl Journal {
         Self { folder: part.under_way(), file: None, kind: kind(part) }
     }
 
-    /// Reads the records of earlier processes, in any order. Returns tables with the numbers of
-    /// their first rows.
+    /// Returns the tables of earlier processes, in any order, with the numbers of their first rows.
     pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.under_way(), BEGIN, END) {
@@ -45,10 +43,10 @@ impl Journal {
         noted
     }
 
-    /// Appends tables, each with the number of its first row, and syncs them to the disk. After an
-    /// error, earlier records remain valid, and the call may be repeated.
+    /// Appends tables, each with the number of its first row, and syncs the file. The call may be
+    /// repeated after an error.
     pub(crate) fn note(&mut self, done: &[(u64, Table)]) -> io::Result<()> {
-        // Readers stop at an incomplete record. Therefore a new file is begun after a failure.
+        // Readers stop at an incomplete record, so a new file is begun after a failure.
         let mut file = match self.file.take() {
             Some(file) => file,
             // The name of the file is random, because processes in containers may have equal ids.
@@ -100,7 +98,6 @@ fn encode(rows: &Table) -> Vec<u8> {
     bytes
 }
 
-/// The unread bytes of a file. Reads beyond the end return `None`.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -123,8 +120,7 @@ impl<'a> Bytes<'a> {
         String::from_utf8(self.take(length)?.to_vec()).ok()
     }
 
-    /// Reads the next record; `None` if it is incomplete. The inner value is `None` for a record of
-    /// another kind.
+    /// Reads the next record; `None` if incomplete. The inner value is `None` for another kind.
     fn record(&mut self, kind: [u8; 8], empty: &Table) -> Option<Option<(u64, Table)>> {
         let record = self.0;
         let is_of_kind = self.take(8)? == kind;

@@ -16,9 +16,8 @@ const WRITING: &str = ".results-";
 
 pub(crate) const RESULTS: &str = "results.parquet";
 
-/// Merges all parts of a folder into one file there, and returns its size. Calls `each` after every
-/// part. If a part is missing, damaged or belongs to another plan, fails with a reason for each of
-/// these parts.
+/// Merges all parts of a folder into one file there, and returns the size of the file. If parts are
+/// missing, damaged or belong to another plan, fails with a reason for each.
 pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Result<u64, Vec<String>> {
     let parts = || (0..plan.parts()).map(|index| Part::of(plan, index, folder));
     let missing: Vec<u64> = parts().filter(|part| !part.exists()).map(|part| part.index).collect();
@@ -54,8 +53,8 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
         Err(error) => return Err(failed(error.error)),
     }
-    // Removes the temporary files of processes that were killed. A process that is still merging
-    // will find the result.
+    // Removes the temporary files of killed processes. A process that is still merging finds the
+    // result.
     files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

@@ -1,8 +1,7 @@
 //! The files of a sweep: parts, journals and the merged result.
 //!
-//! A part holds the rows of a fixed range of indices as one Parquet row group. A part is complete
-//! or absent. The plan, the program's version and the floating-point mode determine the bytes of a
-//! part; its metadata contain all three, and a checksum.
+//! A part holds the rows of a fixed range of indices as one Parquet row group. The metadata of a
+//! part contain the plan, the program's version, the floating-point mode, and a checksum.
 
 mod journal;
 mod merge;

@@ -45,8 +45,7 @@ pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target
 /// The reason why an existing part cannot be used.
 #[derive(Clone, Debug)]
 pub(crate) enum UnusablePart {
-    /// The file is incomplete, altered, or belongs to a different part. The part's shard can write
-    /// the file again.
+    /// The file is incomplete, altered, or belongs to a different part.
     Damaged(String),
     /// The file belongs to another plan, version or floating-point mode.
     Foreign(String),
@@ -104,14 +103,13 @@ impl<'a> Part<'a> {
         Ok(())
     }
 
-    /// Returns the folder for the unfinished files of this part. Each part has its own folder,
-    /// because listing a folder with files of many parts is slow.
+    /// Returns the folder for the unfinished files of this part.
     pub(super) fn under_way(&self) -> PathBuf {
         self.path.with_extension("under-way")
     }
 
     pub(crate) fn tidy(&self) {
-        // Errors are ignored: if files remain, they do no harm, since the part exists.
+        // Errors are ignored, since remaining files do no harm.
         let _ = std::fs::remove_dir_all(self.under_way());
     }
 
@@ -163,10 +161,9 @@ fn says(key: &str, value: impl Into<String>) -> KeyValue {
     KeyValue::new(key.to_owned(), value.into())
 }
 
-/// Makes a writer; all files of a plan have the metadata that it sets.
+/// Makes a writer that sets the metadata common to all files of a plan.
 pub(super) fn writer<W: Write + Send>(plan: &Plan, to: W) -> Result<SerializedFileWriter<W>, ParquetError> {
     let meanings = plan.empty.columns.iter().map(|column| (&*column.name, &*column.meaning));
-    // The meanings are sorted by name.
     let meanings: BTreeMap<&str, &str> = meanings.collect();
     let said = vec![
         says(keys::PLAN, plan.canonical()),
@@ -222,8 +219,7 @@ fn put<W: Write + Send>(
 /// The digits that stand in the file while its checksum is computed.
 const NO_DIGITS: &str = "00000000";
 
-/// The CRC-32 of a whole file, including the footer. In the computation, the checksum's own digits
-/// count as zeros.
+/// The CRC-32 of a whole file, in which the digits of the checksum count as zeros.
 struct Checksum {
     found: String,
     stated: Vec<u8>,
@@ -257,8 +253,7 @@ impl Checksum {
         file.read_to_end(&mut footer)?;
         let key = keys::CHECKSUM.as_bytes();
         let key_at = footer.windows(key.len()).rposition(|window| window == key);
-        // Between a key and its value, Thrift puts two bytes: the id of the field, and the length
-        // of the value.
+        // Between a key and its value, Thrift puts two bytes.
         let at = key_at.map(|at| at + key.len() + 2).filter(|at| at + NO_DIGITS.len() <= footer.len());
         let at = at.ok_or_else(|| broken("it has no checksum"))?;
         let digits = at..at + NO_DIGITS.len();
@@ -289,8 +284,7 @@ pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
     named.map(|entry| entry.path()).collect()
 }
 
-/// Creates a file with a unique name and the user's default permissions. Creates a missing folder,
-/// too.
+/// Creates a file with a unique name and the user's default permissions.
 pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<NamedTempFile> {
     std::fs::create_dir_all(folder)?;
     let open = |path: &Path| File::options().read(true).write(true).create_new(true).open(path);

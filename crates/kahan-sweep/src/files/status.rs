@@ -8,7 +8,6 @@ use super::Part;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Status {
-    /// The number of finished, valid parts.
     pub(crate) done: u64,
     pub(crate) missing: Vec<u64>,
     /// The reasons why existing parts are unusable.

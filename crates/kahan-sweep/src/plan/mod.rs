@@ -37,9 +37,8 @@ fn choose(table: Table, places: Option<&[usize]>) -> Table {
 }
 
 impl Plan {
-    /// Reads a plan. `origin` is the path of the plan's file; messages mention it, and other files
-    /// are named relative to it. Fails with a list of all mistakes: for each the line, the reason
-    /// and a remedy.
+    /// Reads a plan; file names in the plan are relative to the path `origin`. Fails with a list of
+    /// all mistakes, each with its line, a reason and a remedy.
     pub fn read(text: &str, origin: &str) -> Result<Self, String> {
         read::plan(text, origin)
     }
@@ -66,9 +65,8 @@ impl Plan {
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// Returns the smallest and the largest number of rows that a thread computes at once. Groups
-    /// fill SIMD lanes. Orbits of more than 2²⁰ steps run singly, because an interruption loses an
-    /// unfinished group.
+    /// Returns the smallest and the largest number of rows that a thread computes at once. Orbits
+    /// of more than 2²⁰ steps run singly, because an interruption loses an unfinished group.
     pub(crate) fn at_once(&self) -> [u64; 2] {
         match &*self.over().question {
             Question::Observe(Observe { steps, .. }) if *steps > 1 << 20 => [1, 1],
@@ -77,8 +75,7 @@ impl Plan {
         }
     }
 
-    /// Returns the rows of these points. If `watch` stops the work, returns the rows that were
-    /// finished before.
+    /// Returns the rows of these points, up to the row at which `watch` stops the work.
     pub(crate) fn rows(&self, indices: Range<u64>, watch: &dyn Watch) -> Table {
         let mut all = Table::default();
         let end = self.study.rows(&self.question, indices, &mut all, watch);

@@ -46,12 +46,10 @@ fn mistake(path: &[&str], why: impl Into<String>) -> Misread {
     Misread { path: path.iter().map(|&name| name.to_owned()).collect(), why: why.into() }
 }
 
-/// Returns the value that was read. On a mistake, records it with its path, which begins with a
-/// table of the plan.
+/// Returns the value that was read, or records the mistake under the name `table`.
 fn note<T>(read: Result<T, Misread>, table: &str, mistakes: &mut Vec<Misread>) -> Option<T> {
     read.map_err(|Misread { mut path, why }| {
         let why = path.last().map_or_else(|| why.clone(), |name| format!("{name}: {why}"));
-        // The plan's own keys are not in a table.
         if path.first().is_none_or(|first| !KEYS[..3].contains(&first.as_str())) {
             path.insert(0, table.to_owned());
         }
@@ -100,7 +98,6 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     let (points, drifts) = (over.cells(&study), over.has_integrals(&study));
     let question = Question::Over(over);
     let mut empty = Table::default();
-    // For an empty range, only the columns are returned.
     let asked = drifts.and_then(|()| study.rows(&question, 0..0, &mut empty, &Unwatched));
     let points = asked.and(points).map_err(|why| mistakes.push(of_question(&why))).ok()?;
     let places = output.places(&empty, mistakes);
@@ -111,7 +108,6 @@ fn read_plan(root: &mut Map<String, Value>, origin: &str, mistakes: &mut Vec<Mis
     Some(plan)
 }
 
-/// Reads the question, with the seed and number of draws from the top level.
 fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Option<Over> {
     let mut question = match root.remove("question") {
         Some(Value::Object(question)) => question,
@@ -163,8 +159,7 @@ fn question(root: &mut Map<String, Value>, mistakes: &mut Vec<Misread>) -> Optio
     }
 }
 
-/// Records contradictions: a parameter with both a value and an axis, draws without a drawn axis,
-/// and a drawn axis without draws.
+/// Records contradictions between the values, axes and draws of a question.
 fn contradictions(over: &Over, (written, has_draws): (&Value, bool), mistakes: &mut Vec<Misread>) {
     for name in written["params"].as_object().into_iter().flat_map(Map::keys) {
         if over.over.iter().any(|axis| axis.name == *name) {
@@ -207,8 +202,7 @@ fn of_question(why: &StudyError) -> Misread {
     }
 }
 
-/// Reads the initial states from a file. The path of the file is relative to the folder of the
-/// plan.
+/// Reads the initial states from a file; its path is relative to the folder of the plan.
 fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result<Vec<Vec<Rational>>, String> {
     if matches!(asked, Question::Discover(_)) {
         return Err("starts: \"discover\" has none; leave `starts` out".to_owned());
@@ -225,8 +219,7 @@ fn starts(file: &Value, origin: &str, study: &Study, asked: &Question) -> Result
         }
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
-    // Columns of parameters and ε, which earlier results have, are ignored, because the plan gives
-    // their values.
+    // Columns of parameters and ε are ignored, because the plan gives their values.
     let wanted = ExpectedColumns::new(variables, study.parameters(), OtherColumns::Ignored);
     let points = read.and_then(|numbers| numbers.points(&wanted));
     points.map_err(|why| format!("starts: {} {why}", path.display()))

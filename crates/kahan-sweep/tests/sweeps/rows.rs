@@ -100,7 +100,6 @@ fn rows_of_files_are_first_points_whatever_the_file() {
     let folder = folder(OF_FILE);
     let here = |name: &str| folder.path().join(name);
     fs::create_dir(here("points")).expect("a folder");
-    // The command runs in a folder other than that of the plan.
     let written = |name: &str, bytes: &[u8]| {
         fs::write(here("points").join(name), bytes).expect("points");
         fs::write(here("plan.toml"), OF_FILE.replace("F.csv", name)).expect("the plan");
@@ -126,7 +125,7 @@ fn rows_of_files_are_first_points_whatever_the_file() {
     fs::remove_dir_all(here("r")).expect("the results");
     same(written("F.csv", b"1,2,0.5\n1/2,1/8,-3/4\n"));
     same(written("F.npy", &array([1.0, 2.0, 0.5, 0.5, 0.125, -0.75])));
-    // Results can serve as initial states; each of them occurs once for each ε.
+    // Results can serve as initial states; each state occurs once for each ε.
     let swept = fs::read(here("r/results.parquet")).expect("results");
     foreign(written("F.parquet", &swept));
     fs::remove_dir_all(here("r")).expect("the results");

@@ -28,8 +28,7 @@ fn bytes_do_not_depend_on_shards_threads_and_order() {
 
 #[test]
 fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
-    // A part takes about as long as the longer waits, so processes are killed in early and in late
-    // parts.
+    // A part takes about as long as the longer waits, so that early and late parts are killed.
     let plan = PLAN.replace("steps = 50", "steps = 100");
     let expected = undisturbed(&plan);
     let folder = folder(&plan);
@@ -56,15 +55,13 @@ fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
         );
     }
     assert!(kills > 0);
-    // Creates the files that processes leave if they are killed during a write test, a part and a
-    // merge.
+    // Creates the files that killed processes leave.
     fs::create_dir_all(folder.path().join("r/part-000000000003.under-way")).expect("a folder");
     for name in [".probe-1", ".results-1", "part-000000000003.under-way/rows-1.parquet"] {
         fs::write(folder.path().join("r").join(name), "by halves").expect("a file");
     }
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
-    // None of these files remain.
     let all =
         fs::read_dir(folder.path().join("r")).expect("the folder").map(|entry| entry.expect("an entry"));
     let names: Vec<String> = all.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();

@@ -84,7 +84,7 @@ impl Reader<'_> {
         self.given.len()
     }
 
-    /// Returns whether a token is the first of its line. The end of the text also counts as such.
+    /// Returns whether a token is the first of its line, or the end of the text.
     pub(super) fn begins_line(&self, place: usize) -> bool {
         if place == 0 || place == self.given.len() {
             return true;
@@ -99,8 +99,7 @@ impl Reader<'_> {
         self.is_name(at + 1) && is_word(self.at(at))
     }
 
-    /// Returns whether `done` ends the text here. The word must be alone on its line, or be the
-    /// last word of the text.
+    /// Returns whether `done` ends the text here: alone on its line, or as the last word.
     fn is_done(&self, at: usize) -> bool {
         self.at(at) == "done"
             && self.begins_line(at + 1)

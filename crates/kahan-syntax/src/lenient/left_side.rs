@@ -6,11 +6,10 @@ use crate::token::TokenKind;
 
 use super::Reader;
 
-/// Notations of a derivative, separated by `|`. The number is the order of the derivative, to which
-/// primes and dots add.
+/// Notations of a derivative, separated by `|`, with the order of the derivative.
 ///
-/// In the notations, `X` stands for the name of a state, with or without `(t)`. `′` stands for any
-/// number of primes, and `Ẋ` for a name with dots above it.
+/// `X` stands for the name of a state, with or without `(t)`. `′` stands for any number of primes,
+/// and `Ẋ` for a name with dots above it.
 const DERIVATIVES: [(usize, &str); 4] = [
     (1, "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )"),
     (1, "\\ dot { X }|\\ frac { dX } { dt }"),
@@ -33,7 +32,7 @@ pub(super) struct Derivative {
 
 pub(super) struct LeftSide {
     pub(super) of: Derivative,
-    /// The names of arguments if the item defines a function. Otherwise the list is empty.
+    /// The names of arguments if the item defines a function; otherwise empty.
     pub(super) arguments: Vec<String>,
     /// Whether the item gives an initial value, as in `x(0) =`.
     pub(super) is_first: bool,
@@ -44,7 +43,7 @@ pub(super) struct LeftSide {
 }
 
 impl LeftSide {
-    /// Returns whether the item gives a value. Otherwise it is a differential equation.
+    /// Returns whether the item gives a value; other items are differential equations.
     pub(super) fn is_value(&self) -> bool {
         self.of.order == 0 || self.is_first
     }

@@ -14,8 +14,7 @@ use super::{PlacedToken, Reader, mistake};
 const DEEPEST: usize = 256;
 
 impl Reader<'_> {
-    /// Records the states. Also names the derivatives that become new states in equations of higher
-    /// order.
+    /// Records the states, and names the derivatives that become new states.
     pub(super) fn name_derivatives(&mut self, items: &[TextItem]) {
         let equations = || items.iter().filter_map(|item| item.left.as_ref()).filter(|left| !left.is_value());
         for left in equations() {

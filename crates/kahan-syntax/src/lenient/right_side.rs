@@ -1,5 +1,4 @@
-//! Translates right-hand sides. Quantities and roots are expanded, and products without `*` are
-//! explained.
+//! Translates right-hand sides: expands quantities and roots, and explains products without `*`.
 
 use std::ops::Range;
 
@@ -64,8 +63,7 @@ impl Reader<'_> {
         Some((self.states.get(&name)?.get(order.checked_sub(1)?)?, end))
     }
 
-    /// Writes a name or its replacement: `x` for `x(t)`, the formula of a quantity, or the value of
-    /// a root. Returns the index of the next token.
+    /// Writes a name or its replacement, and returns the index of the next token.
     fn write_name(&mut self, at: usize, in_equation: bool, out: &mut Vec<PlacedToken>) -> usize {
         if let Some(end) = self.write_call(at, in_equation, out) {
             return end;
@@ -98,8 +96,7 @@ impl Reader<'_> {
         end
     }
 
-    /// Returns the value of a root such as `sqrt(2)`. An irrational root becomes a parameter whose
-    /// value is rounded to `f64`.
+    /// Returns the value of a root such as `sqrt(2)`; an irrational root becomes a parameter.
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);

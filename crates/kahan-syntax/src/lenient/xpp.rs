@@ -38,8 +38,7 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// Returns the end of a line that starts with `@`, with `%`, or with a directive that is
-    /// refused.
+    /// Returns the end of a line that starts with `@`, `%` or a refused directive.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;
@@ -76,7 +75,7 @@ impl Reader<'_> {
         Some(mistake(&self.bytes(tokens.clone()), message, format!("leave it out, or see {ON_TEXTS}")))
     }
 
-    /// Reads argument names such as `(x, y)`. Returns them and the index of the next token.
+    /// Returns argument names such as those in `(x, y)`, and the index of the next token.
     pub(super) fn argument_names(&self, at: usize) -> Option<(Vec<String>, usize)> {
         let mut names = Vec::new();
         let mut at = at;
@@ -100,8 +99,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Replaces a function call by the function's formula. If the function is refused, replaces the
-    /// call by a mistake. Returns the index of the next token; `None` if no call begins at `at`.
+    /// Replaces a function call by the function's formula, or by a mistake. Returns the index of
+    /// the next token; `None` if no call begins at `at`.
     pub(super) fn write_call(
         &mut self,
         at: usize,
@@ -156,8 +155,7 @@ impl Reader<'_> {
         Some(end)
     }
 
-    /// Reads the call whose bracket is at `open`. Returns its arguments and the index of the next
-    /// token.
+    /// Reads the call whose bracket is at `open`; returns its arguments and the next index.
     fn call(&self, open: usize) -> Option<(Vec<Range<usize>>, usize)> {
         let (mut depth, mut start, mut given) = (0, open + 1, Vec::new());
         for at in open..self.given.len() {

@@ -15,8 +15,7 @@ use super::{Parsed, error};
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
-/// Reads an item into the block. If the item has a mistake, the block gets the part before it, and
-/// the cursor stays inside the item.
+/// Reads an item into the block. After a mistake, the cursor stays inside the item.
 pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
@@ -134,7 +133,6 @@ fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
 }
 
 /// Returns the state and the order that a name such as `x_dot`, `xddot` or `x_ddot` probably means.
-/// Returns `None` if the block uses `x_`, `xd` or `x_d` as a state.
 fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     let single = state.trim_end_matches('d');
     let order = 1 + state.len() - single.len();
@@ -144,13 +142,12 @@ fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
     (!is_state && is_marked).then(|| (meant.to_owned(), order))
 }
 
-/// Returns whether a name is probably a state, because the block uses it or it is a single letter.
+/// Returns whether a name is probably a state: a name that the block uses, or a single letter.
 fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
     cursor.uses(name) || name.chars().count() == 1
 }
 
-/// Returns the state and the order that a left-hand side such as `xdto`, `xDot`, `dxdt` or `ẋ`
-/// probably means.
+/// Returns the state and the order that `xdto`, `xDot`, `dxdt` or `ẋ` probably means.
 fn probable_derivative(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
     if let Some(dotted) = without_dots(left) {
         return dotted;

@@ -1,4 +1,4 @@
-//! The position of the parser in the list of tokens. The parser can look ahead from this position.
+//! The position of the parser in the list of tokens.
 
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -17,25 +17,21 @@ pub(super) struct Cursor<'a> {
     /// The name of the site index inside a family. Names other than `i` are reported.
     pub(super) index: Option<&'a str>,
     pub(super) is_lifted: bool,
-    /// All names that occur in the tokens. The flag is true if the name also occurs elsewhere than
-    /// directly before `=`.
+    /// All names in the tokens, and whether each also occurs elsewhere than directly before `=`.
     names: OnceCell<HashMap<&'a str, bool>>,
 }
 
 /// The tokens that end an expression, besides `;`, `,` and closing brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ExpressionEnd {
-    /// No further token ends the expression.
     Semicolon,
-    /// The first token of the next item ends the expression. This applies after the `when` of a
-    /// bracket.
+    /// The first token of the next item, after the `when` of a bracket.
     Item,
-    /// The sign `=` ends the expression. This applies to the left side of a relation after `when`.
+    /// The sign `=`, on the left side of a relation after `when`.
     Equals,
-    /// The word `by` ends the expression. This applies to the function of a drift.
+    /// The word `by`, after the function of a drift.
     By,
-    /// All punctuation except operators ends the expression. This applies to formulas outside
-    /// blocks; the caller checks what follows.
+    /// All punctuation except operators, in formulas outside blocks.
     Formula,
 }
 
@@ -115,7 +111,7 @@ impl<'a> Cursor<'a> {
         self.at += 1;
     }
 
-    /// Returns the span of the next token. At the end of the list, returns that of the last token.
+    /// Returns the span of the next token; at the end of the list, that of the last token.
     pub(super) fn here(&self) -> Span {
         Span::token(self.at.min(self.tokens.len().saturating_sub(1)))
     }
@@ -145,15 +141,14 @@ impl<'a> Cursor<'a> {
         self.peek(0).is_some_and(|token| token.kind == TokenKind::Close(c))
     }
 
-    /// Returns whether the next two tokens are `first` and `second` without white space between
-    /// them, as in `**`.
+    /// Returns whether the next two tokens are `first` and `second`, adjacent as in `**`.
     pub(super) fn is_pair(&self, first: char, second: char) -> bool {
         self.is_punctuation(0, first)
             && self.is_punctuation(1, second)
             && self.peek(0).is_some_and(|token| token.touches_next)
     }
 
-    /// Reads the punctuation `c` if it is next. Returns whether it was.
+    /// Reads the punctuation `c` if it is next, and returns whether `c` was read.
     pub(super) fn take(&mut self, c: char) -> bool {
         let found = self.is_punctuation(0, c);
         self.at += usize::from(found);
@@ -177,8 +172,7 @@ impl<'a> Cursor<'a> {
         self.peek(0).map_or_else(|| format!("the end of the {whole}"), |token| format!("`{}`", token.text))
     }
 
-    /// Returns whether an item begins `ahead` tokens from here, such as `xdot =`, `const c =` or
-    /// `bracket P {`. In formulas, only `x =` begins an item.
+    /// Returns whether an item such as `xdot =` or `bracket P {` begins `ahead` tokens from here.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
         if self.end == ExpressionEnd::Formula {
@@ -199,8 +193,7 @@ impl<'a> Cursor<'a> {
         self.index.is_some() && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
     }
 
-    /// Skips a broken item that began at `start`. Afterwards the cursor is after its `;`, or at the
-    /// next item.
+    /// Skips a broken item that began at `start`, up to its `;` or the next item.
     pub(super) fn skip_item(&mut self, start: usize) {
         self.skip_until(|cursor| cursor.is_punctuation(0, ';') || cursor.at > start && cursor.begins_item(0));
         self.take(';');
@@ -216,8 +209,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Skips a bracketed group, or all tokens if the group is not closed. Returns the span that was
-    /// skipped.
+    /// Skips a bracketed group, or all tokens if the group is not closed. Returns the skipped span.
     pub(super) fn skip_group(&mut self) -> Span {
         let start = self.here();
         let mut depth = 0usize;

@@ -54,8 +54,8 @@ fn product<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>>
     chain(cursor, depth, ['*', '/'], unary, join)
 }
 
-/// Reads operands that are joined by an operator or its inverse, such as `+` and `-`. Each operand
-/// has a flag that tells whether the inverse precedes it. A single operand is returned unchanged.
+/// Reads operands that are joined by an operator or its inverse, such as `+` and `-`. A flag tells
+/// whether the inverse precedes the operand.
 fn chain<X>(
     cursor: &mut Cursor<'_>,
     depth: usize,

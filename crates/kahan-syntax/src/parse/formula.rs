@@ -1,8 +1,6 @@
-//! Reads formulas outside blocks. Formulas are expressions with function calls and general
-//! exponents.
+//! Reads formulas outside blocks, with function calls and general exponents.
 //!
-//! The input is the tokens of a text that contains only formulas. The output is their syntax, or
-//! the first mistake. The caller evaluates the formulas, and decides which functions exist.
+//! The caller evaluates the formulas, and decides which functions exist.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Expr, ExprKind, InFormula, Name};

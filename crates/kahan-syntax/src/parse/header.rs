@@ -1,7 +1,6 @@
 //! Reads the header, `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
 //!
-//! Parameters are names without types; the macro adds the types. Attributes stay tokens for
-//! `kahan-emit`.
+//! Parameters are names without types. Attributes stay tokens.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Header, Name, WrittenTokens};
@@ -227,8 +226,7 @@ fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| cursor.is_punctuation(0, ',') || cursor.peek(0).is_some_and(is_close));
 }
 
-/// Skips a broken header. Afterwards the cursor is after its braces or its `;`, or at the first
-/// item.
+/// Skips a broken header, up to its end or the first item.
 fn skip_header(cursor: &mut Cursor<'_>) {
     cursor.skip_until(|cursor| {
         cursor.begins_item(0) || cursor.is_open(0, '{') || cursor.is_punctuation(0, ';')

@@ -35,8 +35,7 @@ fn probable_keyword(word: &str) -> Option<&'static str> {
     synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied()).or_else(slip)
 }
 
-/// Returns the mistake of an item `WORD NAME …` whose keyword is unknown, and records the item's
-/// name.
+/// Returns the mistake of an item `WORD NAME …` with an unknown keyword, and records the name.
 pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Option<Diagnostic> {
     let word = cursor.identifier(0)?;
     cursor.identifier(1)?;

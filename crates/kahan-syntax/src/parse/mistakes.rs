@@ -89,8 +89,7 @@ pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) 
     Ok(())
 }
 
-/// Reports an access such as `self.mu`, `physics::RATE` or `mu[0]`. The first name was already
-/// read.
+/// Reports an access such as `self.mu`, `physics::RATE` or `mu[0]`, whose first name was read.
 fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
     let mut access = name.to_owned();
     let mut last = name;
@@ -127,8 +126,7 @@ pub(crate) fn is_function(name: &str) -> bool {
     [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
-/// Proposes a replacement for a function call: a new state if an argument contains states,
-/// otherwise a constant.
+/// Proposes a replacement for a function call: a new state, or a constant.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
     if ROUGH.split(' ').any(|known| known == name) {
         return format!(

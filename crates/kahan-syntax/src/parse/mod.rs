@@ -2,8 +2,7 @@
 //!
 //! Rust's expression parser is unsuitable, because in Rust `^` has lower precedence than `+`. After
 //! a mistake the parser skips to the next `;` or item, so that it can report several mistakes at
-//! once. It returns a block for any tokens and never panics. [`parse_formula`] reads one formula
-//! with function calls outside a block, and [`parse_formulas`] reads a list of named formulas.
+//! once. The parser returns a block for any tokens and never panics.
 
 mod block;
 mod claim;
@@ -32,7 +31,7 @@ fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<
     Err(Diagnostic::new(kind, span, message, help))
 }
 
-/// Returns whether a block begins with `lift`. Such blocks are read by [`parse_lifted`].
+/// Returns whether a block begins with `lift`, and is to be read by [`parse_lifted`].
 #[must_use]
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
     let mut diagnostics = Diagnostics::default();
@@ -42,8 +41,7 @@ pub fn asks_for_lift(tokens: &[Token]) -> bool {
     block.lift.is_some()
 }
 
-/// Reads a block. If the block requests a lift, only its header is read, and the lift is reported
-/// as a mistake.
+/// Reads a block; a request for a lift is reported as a mistake.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -67,8 +65,7 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     block
 }
 
-/// Reads a block that is to be lifted. The equations of the block may contain functions and general
-/// powers.
+/// Reads a block that is to be lifted, whose equations may contain functions and general powers.
 #[must_use]
 pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
     let (mut cursor, mut block) = begin(tokens, diagnostics);
@@ -86,8 +83,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
     block
 }
 
-/// Reports constants with functions that occur in claims. Claims are about the lifted field, which
-/// is quadratic.
+/// Reports constants with functions in claims, because claims are about the quadratic field.
 fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagnostics) {
     let mut functions: Vec<&str> = Vec::new();
     for constant in &block.constants {

@@ -1,9 +1,7 @@
 //! Computes sums, products, quotients and powers of rationals.
 //!
-//! Small operands stay in machine integers. Before a multiplication, common factors of each
-//! numerator and the other denominator are cancelled. Sums follow Knuth (The Art of Computer
-//! Programming, 4.5.1). Results are therefore in lowest terms. A result beyond 63 bits becomes a
-//! big integer.
+//! Small operands stay in machine integers; a result beyond 63 bits becomes a big integer. Sums
+//! follow Knuth (The Art of Computer Programming, 4.5.1).
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -31,8 +29,7 @@ impl Rational {
         }
     }
 
-    /// Returns the power, where 0⁰ is 1; `None` if the power is undefined. The bit length of the
-    /// result is about that of the number multiplied by the absolute value of the exponent.
+    /// Returns the power, where 0⁰ is 1; `None` for a negative power of 0.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
@@ -53,9 +50,6 @@ impl Rational {
 
     /// Returns the largest g > 0 for which both numbers divided by g are integers. The gcd of 0 and
     /// b is |b|.
-    ///
-    /// The result is the gcd of the numerators divided by the least common multiple of the
-    /// denominators.
     pub fn gcd(&self, other: &Self) -> Self {
         if let (Repr::Small { num: a, den: b }, Repr::Small { num: c, den: d }) = (&self.0, &other.0) {
             let num = gcd(a.unsigned_abs(), c.unsigned_abs());
@@ -79,8 +73,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // A sum of fractions whose denominators are powers of two needs shifts instead of a
-        // greatest common divisor.
+        // Denominators that are powers of two need shifts instead of a greatest common divisor.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());

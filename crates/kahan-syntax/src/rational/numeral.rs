@@ -15,8 +15,7 @@ impl<'a> Numeral<'a> {
         text.len() - Self::scan(text).rest.len()
     }
 
-    /// Splits a text such as `1_2.5e-3f64` into `1_2`, `5`, `-3` and `f64`. Missing parts are
-    /// empty.
+    /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3` and `f64`; missing parts are empty.
     pub(crate) fn scan(text: &'a str) -> Self {
         let is_digit = |c: char| c.is_ascii_digit() || c == '_';
         let digits = |text: &'a str| text.split_at(text.find(|c| !is_digit(c)).unwrap_or(text.len()));

@@ -1,8 +1,7 @@
 //! Rounds an exact rational to the nearest float.
 //!
-//! The result is the nearest float, with ties to even. There is only one rounding, also for
-//! subnormal results. Values at least half an ulp beyond the largest float become infinite, as in
-//! IEEE 754.
+//! Ties go to even, and subnormal results are rounded only once, too. Values at least half an ulp
+//! beyond the largest float become infinite, as in IEEE 754.
 
 use num_bigint::BigUint;
 use num_integer::Integer;
@@ -41,8 +40,7 @@ impl Rational {
         }
     }
 
-    /// Returns the nearest `f32`, with ties to even and a single rounding. Values beyond the range
-    /// become ±∞.
+    /// Returns the nearest `f32`, with ties to even. Values beyond the range become ±∞.
     pub fn to_f32(&self) -> f32 {
         const EXACT: u64 = 1 << 24;
         match &self.0 {
@@ -58,8 +56,7 @@ impl Rational {
         }
     }
 
-    /// Returns the nearest double-double `(hi, lo)`. `hi` is the result of
-    /// [`to_f64`](Self::to_f64), and `lo` is the `f64` nearest to the difference. If `hi` is
+    /// Returns the nearest double-double `(hi, lo)`, where `hi` is the nearest `f64`. If `hi` is
     /// infinite, `lo` is 0.
     pub fn to_double_double(&self) -> (f64, f64) {
         let hi = self.to_f64();

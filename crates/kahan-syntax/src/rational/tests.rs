@@ -128,7 +128,6 @@ fn bits_measure_the_larger_part() {
     assert_eq!(q("1/18446744073709551616").bits(), 65);
 }
 
-/// Compares with the decimal parser of Rust's standard library, which rounds correctly.
 fn agrees_with_the_standard_library(text: &str) {
     let exact = q(text);
     assert_eq!(exact.to_f64().to_bits(), text.parse::<f64>().unwrap().to_bits(), "{text} as f64");

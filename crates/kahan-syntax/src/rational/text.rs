@@ -41,8 +41,7 @@ fn decimal(text: &str) -> Option<Rational> {
     Some(&natural(&format!("{whole}{fraction}"))? * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
 }
 
-/// Reads a decimal of at most 18 digits without an exponent and without separators, which is the
-/// usual case.
+/// Reads a decimal of at most 18 digits, without an exponent and without separators.
 fn short_decimal(text: &str) -> Option<Rational> {
     const MOST_DIGITS: usize = 18;
 

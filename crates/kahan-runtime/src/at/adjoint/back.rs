@@ -9,16 +9,14 @@ use crate::{MapAt, RuntimeFloat};
 use super::Gradient;
 use super::terms::Terms;
 
-/// The largest accepted growth factor of a cotangent (λ in ∂L/∂x) in a transposed solve; this
-/// factor loses 10 bits. A larger growth means that det A is nearly 0, at a pole of the map or at a
-/// removable singularity.
+/// The largest growth of λ = ∂L/∂x that is accepted in a transposed solve. Larger growth means that
+/// det A is nearly 0.
 const LARGEST_GROWTH: f64 = 1024.0;
 
 pub(super) struct BackwardPass<'a, T: RuntimeFloat> {
-    /// For each distinct coefficient γ of the composition, Kahan's map at γε, and γ.
+    /// For each distinct coefficient γ of the composition: Kahan's map at γε, and γ.
     distinct: Vec<(MapAt<T>, T)>,
-    /// The terms of the field; `None` if coefficients depend on ε, because dual numbers then
-    /// differentiate the whole stage.
+    /// The terms of the field; `None` if coefficients depend on ε.
     terms: Option<Terms<T>>,
     solver: Transposed<'a, T>,
     /// The entries of f′ at the points before and after a stage.
@@ -65,8 +63,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         }
     }
 
-    /// Propagates `gradient.start` back over the last step in `points`, and removes this step from
-    /// `points`.
+    /// Propagates `gradient.start` back over the last step in `points`, and removes this step.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -102,8 +99,7 @@ impl<'a, T: RuntimeFloat> BackwardPass<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Propagates the cotangent back over a stage by forward-mode derivatives, which also work near
-    /// det A = 0.
+    /// Propagates λ = ∂L/∂x back over a stage by dual numbers, which also works near det A = 0.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

@@ -23,9 +23,8 @@
 //! ∂L/∂ε += 2 μ·q(x,x̃)
 //! ```
 //!
-//! The states are recomputed from about √steps checkpoints. A stage of a composition is a step with
-//! γε; its derivative with respect to γε, times γ, is added to ∂L/∂ε. If coefficients depend on ε,
-//! dual numbers differentiate the whole step.
+//! The states are recomputed from about √steps checkpoints. If coefficients depend on ε, dual
+//! numbers differentiate the whole step.
 
 mod back;
 mod terms;
@@ -66,19 +65,17 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// Computes the gradient of a scalar L of the orbit from `start`.
     ///
     /// The rows of `weights` are the derivatives of L with respect to the points after 0, `every`,
-    /// 2·`every`, … steps; the orbit ends with the last of these points. The gradient belongs to
-    /// the computed orbit, also for [compositions](Self::composed), and not to the flow. The report
-    /// is `None` if the orbit ends before its last row.
+    /// 2·`every`, … steps. The gradient is that of the computed orbit, not that of the flow. The
+    /// report is `None` if the orbit ends before the last row.
     ///
-    /// The `watch` receives the number of steps since its last call, as in [`Follow`]: first of the
-    /// steps forward, then of equally many steps backward. [`ControlFlow::Break`] stops the work.
+    /// The `watch` is called as in [`Follow`], first for the steps forward, then for equally many
+    /// steps backward.
     ///
-    /// Cost: for each step of the orbit, two steps of the map, one factorisation of A(x,ε)ᵀ, and a
+    /// Cost of each step: two steps of the map, one factorisation of A(x,ε)ᵀ, and one
     /// multiplication for each parameter in each term of the field. Memory: about 2√`steps` states.
     ///
     /// # Errors
-    /// [`DimensionError`] if the length of `start` is not the dimension of the map, or the length
-    /// of `weights` is not a multiple of it.
+    /// [`DimensionError`] for a `start` of a wrong length, or `weights` that are not whole rows.
     ///
     /// ```
     /// use std::num::NonZeroU64;
@@ -135,8 +132,7 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // Each segment between two checkpoints is summed separately, because shorter sums lose
-            // fewer digits.
+            // Separate sums for the segments between checkpoints lose fewer digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;
@@ -156,8 +152,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(Followed { report: Some(total), end })
     }
 
-    /// Follows the orbit of `x` to its last state. Returns the states after 0, `length`,
-    /// 2·`length`, … steps, without the last state, and how the orbit ended.
+    /// Replaces `x` by the last state of the orbit. Returns the states after 0, `length`,
+    /// 2·`length`, … steps, and how the orbit ended.
     fn checkpoints(
         &self,
         x: &mut [T],
@@ -175,8 +171,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // If the watch stops `follow` after the last step of a segment, `follow` returns
-            // `Complete`.
+            // If the watch stops `follow` at the last step, `follow` returns `Complete`.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

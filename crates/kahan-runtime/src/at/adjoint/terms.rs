@@ -11,24 +11,22 @@ use kahan_algebra::symbols::{Symbol, Symbols};
 use crate::interpreted::round;
 use crate::{Map, RuntimeFloat};
 
-/// The indices of the states in a term: none in the constant c, one in the linear part B, two in
-/// the quadratic part Q.
+/// The indices of the states in a constant, linear or quadratic term.
 type States = [Option<usize>; 2];
 
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// For each entry of f′, its constant term, and the index at which its terms in `slopes` end.
+    /// The constant term of each entry of f′, and the end of the entry's linear terms in `slopes`.
     entries: Vec<(T, usize)>,
-    /// The terms k·x of f′, entry by entry: the index of the state x, and k.
+    /// The linear terms k·x of all entries of f′: the index of the state x, and k.
     slopes: Vec<(usize, T)>,
-    /// The terms of f of degree 0 and 1: the index of the component, the index of the state if any,
-    /// and the coefficient.
+    /// The constant and linear terms of f: component, state if any, and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms whose coefficients depend on parameters: the index of the component, the states,
-    /// and the index at which the term's derivatives in `by_parameters` end.
+    /// The terms whose coefficients depend on parameters: component, states, and the end of the
+    /// term's derivatives in `by_parameters`.
     varying: Vec<(usize, States, usize)>,
-    /// The derivatives of the coefficients in `varying`, term by term: the index of the parameter,
-    /// and the derivative.
+    /// The derivatives of the coefficients in `varying`: the index of the parameter, and the
+    /// number.
     by_parameters: Vec<(usize, T)>,
 }
 
@@ -70,7 +68,7 @@ impl Coefficient {
     }
 }
 
-/// Returns the coefficients of a polynomial; the key of each is the states that it multiplies.
+/// Returns the coefficients of a polynomial, by the states that they multiply.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
