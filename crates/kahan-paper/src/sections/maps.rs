@@ -1,5 +1,4 @@
-//! Claims of sections 2, 3 and 5: fields, matrices A(x,ε), determinants, difference equations,
-//! reductions between systems, and changes of variables.
+//! Claims of sections 2, 3 and 5 about fields, maps, and relations between the systems.
 
 use kahan_systems::registry::find;
 
@@ -21,7 +20,7 @@ section2.euler.relation | Section 2, the integrals are dependent |
     H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2; a1*H1 + a2*H2 + a3*H3 = 0
 ";
 
-/// The fields and their matrices A(x,ε). The paper prints only one of the determinants.
+/// The fields and their matrices A(x,ε).
 const MATRICES: &str = "
 field.euler | Section 2, the vector field | f1 = a1*y*z; f2 = a2*z*x; f3 = a3*x*y
 matrix.euler | Section 2, A(x, eps) |
