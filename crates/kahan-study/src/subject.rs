@@ -72,8 +72,8 @@ impl Subject {
         Self::of(SubjectSource::Name(name.into()))
     }
 
-    /// Reads a field in the language of `kahan!`, with or without a header, or in the usual
-    /// notation of equations. Values of parameters in the text are defaults.
+    /// Reads a field in the language of `kahan!` or in the usual notation of equations. Values of
+    /// parameters in the text are defaults.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
         Self::block(FieldText::new(text.into(), "field".to_owned()))

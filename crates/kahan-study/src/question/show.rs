@@ -70,8 +70,7 @@ pub enum ShownField {
     Plan(Box<ShownPlans>),
 }
 
-/// The formulas of a field, each as a text; `None` (null in JSON) for a formula with too many
-/// terms.
+/// The formulas of a field; `None` (null in JSON) for a formula with too many terms.
 #[derive(Clone, Debug, Serialize)]
 pub struct FormulaSheet {
     /// The name of the system.
@@ -133,9 +132,8 @@ pub struct ClaimShown {
     pub nonzero: String,
     /// The source that the catalog cites for the claim.
     pub source: Option<&'static str>,
-    /// The formulas in the notation of the sheet, each as left and right side. An integral or
-    /// density has one formula. A drift has two: the function, and its next value. A bracket has an
-    /// entry for each of [`pairs`](Self::pairs).
+    /// The formulas in the notation of the sheet, each as left and right side. A drift has two: the
+    /// function, and its next value.
     pub equations: Vec<(String, String)>,
     /// The two variables of each equation of a bracket.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -146,9 +144,8 @@ pub struct ClaimShown {
 }
 
 impl Show {
-    /// Derives the formulas of a system whose claims hold. Given parameters are substituted before
-    /// the map is reduced. Costs milliseconds to a second; a limit on the number of terms bounds
-    /// the time.
+    /// Derives the formulas of a system whose claims hold, in milliseconds to a second. Given
+    /// parameters are substituted before the map is reduced.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or a

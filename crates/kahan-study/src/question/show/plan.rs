@@ -29,8 +29,7 @@ pub struct ShownPlans {
     pub derived: Derived,
 }
 
-/// The operations of a generated function; each count is `None` if the function eliminates in a
-/// loop.
+/// The operations of a generated function; `None` if the function eliminates in a loop.
 #[derive(Clone, Debug, Serialize)]
 pub struct FunctionCost {
     /// The result of the function.
@@ -39,8 +38,7 @@ pub struct FunctionCost {
     pub additions: Option<usize>,
     /// Multiplications.
     pub multiplications: Option<usize>,
-    /// Multiply-adds. A multiply-add is one operation on targets that have the instruction,
-    /// otherwise two.
+    /// Multiply-adds.
     pub multiply_adds: Option<usize>,
     /// Divisions.
     pub divisions: Option<usize>,
@@ -61,8 +59,7 @@ pub struct Listing {
     pub reciprocals: Vec<Option<String>>,
     /// The instructions of x̃, one for each component.
     pub next: Vec<String>,
-    /// The largest |εf′| for which the error of this step is near the error of Gaussian
-    /// elimination.
+    /// The largest |εf′| for which the step is nearly as accurate as Gaussian elimination.
     pub holds_to: u32,
 }
 
