@@ -93,7 +93,7 @@ pub struct Judged {
 }
 
 impl Extremes {
-    /// Tests steps of the given and the random fields, in turn, on the threads of the watch.
+    /// Tests steps of the given fields and of the random fields on the threads of the watch.
     ///
     /// At least one field is needed.
     ///
@@ -163,7 +163,7 @@ impl Judged {
 pub struct CannotJudge {
     /// The name of the field.
     pub system: String,
-    /// The reason why its steps cannot be tested.
+    /// The reason for the failure.
     pub why: CannotRun,
 }
 

@@ -9,9 +9,9 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits.
-/// Returns `None` if no change of sign was found. The search compares signs near points
-/// where two terms have equal sizes.
+/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits, or
+/// `None` without a change of sign. The search compares signs near points where two terms have
+/// equal sizes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -89,8 +89,7 @@ mod tests {
         assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
     }
 
-    /// Evaluates (v − 3)² − 5·2^(−power) near its nearly double root, where the leading bits of
-    /// terms cancel.
+    /// Evaluates (v − 3)² − 5·2^(−power) near v = 3, where the leading bits of terms cancel.
     #[test]
     fn leading_bits_tell_no_wrong_sign() {
         let (mut told, mut silent) = (0, 0);

@@ -35,7 +35,7 @@ pub(crate) struct Target {
 }
 
 impl TestedMap {
-    /// Prepares a system under a name. Each parameter has a given value, or `None` if it is drawn.
+    /// Prepares a system under a name. A parameter without a given value is drawn for each trial.
     pub(crate) fn new(
         name: &str,
         system: &System,

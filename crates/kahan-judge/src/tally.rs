@@ -35,7 +35,7 @@ pub struct Failure {
     /// Whether `try_step` refused without a reason; otherwise the result was wrong.
     #[serde(skip)]
     pub is_flag: bool,
-    /// The index of the trial, from which its inputs are drawn.
+    /// The index of the trial, which determines the inputs.
     #[serde(skip)]
     pub index: u64,
     /// The violated guarantee, the result, and the arguments of the step.
@@ -65,7 +65,7 @@ pub struct BrokenPromises {
     /// The number of refusals without a reason.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// The failure that sorts first.
+    /// The first failure in the order of [`Tally::failures`].
     pub first: Failure,
 }
 

@@ -29,7 +29,7 @@ pub struct Claim {
 /// The method by which a claim is established.
 #[derive(Clone, Debug)]
 pub(super) enum ProofMethod {
-    /// The claim is one of the system's own `kahan!` block.
+    /// A claim of the system's own `kahan!` block.
     Block {
         /// The claim's index in the block.
         index: usize,
@@ -39,7 +39,7 @@ pub(super) enum ProofMethod {
         given: String,
         /// Intervals from which numerical tests draw values of names, as (name, low, high).
         domain: Vec<(String, Rational, Rational)>,
-        /// The orbit on which quantities are measured, if the claim is about one.
+        /// The orbit on which quantities are measured, if the claim is about an orbit.
         orbit: Option<&'static Figure>,
         misprint: Option<Misprint>,
     },
@@ -57,7 +57,7 @@ pub(super) struct Misprint {
 /// The outcome of checking a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Both sides have equal expansions over ℚ. Both sides also agree modulo primes.
+    /// Both sides have equal expansions over ℚ, and agree modulo primes.
     Proved,
     /// Both sides agree at random points modulo primes, with an error probability below 2⁻¹⁰⁰.
     ProvedModP,

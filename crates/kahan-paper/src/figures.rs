@@ -132,7 +132,7 @@ impl Measurement {
         Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
     }
 
-    /// Replaces measured functions in a formula by the numbers measured:
+    /// Replaces measured functions in a formula by numbers:
     ///
     /// | call | meaning |
     /// |---|---|
@@ -239,5 +239,5 @@ pub fn slope(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     above / below
 }
 
-/// The measurements of all orbits; each is computed once.
+/// The measurements of all orbits, computed on first use.
 pub(super) type Measurements = BTreeMap<&'static str, std::sync::OnceLock<Measurement>>;

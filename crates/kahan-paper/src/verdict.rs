@@ -20,7 +20,7 @@ pub struct Verdict {
     pub detail: String,
     /// The time of the check in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// The claim, if it is one of the paper.
+    /// The claim, for claims of the paper.
     pub claim: Option<Claim>,
 }
 
@@ -36,7 +36,7 @@ pub struct OpenQuestion {
 /// Claims with their outcomes, and the totals over all claims.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
-    /// The claims with their outcomes, those of the paper in its order.
+    /// The claims with their outcomes, in the order of the paper.
     pub claims: Vec<Verdict>,
     /// The number of failed claims.
     pub failed: usize,

@@ -40,7 +40,7 @@ where
     C: Clone + Eq + Hash,
     F: Function + Clone + Eq + Hash,
 {
-    /// Returns the program with these outputs, without operations that no output needs.
+    /// Returns the program of the operations that these outputs need.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Program<Vec<Operation<I, C, F>>> {
         Program::of_results(&self.operations, outputs)

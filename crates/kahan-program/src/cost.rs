@@ -34,7 +34,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Counts operations on a target without multiply-add, where each multiply-add is two.
+    /// Counts the operations, where a multiply-add is a multiplication and an addition.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.additions + self.multiplications + 2 * self.fused + self.divisions

@@ -129,7 +129,7 @@ impl<'de, E: NamedValues> Visitor<'de> for Object<E> {
     }
 }
 
-/// Deserializes the values of one name, so that errors carry their path.
+/// Deserializes the values of one name; errors hold the path.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
 impl<'de, E: NamedValues> DeserializeSeed<'de> for Named<'_, E> {

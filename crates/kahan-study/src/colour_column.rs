@@ -71,7 +71,7 @@ impl ColourColumn {
             unreachable!("how an orbit ended is a word and a count")
         };
         if self.is_of_all() {
-            // Each integral has two columns: its largest drift, then its drift at the last point.
+            // Each integral has two columns: the largest drift, then the drift at the last point.
             let drifts: Vec<&Vec<f64>> = seen.iter().step_by(2).map(floats).collect();
             let largest = |row: usize| drifts.iter().map(|drifts| drifts[row]).fold(f64::NAN, f64::max);
             return (0..ended.len()).map(largest).collect();

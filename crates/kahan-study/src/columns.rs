@@ -51,7 +51,7 @@ pub enum ColumnError {
     },
     /// Two columns have one name.
     Twice(String),
-    /// A parameter or `eps` has a column, but takes one value here.
+    /// A parameter or `eps` has a column, but a single value is expected.
     Single(String),
     /// Some columns have names that the field does not know.
     Unusable {

@@ -116,7 +116,7 @@ pub enum StudyError {
         /// The highest degree that is feasible, if any is.
         most: Option<u32>,
     },
-    /// The name of an axis is not one that the question allows.
+    /// The question does not allow an axis of this name.
     UnknownAxis {
         /// The kind of name that the question allows, in a negated form, such as `no parameter`.
         what: &'static str,

@@ -44,7 +44,7 @@ const FUNCTIONS: [(&str, Unary); 15] = [
 /// A function called by a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// A function of one number, as an index of `FUNCTIONS`.
+    /// A function of one number: an index of `FUNCTIONS`.
     Named(usize),
     /// a^b, computed by multiplications if b is an integer with |b| ≤ 1024.
     Power,

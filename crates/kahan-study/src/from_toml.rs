@@ -1,4 +1,4 @@
-//! Reads questions and subjects from TOML, with the names and values that their JSON has.
+//! Reads questions and subjects from TOML, with the names and values of the JSON form.
 
 use std::ops::Range;
 

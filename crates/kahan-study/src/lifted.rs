@@ -28,9 +28,9 @@ pub struct Lifting {
     pub which: LiftCriterion,
     /// The first point of the orbit along which lifts are compared, by default that of the text.
     pub start: Option<Vec<Rational>>,
-    /// The names of the coordinates of `start`; empty if they have the order of the variables.
+    /// The names of the coordinates of `start`; empty for the order of the variables.
     pub names: Vec<String>,
-    /// Values of parameters that have no other value, used to compare lifts.
+    /// Values of parameters for the comparison of lifts, if no other values are given.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -327,7 +327,7 @@ impl Study {
         }
     }
 
-    /// Inserts the time into a point in the variables that answers show, if `t` was lifted.
+    /// Inserts the time into a point, if `t` was lifted.
     fn with_time<T: Clone>(&self, at: &[T], time: T) -> Vec<T> {
         let mut all = at.to_vec();
         if let Some(place) =
@@ -370,7 +370,7 @@ const USUAL_STEP: f64 = 0.01;
 const EIGHTH: usize = 50;
 /// The growth of an error, from the first to the last eighth of an orbit, that counts as drift.
 const DRIFT: f64 = 1.5;
-/// The size up to which the error of a relation is taken as rounding.
+/// The size up to which the error of a relation counts as rounding.
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {

@@ -32,7 +32,7 @@ pub enum LiftEnds {
     NotReembedded,
 }
 
-/// The growth factor of a relation's error, over a measured orbit, that counts as exponential.
+/// The growth of a relation's error along an orbit that counts as exponential.
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {

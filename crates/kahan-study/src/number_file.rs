@@ -62,7 +62,7 @@ impl Numbers<Option<Rational>> {
     /// Reads a point from each row. Named columns are matched with the states; otherwise each
     /// column is a state, except for a first column that counts the rows from 0.
     ///
-    /// An error lacks its subject, the file's name.
+    /// An error is a sentence that lacks its subject, the file's name.
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;

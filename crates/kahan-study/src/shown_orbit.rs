@@ -74,8 +74,7 @@ impl Study {
             // For a quadratic field, the rate is a norm that overestimates the frequency.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // The second trial uses the rates along the first orbit; a lifted field may need two
-            // more.
+            // The second trial uses the rates along the first orbit; lifted fields get two more.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;

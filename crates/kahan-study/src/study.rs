@@ -175,7 +175,7 @@ impl Study {
         self.lifted().map_or(&self.read.text, |lifted| &lifted.given)
     }
 
-    /// Returns notes for the author of the text on unusual interpretations.
+    /// Returns notes on unusual interpretations of the text.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         self.given_text().notes()

@@ -30,7 +30,7 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
 }
 
 /// Each step of the series adds some rounding errors of double-double, u = 2⁻¹⁰⁶ ≈ 1.2e-32. The
-/// flows amplify them by at most 10⁴.
+/// flows amplify these errors by at most 10⁴.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Crossings and jumps of random fields, planes and starts agree with dense samples of each step.
 //!
-//! This command runs all 2000 of them: `cargo test -p kahan-study --test sections -- --ignored`
+//! This command tests 2000 samples: `cargo test -p kahan-study --test sections -- --ignored`
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -92,7 +92,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     };
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
-        // From level to level, a smooth function changes by 1/128 of this bound.
+        // At each refinement, a smooth function changes by 1/128 of this bound.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {

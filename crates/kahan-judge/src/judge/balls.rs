@@ -139,7 +139,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 
 /// Expands det A, row by row, as a polynomial in a random state or in ε.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
-    /// Unless cancellation is severe, a root then has the precision of the longest scalar.
+    /// Unless cancellation is severe, so many bits give a root the precision of the longest scalar.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;

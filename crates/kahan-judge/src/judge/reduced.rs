@@ -17,7 +17,7 @@ use crate::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_
 #[derive(Debug)]
 pub(super) struct Reduced {
     equation: Equation,
-    /// The numerators of the map. One integer multiplies these and the denominator.
+    /// The numerators of the map, with integer coefficients.
     numerators: Vec<Terms>,
     denominator: Terms,
     /// The derivatives of numerators and denominator by each state and by ε.

@@ -101,8 +101,8 @@ impl Compiled {
         (0..Self::count(trials)).flat_map(words).collect()
     }
 
-    /// Tests the results of all trials, and removes them from the front of `results`. A trial has
-    /// the number 1 and the bits of x̃, or the number 0 if `try_step` returned an error.
+    /// Tests and removes the results of all trials at the front of `results`. A result is the
+    /// number 1 with the bits of x̃, or the number 0 after an error.
     pub(super) fn judge<T: Words>(&self, trials: u64, seed: u64, results: &mut &[u64], tally: &mut Tally) {
         let all = Trials::<T>::new(vec![&self.0], trials, seed);
         for index in 0..Self::count(trials) {

@@ -16,12 +16,12 @@ use crate::float::Format;
 use crate::judge::balls::fit;
 use crate::judge::{ExactMap, ExactStep, PolePolynomial, Verdict};
 
-/// The definition of k in the error bound (k + 8)·u·(|A|·|y| + |b|).
+/// The row whose number of entries determines the error bound.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rows {
-    /// The bound depends on the entries of the widest row, as for fields of many variables.
+    /// The widest row, for fields of many variables.
     Widest,
-    /// The bound of a row depends on its own entries, as for chains.
+    /// Each row itself, for chains.
     Own,
 }
 

@@ -18,7 +18,7 @@ pub(crate) fn inline(
 
 struct Scope<'a> {
     definitions: &'a BTreeMap<String, Definition>,
-    /// For each parameter of the current definition, the formula that replaces it.
+    /// The formulas that replace the parameters of the current definition.
     locals: BTreeMap<String, Formula>,
     depth: usize,
 }

@@ -123,7 +123,7 @@ impl Formula {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
     }
 
-    /// Replaces names and calls by numbers, where `number` is called with a name and arguments.
+    /// Replaces names and calls by the numbers that `number` returns for a name and arguments.
     pub(crate) fn replaced(
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,

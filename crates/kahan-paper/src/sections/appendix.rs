@@ -88,7 +88,7 @@ kappa | the integral for kappa |
     sn(kappa, k) = eps*z/(k*sn(delta, k)); dn(kappa, k) = eps*(x + y)*cn(delta, k)/sn(delta, k)
 ";
 
-/// Theta functions of nome q. The arguments are u = ζϑ₃² and δ = vϑ₃².
+/// Theta constants of nome q, and the modulus k.
 const CONSTANTS: &str = "t2 := theta2(0, q); t3 := theta3(0, q); t4 := theta4(0, q); k := (t2/t3)^2";
 const SOLUTION: &str = "
     A(w) := theta1(v, q)/theta2(v, q)*theta3(w, q); B(w) := theta1(v, q)/theta3(v, q)*theta2(w, q);

@@ -113,7 +113,7 @@ difference.e9.y | Section 6, dE9, equation of y | next(y) - y = -eps*xi*(Y*z + y
 difference.e9.z | Section 6, dE9, equation of z | next(z) - z = 2*eps*x*X + 2*eps*xi*y*Y
 ";
 
-/// Systems that become others at special values of their parameter.
+/// Reductions of systems to other systems at special values of a parameter.
 const REDUCTIONS: &str = "
 reduction.e7.e1 | Section 6, dE7 at xi = 1 is dE1 |
     at(f(e7, 1), xi, 1) = f(e1, 1); at(f(e7, 2), xi, 1) = f(e1, 2); at(f(e7, 3), xi, 1) = f(e1, 3);

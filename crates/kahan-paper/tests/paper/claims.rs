@@ -134,7 +134,7 @@ fn what_is_false_fails() {
         assert_eq!(established.outcome, Outcome::Failed, "{statement}");
         established.detail
     };
-    // All relations here are false at generic points, or are equal at every point despite `!=`.
+    // All relations here are false.
     assert!(fails("field.e1", "f1 = x^2").contains("on the left"));
     fails("field.e1", "f1 = -x^2 + eps*x");
     fails("field.e1", "f1 != -x^2");

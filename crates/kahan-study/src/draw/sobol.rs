@@ -16,7 +16,8 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// Returns the dimension with this index, if the sequence has so many dimensions and points.
+    /// Returns the dimension with this index. Fails if the sequence is too short or has too few
+    /// dimensions.
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
         if points > LENGTH {
             return Err(format!(

@@ -47,7 +47,7 @@ macro_rules! questions {
             Over(Over),
         }
 
-        /// The answer to a question, under the names of its JSON.
+        /// The answer to a question.
         #[derive(Clone, Debug, Serialize)]
         #[serde(untagged)]
         pub enum Answer {
@@ -100,7 +100,7 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the fields of the question without the name; `None` over axes.
+            /// Returns the fields without the name; `None` for a question over axes.
             fn rest(&self) -> Option<Value> {
                 match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(asked) => Some(json!(asked)),)*

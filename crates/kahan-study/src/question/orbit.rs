@@ -45,7 +45,7 @@ pub struct Orbit {
     /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The number of steps before the first row; [`steps`](Self::steps) counts from there.
+    /// The number of steps before the first row, in addition to [`steps`](Self::steps).
     #[serde(default)]
     pub transient: u64,
     /// The number of steps.
@@ -219,7 +219,7 @@ pub struct OrbitHead {
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// The execution of float steps: as `machine code`, or `interpreted`.
+    /// The execution of float steps: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
     /// Whether the orbit continues through poles.

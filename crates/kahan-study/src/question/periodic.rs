@@ -57,7 +57,7 @@ pub struct Periodic {
     /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// The integrals that keep the values that they have at `at`.
+    /// The integrals that keep their values at the point `at`.
     #[serde(default)]
     pub hold: HeldIntegrals,
 }

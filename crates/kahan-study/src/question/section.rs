@@ -138,7 +138,7 @@ impl Section {
         }
     }
 
-    /// Returns whether the question is about many orbits, so that rows identify their orbit.
+    /// Returns whether the question is about many orbits.
     #[must_use]
     pub fn is_of_many(&self) -> bool {
         !self.starts.is_empty() || !self.over.is_empty()

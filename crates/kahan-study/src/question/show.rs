@@ -84,7 +84,7 @@ pub struct FormulaSheet {
     /// The field with the map's coefficients at ε, if they depend on ε.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// The field f(x) at ε = 0; f′ and Q are derived from it.
+    /// The field f(x) at ε = 0, from which f′ and Q are derived.
     pub field: Vec<String>,
     /// The Jacobian f′(x), row by row.
     pub field_jacobian: MatrixText,
@@ -104,7 +104,7 @@ pub struct FormulaSheet {
     /// The Jacobian ∂x̃/∂x of the map, row by row, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jacobian: Option<MatrixText>,
-    /// The factor divided out of the map, if any was.
+    /// The factor divided out of the map, if any.
     pub removed_factor: Option<String>,
     /// The proved claims.
     pub claims: Vec<ClaimShown>,
@@ -128,7 +128,7 @@ pub struct ClaimShown {
     pub statement: String,
     /// The condition of the claim, in the language of `kahan!`; empty if it always holds.
     pub when: String,
-    /// The expressions that must not vanish, such as `a2 != 0`; empty if all of them are numbers.
+    /// The expressions that must not vanish, such as `a2 != 0`; empty if all are numbers.
     pub nonzero: String,
     /// The source that the catalog cites for the claim.
     pub source: Option<&'static str>,

@@ -1,4 +1,4 @@
-//! The drift of integrals along orbits, both of the map's integrals and of the flow's.
+//! The drift along orbits of the integrals of the map and of the flow.
 
 use kahan_core::Dd;
 
@@ -6,8 +6,7 @@ use super::runner::Runner;
 
 /// The claimed integrals, as conserved quantities of a map and of a flow.
 ///
-/// The flow's integral is the claim at ε = 0, or the coefficient of ε² if the claim is constant
-/// there.
+/// The flow's integral is the claim at ε = 0, or else the coefficient of ε².
 #[derive(Debug)]
 pub(super) struct Integrals {
     /// For each claim, 0 if the coefficient of ε⁰ depends on the state, 1 if only that of ε² does.

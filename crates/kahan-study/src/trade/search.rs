@@ -55,8 +55,7 @@ impl RefinementSearch<'_> {
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
-                // Rounding bounds the error from below, so one order shows whether a precision
-                // suffices.
+                // Rounding bounds the error from below, so one order decides about a precision.
                 let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {

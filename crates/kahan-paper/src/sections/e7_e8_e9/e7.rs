@@ -47,7 +47,7 @@ z.step | (ew), for every n | on(next(z), X, Y, Z) = step(Z)
 
 const INTEGRAL: &str = "u := 1/(2*eps*x); H7 := y/x*gamma(xi/2 + u)/gamma(1 - xi/2 + u)";
 
-/// The integral, and the bracket that follows from it and the volume form.
+/// Claims about the integral, and about the bracket from the integral and the volume form.
 const INTEGRALS: &str = "
 H | the integral H_7 | H7 := y/x*gamma(xi/2 + u)/gamma(1 - xi/2 + u); next(H7) = H7
 H.at_1 | H_7 at xi = 1 is H_1 | at(H7, xi, 1) = y/x
@@ -110,7 +110,7 @@ K.series | the series for K_7, summed at xi = 41/2, where it converges fast, add
 K.value | K_7 at a point, addition | K7(3/7, 11/13, 23/47, 1/2, 19/17) ~ 0.9698134589166862554
 ";
 
-/// The parameters β and γ of Theorem 3, in terms of those in formulas (ww) and (ew).
+/// The parameters β and γ of Theorem 3, in terms of the parameters of formulas (ww) and (ew).
 const POINT: &str = "point(F) := on(F, 1/(2*eps*tau), beta/(2*eps), gamma/(2*eps))";
 const SPECIAL_CASES: &str = "
 parameters.beta1 | beta_1 at xi = 1 | point(y/x) = tau*beta

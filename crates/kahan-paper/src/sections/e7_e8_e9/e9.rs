@@ -6,8 +6,7 @@ use super::super::text::read;
 
 const INTEGRALS: &str = "H := 1/2*(x^2 + y^2 + z^2); K := y*x^(-xi)";
 
-/// The orbits of E9 on the intersection of a sphere and a cylinder, and the time along them. For u
-/// = x², (du/dt)² is a polynomial in u at these values of ξ.
+/// The orbits of E9 on the intersection of a sphere and a cylinder, and the time along them.
 const QUADRATURE: &str = "
 quadrature.y | y on the orbit; H and K mean K_9 and H_9 | y = K*x^xi
     misprint A8: H := y*x^(-xi); K := 1/2*(x^2 + y^2 + z^2); y = K*x^xi

@@ -96,8 +96,8 @@ impl Chain {
         }
     }
 
-    /// Advances the state by the steps of the schedule. Each state goes to `see`, which may end the
-    /// work, and its row then to `rows`.
+    /// Advances the state by the steps of the schedule. Passes each state to `see`, which may end
+    /// the work, and then passes the row of the state to `rows`.
     pub fn rows(
         &mut self,
         paces: RowSchedule,

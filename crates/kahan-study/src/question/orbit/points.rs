@@ -38,7 +38,7 @@ pub(super) enum EndReason {
     TooLarge,
     /// The flow escapes.
     Escapes,
-    /// The lift of the field ends.
+    /// The lift ends the orbit.
     Lift(LiftEnds),
 }
 

@@ -32,7 +32,8 @@ pub enum AxisValues {
     List(Vec<Rational>),
     /// Listed scalars.
     Scalars(Vec<ScalarKind>),
-    /// Random or quasi-random values. The question sets their number; all drawn axes vary together.
+    /// Random or quasi-random values. The question sets the number of values; all drawn axes vary
+    /// together.
     Drawn {
         /// The source of the draws.
         source: Source,

@@ -11,8 +11,8 @@ use crate::rows::{Rows, Table};
 /// The number of blocks that each thread computes before rows are passed on.
 const WAVE: u64 = 64;
 
-/// Computes the rows of some cells, and reports finished cells to a function that returns `false`
-/// to end the work.
+/// A function that computes the rows of some cells. The callback gets the number of finished cells,
+/// and returns `false` to end the work.
 pub(super) type RowComputation<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
 /// Passes the rows of a range to a consumer, up to the first missing row, whose number

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The plans of a system's code, with the time that it took to make them.
+/// The plans of a system's code, with planning times.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShownPlans {
     /// The name of the system.
@@ -18,7 +18,7 @@ pub struct ShownPlans {
     pub objects: Vec<FunctionCost>,
     /// The step as a straight-line program; `None` if the step eliminates in a loop.
     pub step: Option<Listing>,
-    /// The step for scalars of any kind; `None` unless the main form divides by the time step.
+    /// The step for scalars of any kind, if the main form divides by the time step.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
