@@ -1,6 +1,6 @@
 //! Tests results by balls around x̃, for maps with too many terms to be expanded.
 //!
-//! If balls do not decide a question, balls with twice the bits and finally exact quotients do.
+//! Undecided questions are repeated with twice the bits, and finally with exact quotients.
 
 use std::cmp::Ordering;
 

@@ -1,8 +1,8 @@
 //! Tests float results against the exact step from the given floats.
 //!
-//! For fields of up to eight variables, the expanded map in lowest terms gives the exact step. If
-//! that map has too many terms, elimination in balls of growing precision does. Every verdict is
-//! exact; only printed values are rounded.
+//! For fields of up to eight variables, the exact step comes from the expanded map in lowest terms,
+//! or from elimination in balls if the map has too many terms. Every verdict is exact; only printed
+//! values are rounded.
 
 pub(crate) mod balls;
 pub(crate) mod fraction;
@@ -40,8 +40,8 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
         true
     }
 
-    /// Returns the map's denominator, or the factor divided out if `is_removable`, as a polynomial
-    /// in a random variable.
+    /// Returns the denominator of the map as a polynomial in a random variable. For `is_removable`,
+    /// returns the removed factor instead.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 

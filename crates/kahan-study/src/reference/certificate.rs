@@ -27,7 +27,7 @@ pub struct Certificate {
     /// The largest difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last compared time before any difference exceeded the allowed one.
+    /// The last compared time up to which all differences were allowed.
     #[serde(skip)]
     pub agreed_until: f64,
 }

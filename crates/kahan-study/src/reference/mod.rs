@@ -41,7 +41,7 @@ pub struct Trajectory<'a> {
     pub command: &'a str,
     /// The parameters.
     pub parameters: &'a [BigRational],
-    /// x(0).
+    /// The initial point x(0).
     pub start: &'a [BigRational],
     /// The last time, positive.
     pub end: f64,

@@ -17,7 +17,7 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::stops;
 
-/// The number of points at which integrals are evaluated if the need is the trajectory.
+/// The number of points at which integrals are evaluated beside a trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
 pub(super) struct SettingMeasurements<'a> {

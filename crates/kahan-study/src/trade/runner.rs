@@ -55,13 +55,13 @@ impl<'a> Runner<'a> {
         self.map.at(1.0).is_code()
     }
 
-    /// Returns the seconds of `steps` steps from the start, without preparation.
+    /// Returns the time in seconds of `steps` steps from the start.
     pub(super) fn seconds(&self, scheme: Scheme, eps: f64, steps: u64) -> f64 {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit from `from`, by default the start of the scene, and returns the seconds.
-    /// Shows the first point and the points at `stops`, until `visit` ends the orbit.
+    /// Follows an orbit from `from`, by default the start of the scene. Shows the first point and
+    /// the points at `stops`, until `visit` ends the orbit. Returns the time in seconds.
     pub(super) fn follow(
         &self,
         scheme: Scheme,

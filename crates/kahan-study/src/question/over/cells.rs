@@ -160,7 +160,7 @@ impl<'a> Cells<'a> {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// Returns the number of values of the last axis whose values multiply the number of cells.
+    /// Returns the number of values of the last axis that multiplies the number of cells.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)

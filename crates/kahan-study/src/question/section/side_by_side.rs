@@ -15,7 +15,7 @@ use crate::study::Study;
 use super::plane::Plane;
 use super::section_orbit::{BufferedCrossings, SectionOrbit};
 
-/// The number of steps between checks of which orbits continue.
+/// The number of steps after which finished orbits leave the group.
 const STEPS: u64 = 1024;
 /// Fewer orbits than this number are followed one by one.
 const FEWEST: usize = 4;
