@@ -1,17 +1,14 @@
-//! Ball arithmetic. A ball is the set of all numbers within a radius of a middle, which has limited
-//! length.
+//! Ball arithmetic: a ball is the set of all numbers within a radius of a middle.
 //!
-//! The input consists of exact numbers. Every sum, product and quotient is a ball that contains the
-//! exact result. Exponents are 64-bit integers, so nothing overflows or underflows. A radius
-//! becomes large relative to its middle only by cancellation.
+//! Every sum, product and quotient is a ball that contains the exact result. Exponents are 64-bit
+//! integers, so nothing overflows or underflows.
 
 use super::dyadic::Dyadic;
 
-/// The set of all numbers within `radius` of `middle`.
 #[derive(Clone, Debug)]
 pub(crate) struct Ball {
     middle: Dyadic,
-    /// The radius, with at most [`RADIUS_BITS`] bits. Every operation rounds it up.
+    /// Every operation rounds the radius up to at most [`RADIUS_BITS`] bits.
     radius: Dyadic,
 }
 
@@ -52,8 +49,7 @@ impl Ball {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
 
-    /// Returns a lower bound of |v| for all numbers v in the ball. A negative result is no
-    /// restriction.
+    /// Returns a lower bound, possibly negative, of |v| over all numbers v in the ball.
     pub(crate) fn least(&self) -> Dyadic {
         &self.middle.clone().abs() - &self.radius
     }
@@ -89,7 +85,7 @@ impl Ball {
         Self { middle: &self.middle * &other.middle, radius: up(&(&one + &two)) }.rounded(bits)
     }
 
-    /// Divides by a divisor that [excludes 0](Self::is_not_zero).
+    /// Divides by a ball that [excludes 0](Self::is_not_zero).
     pub(crate) fn over(&self, divisor: &Self, bits: u64) -> Self {
         if self.is_zero() {
             return self.clone();
@@ -99,7 +95,6 @@ impl Ball {
         let unit = Dyadic::new(1, unit);
         let by_divisor = &(&up(&middle) + &unit) * &divisor.radius;
         let mut radius = up(&(&self.radius + &by_divisor));
-        // If the radius is zero, the unit of its quotient would be arbitrary.
         if !radius.is_zero() {
             let (quotient, beyond) = radius.quotient(&divisor.least(), RADIUS_BITS);
             radius = &quotient + &Dyadic::new(1, beyond);
@@ -108,7 +103,7 @@ impl Ball {
     }
 
     pub(crate) fn absolute(self) -> Self {
-        // | |v| − |middle| | ≤ |v − middle| ≤ radius.
+        // By the triangle inequality, |v| differs from |middle| by at most the radius.
         Self { middle: self.middle.abs(), radius: self.radius }
     }
 }

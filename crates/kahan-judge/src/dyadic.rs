@@ -1,5 +1,4 @@
-//! Exact numbers n·2^k, which include all finite floats, and their sums and products. No greatest
-//! common divisor is taken; quotients are compared by cross-multiplication.
+//! Exact arithmetic of numbers n·2^k with integers n and k, which include all finite floats.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
@@ -9,8 +8,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Float;
 use num_bigint::{BigInt, Sign};
 
-/// The number integer·2^exponent. It is not normalised; use [`compare`](Dyadic::compare) for
-/// equality.
+/// The number integer·2^exponent, not normalised: [`compare`](Dyadic::compare) tests equality.
 #[derive(Clone, Debug)]
 pub(crate) struct Dyadic {
     integer: BigInt,
@@ -70,8 +68,8 @@ impl Dyadic {
         Self::new(value.numerator(), 1 - value.denominator().bits() as i64)
     }
 
-    /// Truncates to the leading `bits` bits. Also returns an exponent e such that 2^e is larger
-    /// than the truncated rest. `None` if nothing was truncated.
+    /// Truncates to the leading `bits` bits, and returns e such that the error is less than 2^e.
+    /// Returns `None` if the number has at most `bits` bits.
     pub(crate) fn cut(&self, bits: u64) -> Option<(Self, i64)> {
         let excess = self.integer.bits().saturating_sub(bits);
         (excess > 0).then(|| {
@@ -83,16 +81,14 @@ impl Dyadic {
         })
     }
 
-    /// Returns self/divisor to at least `bits` bits, and an exponent e such that 2^e is larger than
-    /// the error.
+    /// Returns self/divisor to at least `bits` bits, and e such that the error is below 2^e.
     pub(crate) fn quotient(&self, divisor: &Self, bits: u64) -> (Self, i64) {
         let shift = (bits + divisor.integer.bits()).saturating_sub(self.integer.bits()) + 1;
         let exponent = self.exponent - divisor.exponent - shift as i64;
         (Self { integer: (&self.integer << shift) / &divisor.integer, exponent }, exponent)
     }
 
-    /// Returns (significand, exponent) with 1 ≤ |significand| < 2, truncated after 53 bits; (0, 0)
-    /// for 0.
+    /// Returns the truncated significand and the exponent, where 1 ≤ |significand| < 2.
     pub(crate) fn leading(&self) -> (f64, i64) {
         let mut digits = self.integer.iter_u64_digits().rev();
         let (Some(binade), Some(first)) = (self.binade(), digits.next()) else { return (0.0, 0) };
@@ -102,15 +98,13 @@ impl Dyadic {
         (if self.is_negative() { -significand } else { significand }, binade)
     }
 
-    /// Returns the number as `f64`, truncated after 53 bits. Below the normal range it has fewer
-    /// bits, and above it is infinite.
+    /// Truncates the number to an `f64`, which is infinite beyond the range of floats.
     pub(crate) fn near_f64(&self) -> f64 {
         let (significand, binade) = self.leading();
         libm::ldexp(significand, binade.clamp(-5000, 5000) as i32)
     }
 
-    /// Returns |self/divisor| with a relative error of 2⁻⁵⁰. The result is infinite for a zero
-    /// divisor or beyond the range of floats, and 0 below that range.
+    /// Returns |self/divisor| with a relative error of 2⁻⁵⁰; infinity if the divisor is zero.
     pub(crate) fn ratio(&self, divisor: &Self) -> f64 {
         if divisor.is_zero() {
             return f64::INFINITY;
@@ -120,7 +114,7 @@ impl Dyadic {
     }
 }
 
-/// Combines the integers of both numbers after they are written with the smaller exponent.
+/// Writes both numbers with the smaller exponent, and combines their integers.
 fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
     // A zero must not determine the common exponent.
     if b.is_zero() {
@@ -176,7 +170,6 @@ mod tests {
             assert_eq!((&dyadic + &dyadic).compare(&dyadic.clone().scaled(1)), Ordering::Equal);
         }
         assert!(Dyadic::of(f64::NAN).is_none() && Dyadic::of(f64::INFINITY).is_none());
-        // The product 1e300·1e-300 differs from 1 by the result of a fused multiply-add.
         let (a, b) = (Dyadic::of(1e300).unwrap(), Dyadic::of(1e-300).unwrap());
         let difference = &(&a * &b) - &Dyadic::of(1.0).unwrap();
         assert_eq!(difference.near_f64(), 1e300_f64.mul_add(1e-300, -1.0));

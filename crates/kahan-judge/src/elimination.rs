@@ -1,10 +1,7 @@
-//! Solves the equation of a step by elimination in balls, which are sets of numbers around a
-//! middle.
+//! Solves the equation of a step for x̃ by elimination in ball arithmetic.
 //!
-//! The input is the equation at a point, and a precision. The output is x̃ as balls, or the
-//! condition number of the step. Pivots are entries whose ball excludes 0. A zero column makes the
-//! matrix singular. For any other column without a pivot the result is unknown, and callers try the
-//! next of the [`precisions`].
+//! A pivot is an entry whose ball excludes 0. If a nonzero column has no pivot, the result is
+//! unknown, and the caller tries the next of the [`precisions`].
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -28,8 +25,7 @@ pub(crate) enum Eliminated<R> {
     Unknown,
 }
 
-/// The matrix A(x,ε), with right-hand sides appended to its rows. The entries are balls, and all of
-/// them are stored.
+/// The dense matrix A(x,ε), with right-hand sides appended to its rows.
 pub(crate) struct Matrix {
     pub(crate) rows: Vec<Vec<Ball>>,
     bits: u64,
@@ -55,8 +51,7 @@ impl Matrix {
         let mut sizes: Vec<i64> = self.rows.iter().map(|row| size(row).unwrap_or(0)).collect();
         let mut determinant = Ball::exactly(Dyadic::new(1, 0));
         for k in 0..n {
-            // Rows may differ in size by any power of two, so pivots are compared relative to their
-            // rows.
+            // Sizes of rows may differ widely, so pivots are compared relative to their rows.
             let candidates = (k..n).filter(|&i| self.rows[i][k].is_not_zero());
             let part = |i: &usize| self.rows[*i][k].middle().binade().map(|binade| binade - sizes[*i]);
             let Some(pivot) = candidates.max_by_key(part) else {
@@ -112,10 +107,9 @@ pub(crate) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     }
 }
 
-/// Returns the condition number of the step in (x, ε): max over i of Σ |∂x̃ᵢ/∂v|·|v| over the
-/// variables v, divided by ‖x̃‖∞. `None` if `bits` bits do not determine it. The result has a
-/// relative error of at most 2⁻²⁰, and is infinite for x̃ = 0. One elimination solves for all
-/// derivatives: ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
+/// Returns the condition number max_i Σ_v |∂x̃ᵢ/∂v|·|v| / ‖x̃‖∞, where v runs over x and ε.
+/// Returns `None` if `bits` bits are too few. One elimination solves for all derivatives:
+/// ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)).
 pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: u64) -> Option<f64> {
     let Eliminated::Solved(next) = next(equation, bits) else { return None };
     let n = next.len();
@@ -156,7 +150,7 @@ pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
     let (most, size) = (largest(sums.iter().map(Ball::most)), largest(next.iter().map(Ball::least)));
     let (least, size_at_most) = (largest(sums.iter().map(Ball::least)), largest(next.iter().map(Ball::most)));
     let (above, below) = (&most * &size_at_most, &least * &size);
-    // The result is accurate enough if above ≤ (1 + 2⁻²⁰)·below.
+    // Accept a relative error of 2⁻²⁰.
     let is_known = !size.is_zero() && (&above - &below).scaled(20).compare(&below) != Ordering::Greater;
     is_known.then(|| most.ratio(&size))
 }

@@ -1,8 +1,7 @@
 //! Evaluates the defining equation A(x,ε)(x̃ − x) = 2εf(x) at a point, exactly.
 //!
-//! The input is a field of any number of variables, and floats. The output consists of the entries
-//! of A and f, each row multiplied by the denominator of its component. Polynomials of the checked
-//! field are evaluated term by term, independently of the tested code.
+//! Each row is multiplied by the denominator of its component of f. Polynomials are evaluated term
+//! by term, independently of the tested code.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational_function::RationalFunction;
@@ -43,7 +42,7 @@ pub(crate) struct AtPoint {
     pub(crate) rows: Vec<RowAtPoint>,
 }
 
-/// The values of a component p/q at a point: p, q and the entries of ∂p/∂x.
+/// The values of a [`Row`] at a point.
 #[derive(Debug)]
 pub(crate) struct RowAtPoint {
     pub(crate) field: Dyadic,

@@ -7,7 +7,7 @@ use super::dyadic::Dyadic;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Format {
-    /// The precision p. The error bound has the unit u = 2^−p.
+    /// The number p of bits of precision. Error bounds are multiples of u = 2^−p.
     pub(crate) precision: i64,
     /// The exponent e such that 2^e is the least number with full precision.
     pub(crate) least_binade: i64,
@@ -17,20 +17,18 @@ pub(crate) struct Format {
 
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const NAME: &'static str;
-    /// The name that the method `step` has in tables: `fast` or `accurate`.
+    /// The name of the method `step` in tables: `fast` or `accurate`.
     const STEP_TIER: &'static str;
-    /// The name of the step that is computed in a wider format and rounded once, if the scalar has
-    /// one.
+    /// The name of the step that computes in a wider format and rounds once, if there is one.
     const WIDER_TIER: Option<&'static str> = None;
     const FORMAT: Format;
     /// The greatest number of bits in the significand of a random number.
     const BITS: i64;
-    /// |ε| is drawn from 2^−EPS_BINADES to 2^EPS_BINADES, which is 1e±300 for `f64`.
+    /// Random |ε| lie between 2^−EPS_BINADES and 2^EPS_BINADES.
     const EPS_BINADES: i64;
-    /// ‖x‖ is drawn from 2^−STATE_BINADES to 2^STATE_BINADES, which is 1e±150 for `f64`.
+    /// Random ‖x‖ lie between 2^−STATE_BINADES and 2^STATE_BINADES.
     const STATE_BINADES: i64;
-    /// The condition number below which `try_step` must return a result. `None` if there is no such
-    /// guarantee.
+    /// The condition number below which `try_step` must return a result, if that is guaranteed.
     const FLAG_CONDITION: Option<f64>;
 
     fn of(value: f64) -> Self;
@@ -40,8 +38,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
         Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)
     }
 
-    /// Returns a number whose distance from `value` is about one unit in the last place. The number
-    /// is infinite beyond the range of the scalar.
+    /// Rounds `value` to within about one unit in the last place. Large values become infinite.
     fn near(value: &Dyadic) -> Self {
         Self::of(value.near_f64())
     }
@@ -51,8 +48,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
         Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
     }
 
-    /// Makes the step that [`WIDER_TIER`](Self::WIDER_TIER) names. `None` for a float without a
-    /// wider tier.
+    /// Makes the step named by [`WIDER_TIER`](Self::WIDER_TIER), if the scalar has one.
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
     where
         M: ExtendScalars<Self, N>,
@@ -100,7 +96,7 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
-    /// Every operation meets this precision. Below the least exponent the low part loses bits.
+    /// Below the least exponent, the low part of a number loses bits.
     const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
     const BITS: i64 = 106;
     const EPS_BINADES: i64 = 996;

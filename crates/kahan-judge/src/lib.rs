@@ -1,11 +1,8 @@
 //! Tests single steps near the limits of float formats by exact arithmetic.
 //!
-//! The input consists of systems, a number of trials and a seed ([`Extremes`]). For every regime of
-//! points, kind of step and scalar, the output has the largest error, the number of trials without
-//! a result, and the number of wrong results without a warning ([`Judged`]). Verdicts need no
-//! tolerance, since results are compared with the exact map at the given floats. A trial depends
-//! only on the seed and its index, not on threads. The crate must not know terminals, files, flags
-//! or HTML.
+//! [`Extremes`] takes systems, a number of trials and a seed. [`Judged`] holds the largest error,
+//! the number of trials without a result, and the number of wrong results without a warning.
+//! A trial depends only on the seed and its index, not on threads.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -41,24 +38,19 @@ use survey::{TestedMap, survey, survey_odd, total, total_of_odd};
 pub use regime::Regime;
 pub use tally::{BrokenPromises, Cell, CellKey, Failure, Tally};
 
-/// Returns the default systems: those of the paper, and the Volterra lattice of three sites. The
-/// determinant of A cancels for this lattice in long steps.
+/// Returns the default systems: the systems of the paper, and the Volterra lattice of three sites.
 pub fn usual_subjects() -> impl Iterator<Item = Subject> {
     let entries = registry::SYSTEMS.iter().chain([&volterra::ENTRY]);
     entries.map(|entry| Subject::named(entry.command))
 }
 
-/// The settings of a survey of steps near poles, at mixed magnitudes, and with subnormal and
-/// infinite inputs.
-///
-/// Parameters without a given value are drawn for each trial.
+/// The settings of a survey. Parameters without a given value are drawn for each trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
-    /// The number of trials of each scalar. Three kinds of trials are added: subnormal inputs,
-    /// infinite or NaN inputs, and large steps. Each kind has 1/32 of this number, at least eight.
+    /// The number of trials of each scalar. Trials with subnormal, infinite or NaN inputs and with
+    /// large steps are added.
     pub trials: u64,
-    /// The number of additional random fields. The fields have two to six variables, and share the
-    /// trials with the systems.
+    /// The number of random fields that share the trials with the systems.
     pub random_fields: usize,
     /// The number of additional random fields with extreme coefficients.
     pub odd_fields: usize,
@@ -69,7 +61,6 @@ pub struct Extremes {
     pub seed: u64,
 }
 
-/// The default is forty thousand trials, without random fields.
 impl Default for Extremes {
     fn default() -> Self {
         Extremes { trials: 40_000, random_fields: 0, odd_fields: 0, odd_trials: 300, seed: 1 }
@@ -93,7 +84,7 @@ pub struct Judged {
     pub seed: u64,
     /// The duration of the survey in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// The counts for each regime, kind of step and scalar, and the violations of the error bound.
+    /// The counts for each regime, kind of step and scalar.
     #[serde(flatten)]
     pub tally: Tally,
     /// The names of the systems that have removable poles.
@@ -102,9 +93,9 @@ pub struct Judged {
 }
 
 impl Extremes {
-    /// Tests steps of the given and the random fields, in turn, on the threads of the watch.
+    /// Tests steps of the given fields and of the random fields on the threads of the watch.
     ///
-    /// At least one field is needed. Claims of the fields are ignored.
+    /// At least one field is needed.
     ///
     /// # Errors
     /// Returns [`CannotJudge`] if a field has too many variables or is undefined at its parameters.
@@ -172,7 +163,7 @@ impl Judged {
 pub struct CannotJudge {
     /// The name of the field.
     pub system: String,
-    /// The reason why its steps cannot be tested.
+    /// The reason for the failure.
     pub why: CannotRun,
 }
 

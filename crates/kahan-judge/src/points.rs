@@ -1,8 +1,7 @@
 //! Seeded random points. Each trial draws its own point from its index, on any thread.
 //!
-//! The input is a regime, the exact map, and a random generator. The output consists of the
-//! arguments of a step, as floats. The logarithms of numbers are uniformly distributed. A quarter
-//! of the significands have few bits, so that exact poles occur.
+//! Logarithms of numbers are uniformly distributed. A quarter of the significands have few bits, so
+//! that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -17,7 +16,7 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The regime of the point. The regime is `MixedMagnitudes` if no pole was found.
+    /// The regime of the point: `MixedMagnitudes` if no pole was found.
     pub(crate) regime: Regime,
 }
 
@@ -36,12 +35,11 @@ impl<T: Float> Inputs<T> {
     }
 }
 
-/// A source of random inputs for one system. The field `fixed` holds the given parameters.
+/// A source of random inputs for one system.
 pub(crate) struct InputSampler<'a, T> {
     pub(crate) judge: &'a dyn ExactMap,
     pub(crate) fixed: &'a [Option<T>],
-    /// Whether parameters are drawn from the whole range, and ε is often scaled to the size of the
-    /// field.
+    /// Whether parameters are drawn from the whole range of floats.
     pub(crate) is_odd: bool,
     pub(crate) random: SplitMix64,
 }
@@ -80,8 +78,7 @@ impl<T: Float> InputSampler<'_, T> {
         inputs
     }
 
-    /// Draws an ordinary point, multiplies it by 2^binade, and divides ε by that factor. For
-    /// homogeneous fields this is a scaled copy of an ordinary trial.
+    /// Draws an ordinary point, multiplies it by 2^binade, and divides ε by 2^binade.
     fn scaled(&mut self, binade: i64) -> Inputs<T> {
         let sizes: Vec<i64> =
             (0..self.judge.equation().dimension()).map(|_| binade + self.between(-5, 1)).collect();
@@ -118,8 +115,7 @@ impl<T: Float> InputSampler<'_, T> {
         if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// Moves one variable of a point to a pole, or to a removable pole, and adds a relative
-    /// perturbation 2^−k.
+    /// Moves one variable of a point near a pole, or near a removable pole.
     fn beside(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
@@ -133,7 +129,7 @@ impl<T: Float> InputSampler<'_, T> {
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
-            // If k exceeds the precision, rounding gives the zero itself or a neighbour of it.
+            // For k beyond the precision, rounding gives the zero itself or a neighbouring float.
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
@@ -143,8 +139,7 @@ impl<T: Float> InputSampler<'_, T> {
         self.mixed()
     }
 
-    /// Draws an ordinary point, and replaces one or two values: coordinates, ε, or drawn
-    /// parameters.
+    /// Replaces one or two numbers of an ordinary point: coordinates, ε, or drawn parameters.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());
@@ -158,8 +153,7 @@ impl<T: Float> InputSampler<'_, T> {
         inputs
     }
 
-    /// Draws floats with these exponents of 2, within the limits of the scalar. One state in
-    /// sixteen is 0.
+    /// Draws floats with the given exponents of 2. One state in sixteen is 0.
     fn inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);
@@ -186,7 +180,7 @@ impl<T: Float> InputSampler<'_, T> {
         fixed.iter().map(parameter).collect()
     }
 
-    /// Draws parameters. Each is of any size, of ordinary size, or near the previous parameter.
+    /// Draws parameters of any size, of ordinary size, or near the previous parameter.
     fn odd_parameters(&mut self) -> Vec<T> {
         let mut drawn: Vec<T> = Vec::new();
         for given in self.fixed {
@@ -215,7 +209,6 @@ impl<T: Float> InputSampler<'_, T> {
         let few = self.random.below(4) == 0;
         let bits = if few { 1 + self.random.below(6) as i64 } else { T::BITS };
         let drawn = (u128::from(self.random.next_u64()) << 64) | u128::from(self.random.next_u64());
-        // Set the top bit; the other bits are random.
         let significand = (drawn | 1 << 127) >> (128 - bits);
         let size = Dyadic::new(significand, binade + 1 - bits);
         T::near(&if self.random.below(2) == 0 { size } else { &Dyadic::zero() - &size })

@@ -1,8 +1,6 @@
 //! Polynomials with integer coefficients, and their values at exact points.
 //!
-//! The input consists of polynomials with rational coefficients. The output consists of their
-//! values, all multiplied by one integer, so that ratios are unchanged. Polynomials are evaluated
-//! term by term, independently of the tested code.
+//! Polynomials are evaluated term by term, independently of the tested code.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use num_bigint::BigInt;
@@ -63,8 +61,7 @@ pub(crate) fn greatest_power<'a>(polynomials: impl IntoIterator<Item = &'a Polyn
     powers.map(|(_, power)| power as usize).max().unwrap_or(0).max(1)
 }
 
-/// A polynomial in one variable. Its coefficients, from the constant term upwards, depend on the
-/// other variables.
+/// A polynomial in one variable, whose coefficients depend on the other variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Univariate {
     pub(crate) variable: usize,

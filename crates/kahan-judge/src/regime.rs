@@ -3,11 +3,9 @@
 /// The position of a point relative to poles and to the limits of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Regime {
-    /// The point is near a pole of the map in lowest terms. The relative distance is between 1 and
-    /// rounding.
+    /// The point is near a pole of the map in lowest terms.
     NearPole,
-    /// The point is near a zero of det A at which the map in lowest terms is defined. The relative
-    /// distance is between 1 and rounding.
+    /// The point is near a zero of det A at which the map in lowest terms is defined.
     NearRemovablePole,
     /// The sizes of the components and of ε are from the whole range of the format.
     MixedMagnitudes,

@@ -9,10 +9,9 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// Returns a random root of Σ coefficients[k]·v^k. `None` if no change of sign was found. The root
-/// has a relative error of at most 2^−bits, or is exact if bisection hits it. At a root two terms
-/// with coefficients c_i and c_j have about equal sizes, so the root's size is about
-/// |c_i/c_j|^(1/(j−i)). Signs are compared at powers of two around these sizes.
+/// Returns a random root of Σ coefficients[k]·v^k with a relative error of at most 2^−bits, or
+/// `None` without a change of sign. The search compares signs near points where two terms have
+/// equal sizes.
 pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -47,8 +46,7 @@ fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
     })
 }
 
-/// Returns the sign of the polynomial. `None` if terms cancel to less than 2⁻⁴⁰ of their sizes. The
-/// error of each term is a few times 2⁻⁵², relative to the term, for every power.
+/// Returns the sign of the polynomial; `None` if terms cancel to less than 2⁻⁴⁰ of their sizes.
 fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
     let (significand, binade) = v.leading();
     let term = |(k, c): (i32, &Dyadic)| {
@@ -79,8 +77,6 @@ mod tests {
     #[test]
     fn roots_are_found_over_the_whole_range() {
         let mut random = SplitMix64::new(1);
-        // The polynomials 3v − 2^3000 and v² − 2·2^−2000 have roots. The polynomial 1 + 5v² and
-        // constants have no roots.
         let linear = [Dyadic::new(-1, 3000), Dyadic::new(3, 0)];
         let third = root(&linear, 60, &mut random).unwrap();
         assert!((&(&third * &Dyadic::new(3, 0)) - &Dyadic::new(1, 3000)).ratio(&third) < 1e-18);
@@ -93,8 +89,7 @@ mod tests {
         assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
     }
 
-    /// Evaluates (v − 3)² − 5·2^(−power) near its nearly double root, where the leading bits of
-    /// terms cancel.
+    /// Evaluates (v − 3)² − 5·2^(−power) near v = 3, where the leading bits of terms cancel.
     #[test]
     fn leading_bits_tell_no_wrong_sign() {
         let (mut told, mut silent) = (0, 0);

@@ -1,10 +1,7 @@
-//! The steps that are tested. A system's compiled formulas are run one operation after the other.
+//! The steps that are tested, run operation by operation from the formulas of a system.
 //!
-//! The input is a system at parameters at which it is defined. The output is every kind of step of
-//! its map over a scalar, equal to generated code bit for bit; tests compare these on the whole
-//! catalog. Dimensions are padded to four or eight with constant states, since the first arithmetic
-//! of `try_step` differs between these two. Compiling two dimensions takes a quarter of the time of
-//! compiling eight.
+//! Every step equals that of generated code bit for bit. Dimensions are padded to four or eight
+//! with constant states, since compiling all eight dimensions takes four times as long.
 
 use std::fmt::Debug;
 
@@ -21,17 +18,13 @@ pub(crate) trait StepMethods<T>: Debug + Send + Sync {
 
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
-    /// Makes the step by elimination with partial pivoting. `None` if det A is zero and the scalar
-    /// has no reciprocal of zero.
+    /// Makes the step by elimination with partial pivoting; may return `None` if det A is zero.
     fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 }
 
-/// Returns the steps of a map over a scalar.
-///
-/// # Errors
-/// Returns [`UnsupportedDimension`] for maps with more than eight variables.
+/// Returns the steps of a map over a scalar, or an error beyond eight variables.
 pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn StepMethods<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),
@@ -77,7 +70,7 @@ mod tests {
     use super::*;
 
     /// In `f32`, `try_step` begins in `f32` up to four variables, and in `f64` beyond. Padding must
-    /// not change this.
+    /// not change this choice.
     #[test]
     fn a_map_begins_as_generated_code_of_its_variables_does() {
         let mut text = String::new();

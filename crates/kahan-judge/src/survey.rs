@@ -1,4 +1,4 @@
-//! Runs surveys of trials: it distributes systems and trials over threads.
+//! Distributes the systems and trials of a survey over threads.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -29,13 +29,13 @@ pub(crate) struct TestedMap {
 pub(crate) struct Target {
     pub(crate) name: String,
     pub(crate) parameters: Vec<Option<Rational>>,
-    /// Whether parameters are drawn from the whole range.
+    /// Whether parameters are drawn from the whole range of floats.
     pub(crate) is_odd: bool,
     pub(crate) judge: Box<dyn ExactMap>,
 }
 
 impl TestedMap {
-    /// Prepares a system under a name. Each parameter has a given value, or `None` if it is drawn.
+    /// Prepares a system under a name. A parameter without a given value is drawn for each trial.
     pub(crate) fn new(
         name: &str,
         system: &System,
@@ -60,16 +60,14 @@ impl TestedMap {
         Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
     }
 
-    /// Lets parameters be drawn from the whole range, and for many points an ε for which ‖εf′‖∞ is
-    /// of ordinary size.
+    /// Lets parameters be drawn from the whole range of floats.
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
     }
 }
 
-/// Returns the given value of the k-th parameter. A missing value is replaced by a number that
-/// depends on k and makes zero divisors unlikely.
+/// Returns the value of the k-th parameter, or a number that makes zero divisors unlikely.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -77,11 +75,10 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// Runs `trials` trials each of `f32`, `f64` and `Dd`, cycling through the systems. One quarter of
-/// the trials each are near poles, near removable poles, of mixed magnitudes, and ordinary. Without
-/// removable poles, their quarter goes to the poles. Further trials are added with subnormal
-/// inputs, with nonfinite inputs, and with large steps, for which elimination is also tested. Each
-/// kind has one thirty-second of the trials, at least eight.
+/// Runs `trials` trials each of `f32`, `f64` and `Dd`, cycling through the systems.
+///
+/// One quarter of the trials each are near poles, near removable poles, of mixed magnitudes, and
+/// ordinary. Trials with subnormal inputs, nonfinite inputs and large steps are added.
 pub(crate) fn survey(tried: &[TestedMap], trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     on_threads(tried, trials, seed, count.threads(), count)
 }
@@ -99,7 +96,7 @@ pub(crate) fn total(trials: u64) -> u64 {
 }
 
 /// Runs trials of `fields` random fields with extreme coefficients. Every twentieth field has ten
-/// times as many trials. Each field is drawn on the thread that tests it.
+/// times as many trials.
 pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &WorkCount<'_>) -> Tally {
     let all = Mutex::new(Tally::default());
     for_each(fields, Some(count.threads()), &|k| {
@@ -135,7 +132,7 @@ fn of_scalar<T: Float>(ready: &PreparedTrials<'_, T>, threads: usize, count: &Wo
         let end = (start + BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
         count.add((end - start) as u64);
-        // Threads panic only outside of the lock, so its content is valid.
+        // Threads panic only outside of the lock, so the locked tally is valid.
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
     all.into_inner().unwrap_or_else(PoisonError::into_inner)

@@ -1,5 +1,4 @@
-//! Counts of trials for each regime, kind of step and scalar. The order in which counts are added
-//! does not matter.
+//! Counts of trials for each regime, kind of step and scalar.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -13,15 +12,13 @@ use super::regime::Regime;
 pub struct Cell {
     /// The number of trials.
     pub trials: u64,
-    /// The largest ‖error‖∞/‖exact‖∞ of finite results where the exact step is defined, as a
-    /// multiple of the scalar's unit u. The value is infinite if the exact step is 0, and `None`
+    /// The largest relative error ‖error‖∞/‖exact‖∞ in multiples of the scalar's unit u; `None`
     /// without results.
     #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
     /// The number of trials without a result: `try_step` refused, or the result was not finite.
     pub flagged: u64,
-    /// The number of refusals of `try_step` without a reason: the condition number is below the
-    /// bound, and the format holds the exact result.
+    /// The number of well-conditioned steps with representable results that `try_step` refused.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
     /// The number of wrong results that were returned without a warning.
@@ -35,14 +32,13 @@ pub type CellKey = (Regime, &'static str, &'static str);
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(transparent)]
 pub struct Failure {
-    /// Whether `try_step` refused without a reason. `false` for a wrong result; wrong results sort
-    /// first.
+    /// Whether `try_step` refused without a reason; otherwise the result was wrong.
     #[serde(skip)]
     pub is_flag: bool,
-    /// The index of the trial, from which its inputs are drawn.
+    /// The index of the trial, which determines the inputs.
     #[serde(skip)]
     pub index: u64,
-    /// The guarantee that was violated, and the result, with the arguments of the step.
+    /// The violated guarantee, the result, and the arguments of the step.
     pub text: String,
 }
 
@@ -55,22 +51,21 @@ pub struct Tally {
     /// The failures of `try_step` in each system, by the system's name.
     #[serde(serialize_with = "by_system")]
     pub broken: BTreeMap<String, BrokenPromises>,
-    /// The first failures of `try_step`. Wrong results come first, then refusals without a reason,
-    /// each by index.
+    /// The first failures of `try_step`: wrong results by index, then refusals by index.
     pub failures: Vec<Failure>,
 }
 
 /// The failures of `try_step` in one system.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BrokenPromises {
-    /// The equations of a random field. The text is empty for systems of the catalog.
+    /// The equations of a random field; empty for systems of the catalog.
     pub text: String,
     /// The number of wrong results without a warning.
     pub silently_wrong: u64,
     /// The number of refusals without a reason.
     #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
-    /// The first failure in the order of the list of failures.
+    /// The first failure in the order of [`Tally::failures`].
     pub first: Failure,
 }
 

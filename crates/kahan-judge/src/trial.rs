@@ -17,7 +17,6 @@ pub(crate) struct Trials<'a, T> {
     fixed: Vec<Vec<Option<T>>>,
     /// The indices of the targets that have poles.
     with_poles: Vec<usize>,
-    /// The indices of the targets that have removable poles.
     with_removable_poles: Vec<usize>,
     strata: u64,
     seed: u64,
@@ -34,7 +33,7 @@ pub(crate) struct Trial<'a, T> {
     /// The index of the trial's target.
     place: usize,
     inputs: Inputs<T>,
-    /// The finite inputs with the exact step. `None` for inputs that are not finite.
+    /// The exact trial, if all inputs are finite.
     known: Option<ExactTrial>,
 }
 
@@ -209,9 +208,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// Returns the condition number if `try_step` must not refuse, otherwise `None`. The method
-    /// must not refuse if the field is defined, the format holds x̃, and the condition number is
-    /// below the bound.
+    /// Returns the condition number if `try_step` must not refuse: the field is defined, the format
+    /// holds x̃, and the condition number is below the scalar's bound.
     fn forbidden_flag(&self) -> Option<f64> {
         let (ExactTrial { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

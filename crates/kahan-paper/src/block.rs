@@ -1,7 +1,7 @@
 //! Proves claims of `kahan!` blocks a second time, independently of the macro.
 //!
-//! The macro proves claims modulo primes. This module repeats that proof. It also expands both
-//! sides over ℚ, unless the expansion would be too large.
+//! The macro proves claims modulo primes. This module repeats that proof, and also expands both
+//! sides over ℚ unless the expansion would be too large.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
@@ -16,8 +16,7 @@ use super::formula::mutations;
 use super::identity::Evidence;
 use super::registry::outcome;
 
-/// Decides one claim of a system, and returns the evidence in words. The decision takes
-/// milliseconds, at most a second.
+/// Decides one claim of a system, and returns the evidence in words.
 #[must_use]
 pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
@@ -51,15 +50,13 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
 }
 
 /// Changes one coefficient or sign of a claim at a time until the claim fails. Returns the number
-/// of changes and the failing claim. Conditions after `when` stay unchanged. Claims without a
-/// number or sign, such as `integral M = z`, are changed by adding a state. Each change costs a
-/// proof, as in [`establish_block_claim`].
+/// of changes and the failing claim. Each change costs a proof, as in [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
     let claim = claim_text(system, &system.claims[index]);
     let block = macro_block(&before);
-    // The text before the claim is the context: header, constants, equations and earlier claims.
+    // The text before the claim holds the header, constants, equations and earlier claims.
     let Some(context) = block.strip_prefix("kahan! {").and_then(|block| block.split_once(&claim)) else {
         return (0, None);
     };
@@ -74,8 +71,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let failed = mutations(body).into_iter().chain(raised).find(|mutated| {
         let mutated = format!("{mutated}{condition}");
         let tokens = lex(&format!("{}{mutated}", context.0)).tokens;
-        // A text that cannot be parsed, for example because of a large exponent, is not a failing
-        // claim.
+        // A text that cannot be parsed is not a failing claim.
         let Ok(changed) = read_unproved(&tokens).system() else { return false };
         tried += 1;
         let claim = changed.claims.last();

@@ -29,17 +29,17 @@ pub struct Claim {
 /// The method by which a claim is established.
 #[derive(Clone, Debug)]
 pub(super) enum ProofMethod {
-    /// The claim is one of the system's own `kahan!` block.
+    /// A claim of the system's own `kahan!` block.
     Block {
         /// The claim's index in the block.
         index: usize,
     },
     Formula {
-        /// Definitions that the statement uses; other claims establish them.
+        /// Definitions that the statement uses and other claims establish.
         given: String,
-        /// Intervals from which numerical tests draw values of names: (name, low, high).
+        /// Intervals from which numerical tests draw values of names, as (name, low, high).
         domain: Vec<(String, Rational, Rational)>,
-        /// The orbit on which quantities are measured, if the claim is about one.
+        /// The orbit on which quantities are measured, if the claim is about an orbit.
         orbit: Option<&'static Figure>,
         misprint: Option<Misprint>,
     },
@@ -49,21 +49,21 @@ pub(super) enum ProofMethod {
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
     pub(super) printed: String,
-    /// Definitions of the point's coordinates, and the values of both sides there. The text is
-    /// empty if a measurement refutes the formula.
+    /// Definitions of the point's coordinates, and the values of both sides there. Empty if a
+    /// measurement refutes the formula.
     pub(super) counterexample: String,
 }
 
 /// The outcome of checking a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Both sides have equal expansions over ℚ. Both sides also agree modulo primes.
+    /// Both sides have equal expansions over ℚ, and agree modulo primes.
     Proved,
-    /// Both sides agree at random points modulo primes. The probability of an error is below 2⁻¹⁰⁰.
+    /// Both sides agree at random points modulo primes, with an error probability below 2⁻¹⁰⁰.
     ProvedModP,
-    /// Both sides agree at exact points; the field holds their number.
+    /// Both sides agree at this number of exact points.
     Exact(u32),
-    /// Both sides agree to 10⁻ᵏ; the field holds k.
+    /// Both sides agree to this number of decimals.
     Numerical(u32),
     /// The printed form is refuted, and the corrected form established.
     Misprint,
@@ -87,7 +87,7 @@ impl Outcome {
     /// The number of kinds of outcomes.
     pub const KINDS: usize = 6;
 
-    /// Returns the index of the outcome's kind, from the strongest kind to the weakest.
+    /// Returns the index of the outcome's kind, from the strongest to the weakest.
     #[must_use]
     pub fn place(self) -> usize {
         match self {
@@ -129,7 +129,7 @@ impl Outcome {
 }
 
 impl Claim {
-    /// Says whether the claim is about measurements on an exact orbit.
+    /// Returns whether the claim is about measurements on an exact orbit.
     #[must_use]
     pub fn is_measured(&self) -> bool {
         matches!(self.basis, ProofMethod::Formula { orbit: Some(_), .. })
@@ -155,8 +155,7 @@ impl Claim {
         self
     }
 
-    /// Puts the definitions that the statement uses in front of it, so that they are shown, checked
-    /// and mutated with it.
+    /// Puts the definitions that the statement uses in front of the statement.
     pub(super) fn spelling(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self

@@ -1,5 +1,4 @@
-//! Evaluates formulas at a point. The arithmetic is one of rational functions, prime fields,
-//! rational numbers, degree bounds, or 256-bit floats.
+//! Evaluates formulas at a point, in arithmetics such as prime fields and 256-bit floats.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -12,7 +11,7 @@ use super::model::Model;
 
 /// An arithmetic that also evaluates some transcendental functions.
 pub(super) trait Calculus: Arithmetic<Constant = Rational> {
-    /// Evaluates a function by its name. The default implementation knows no function.
+    /// Evaluates a function by its name.
     fn function(&self, name: &str, _: &[Self::Value]) -> Result<Self::Value, EvaluationError> {
         Err(EvaluationError::Unknown(name.to_owned()))
     }
@@ -26,14 +25,14 @@ pub(super) trait Calculus: Arithmetic<Constant = Rational> {
 /// The reason why a formula cannot be evaluated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum EvaluationError {
-    /// The formula divides by zero, or an argument lies outside a function's domain.
+    /// A division by zero, or an argument outside a function's domain.
     Undefined,
     Unknown(String),
 }
 
 pub(super) type Models = BTreeMap<&'static str, Model>;
 
-/// The values of names, and the next and previous point of the map, which are computed once.
+/// The values of names, and the next and previous point of the map.
 pub(super) struct Environment<V> {
     values: BTreeMap<String, V>,
     next: OnceCell<Result<Vec<V>, EvaluationError>>,
@@ -132,7 +131,7 @@ impl<A: Calculus> Evaluator<'_, A> {
         arguments: &[Formula],
         frame: &Environment<A::Value>,
     ) -> Result<A::Value, EvaluationError> {
-        // If the first argument names a system, that system is used for the call.
+        // If the first argument names a system, the call refers to that system.
         if let Some((Formula::Name(system), rest)) = arguments.split_first()
             && is_of_the_map(name)
             && let Some(model) = self.models.get(system.as_str())

@@ -95,7 +95,7 @@ static ALL: [&Figure; 12] = [&DE1, &DE2, &DE3, &DE4, &DE5, &DE6, &DE7, &DE7_1_5,
 pub struct Measurement {
     /// The names of the variables whose heights are measured.
     pub variables: Vec<String>,
-    /// The heights of all variables. Index 0 belongs to the initial state.
+    /// The heights of all variables, from the initial state on.
     pub survey: DiophantineTest,
 }
 
@@ -105,7 +105,10 @@ impl Figure {
         ALL.into_iter()
     }
 
-    /// Computes the orbit exactly, in up to some seconds. Panics if the catalog lacks the system.
+    /// Computes the orbit exactly, in up to some seconds.
+    ///
+    /// # Panics
+    /// If the catalog lacks the system.
     #[must_use]
     pub fn measure(&self) -> Measurement {
         let entry = find(self.system).expect("a figure is about a system of the catalog");
@@ -129,7 +132,7 @@ impl Measurement {
         Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
     }
 
-    /// Replaces measured functions in a formula by the numbers measured:
+    /// Replaces measured functions in a formula by numbers:
     ///
     /// | call | meaning |
     /// |---|---|
@@ -138,8 +141,6 @@ impl Measurement {
     /// | `logslope(v, a, b)` | the least squares slope of h against log n |
     /// | `mean(v, a, b)` | the mean of log(h/n) |
     /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
-    ///
-    /// Fails if a quantity cannot be measured.
     pub(super) fn put_into(&self, formula: &Formula) -> Result<Formula, String> {
         formula.replaced(&|name, arguments| match class(name) {
             Some(class) if arguments.is_empty() => Ok(Some(Rational::from(class))),
@@ -147,7 +148,7 @@ impl Measurement {
         })
     }
 
-    /// Evaluates a measured function. `None` for calls of other functions.
+    /// Evaluates a measured function; `None` for other functions.
     fn quantity(&self, name: &str, arguments: &[Formula]) -> Result<Option<Rational>, String> {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
         if !matches!(name, "h" | "digits" | "slope" | "logslope" | "mean" | "growth") {
@@ -204,10 +205,11 @@ fn class(name: &str) -> Option<i64> {
         .and_then(|index| i64::try_from(index).ok())
 }
 
-/// Returns `parts` + 1 points of a closed level curve of H(ε) and K(ε) of dE4, which contains
-/// `point`. Requires xy > 0 and |εz| < 1. With s = x + y, d = x − y, h = 2ε²H and g = 2ε²K the
-/// integrals give (1−h)s² − (1+h)d² = 4H, (1−g)(s² + d²) + 2z² = 4K. Eliminating s leaves an
-/// ellipse in d and z.
+/// Returns `parts` + 1 points of a closed level curve of the integrals of dE4 through `point`.
+/// Requires xy > 0 and |εz| < 1.
+///
+/// With s = x + y, d = x − y, h = 2ε²H and g = 2ε²K, the integrals give (1−h)s² − (1+h)d² = 4H and
+/// (1−g)(s² + d²) + 2z² = 4K. Elimination of s leaves an ellipse in d and z.
 #[must_use]
 pub fn level_curve(point: &SVector<f64, 3>, eps: f64, parts: usize) -> Vec<SVector<f64, 3>> {
     let integrals = E4.integrals(point, eps);
@@ -237,5 +239,5 @@ pub fn slope(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     above / below
 }
 
-/// The measurements, one for each orbit; each is computed once.
+/// The measurements of all orbits, computed on first use.
 pub(super) type Measurements = BTreeMap<&'static str, std::sync::OnceLock<Measurement>>;

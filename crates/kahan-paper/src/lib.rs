@@ -1,10 +1,7 @@
 //! The paper's formulas as claims, which are established by proof or by measurement.
 //!
-//! [`Paper`] lists all [`Claim`]s and establishes each: by expansion over ℚ or modulo primes, at
-//! exact points, in 256-bit arithmetic, or as a misprint. [`Verdicts`] are the results as plain
-//! text. The data flow from `sections` (claims) and `figures` (orbits) through [`formula`] (text to
-//! expressions), `evaluate` (values in any arithmetic), `identity` (evidence), [`Paper`] and
-//! `verdict` to `report` (text). The crate must not know arguments, terminals or clocks.
+//! [`Paper`] lists all [`Claim`]s, and establishes each by expansion over ℚ or modulo primes, at
+//! exact points, in 256-bit arithmetic, or as a misprint. [`Verdicts`] are the results as text.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

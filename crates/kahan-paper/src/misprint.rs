@@ -11,8 +11,7 @@ use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Claim {
-    /// Returns the misprinted item and its correction. Among the items that occur in one text only,
-    /// they are the pair that shares the most words.
+    /// Returns the misprinted item and the correction: the pair that shares the most words.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -28,7 +27,7 @@ fn items(statement: &str) -> Vec<String> {
     statement.split(';').map(|item| item.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
 }
 
-/// Counts the words that two items share at the beginning and at the end.
+/// Counts the words that two items share at their beginnings and at their ends.
 fn in_common(a: &str, b: &str) -> usize {
     let pairs = a.split(' ').zip(b.split(' '));
     let reversed = a.rsplit(' ').zip(b.rsplit(' '));
@@ -36,8 +35,7 @@ fn in_common(a: &str, b: &str) -> usize {
 }
 
 impl Paper {
-    /// Refutes the printed form at its counterexample, and checks the values that the
-    /// counterexample states.
+    /// Refutes the printed form at the counterexample, and checks the stated values of both sides.
     pub(super) fn misprint(
         &self,
         claim: &Claim,
@@ -95,7 +93,7 @@ impl Paper {
         Ok(if point.is_empty() { shown.join(", ") } else { format!("at {}", shown.join(", ")) })
     }
 
-    /// Evaluates both sides of a relation at a point, and returns whether the relation holds there.
+    /// Evaluates both sides of a relation, and returns whether the relation holds at a point.
     fn at_point(
         &self,
         claim: &Claim,
@@ -109,7 +107,7 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // To refute an inequation, the sides must be equal everywhere; one point is not enough.
+            // An inequation is refuted only if both sides are equal everywhere.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

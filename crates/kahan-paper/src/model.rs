@@ -24,7 +24,7 @@ impl Model {
         Model::new(entry.command, entry.text())
     }
 
-    /// Makes the model from the text of a valid block. Panics if the text has a mistake.
+    /// Makes the model from the text of a block. Panics if the text has a mistake.
     pub(super) fn new(name: &'static str, text: &str) -> Self {
         let system = read_unproved(&lex(text).tokens).system();
         let system = system.unwrap_or_else(|mistakes| panic!("the block of {name}: {mistakes:?}"));
@@ -39,7 +39,7 @@ impl Model {
         self.system().field.dimension()
     }
 
-    /// Returns whether the map has a closed formula of moderate size.
+    /// Returns whether the map is available as a formula in lowest terms.
     pub(super) fn is_expanded(&self) -> bool {
         self.derived.map.is_some()
     }
@@ -67,9 +67,8 @@ impl Model {
             .collect()
     }
 
-    /// Evaluates the entries of a vector or matrix row by row. The name `f` means the field f(x),
-    /// `Df` its Jacobian matrix f′(x), `A` the matrix A(x,ε), `b` the right-hand side b(x,ε), and
-    /// `J` the map's Jacobian matrix ∂x̃/∂x.
+    /// Evaluates the entries of a vector or matrix row by row: the field `f`, its Jacobian matrix
+    /// `Df`, `A(x,ε)`, `b(x,ε)`, or the map's Jacobian matrix `J`.
     pub(super) fn entries<A: Arithmetic<Constant = Rational>>(
         &self,
         object: &str,
@@ -90,8 +89,7 @@ impl Model {
         entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
     }
 
-    /// Computes the next point by the map in lowest terms, or by elimination if that formula is too
-    /// large.
+    /// Computes the next point by the map in lowest terms, or else by elimination.
     pub(super) fn next<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,
@@ -108,7 +106,7 @@ impl Model {
         numerators.iter().map(|numerator| arithmetic.divide(numerator, &denominator)).collect()
     }
 
-    /// Computes ∂x̃/∂x by dual numbers, which does not depend on any formula for it.
+    /// Computes ∂x̃/∂x by dual numbers.
     fn jacobian<A: Arithmetic<Constant = Rational>>(
         &self,
         arithmetic: &A,

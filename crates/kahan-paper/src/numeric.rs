@@ -10,7 +10,7 @@ use kahan_systems::{e7, e8};
 
 use super::evaluate::{Calculus, EvaluationError};
 
-/// Floating-point arithmetic with 256 bits, which are 77 decimal digits.
+/// Floating-point arithmetic with 256 bits.
 pub(super) struct Arithmetic256;
 
 impl Arithmetic for Arithmetic256 {

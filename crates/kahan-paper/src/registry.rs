@@ -22,7 +22,7 @@ use super::identity::{Evidence, Identity};
 use super::model::Model;
 use super::sections;
 
-/// The claims of the paper and of the further systems in the catalog, with models of the systems.
+/// The claims of the paper and of further systems of the catalog.
 #[derive(Debug)]
 pub struct Paper {
     models: Models,
@@ -37,8 +37,7 @@ impl Default for Paper {
 }
 
 impl Paper {
-    /// Reads the catalog and lists the claims in a few milliseconds. No claim is checked. Panics if
-    /// a catalog block is invalid, which the compiler excludes.
+    /// Reads the catalog and lists the claims in a few milliseconds, without checking any claim.
     #[must_use]
     pub fn new() -> Self {
         let mut models: Models = all().map(|entry| (entry.command, Model::of_catalog(entry))).collect();
@@ -49,15 +48,13 @@ impl Paper {
         Paper { models, claims, measurements }
     }
 
-    /// Returns all claims. Those of the paper come first, in its order; those of the catalog's
-    /// further systems follow.
+    /// Returns all claims, those of the paper first and in order.
     #[must_use]
     pub fn claims(&self) -> &[Claim] {
         &self.claims
     }
 
-    /// Returns a claim's statement in LaTeX, with one formula for each item. Definitions come
-    /// first.
+    /// Returns the items of a claim's statement in LaTeX, definitions first.
     #[must_use]
     pub fn latex(&self, claim: &Claim) -> Vec<String> {
         match &claim.basis {
@@ -80,8 +77,7 @@ impl Paper {
         self.establish_as(claim, &claim.statement)
     }
 
-    /// Applies `work` to every claim on `threads` threads, and keeps the order of results. The
-    /// default is one thread for each core.
+    /// Applies `work` to every claim on `threads` threads, and keeps the order of results.
     pub fn for_all<R: Send>(
         &self,
         claims: &[&Claim],
@@ -96,7 +92,7 @@ impl Paper {
         results.into_iter().map(|(_, result)| result).collect()
     }
 
-    /// Establishes a claim with another statement in place of its own, such as a mutation.
+    /// Establishes a claim with another statement in place of the claim's own.
     #[must_use]
     pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
         let (outcome, detail) = match &claim.basis {
@@ -116,8 +112,7 @@ impl Paper {
         Established { outcome, detail }
     }
 
-    /// Returns the definitions that a claim may use: those of the field, general ones, those given
-    /// with the claim, and those in the claim.
+    /// Returns the definitions that a claim may use: general ones, and those of field and claim.
     pub(super) fn definitions(
         &self,
         claim: &Claim,
@@ -220,7 +215,7 @@ pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
     }
 }
 
-/// Converts the evidence of a measurement, which holds only at the points of the orbit.
+/// Describes the evidence of a measurement, which holds only at the points of the orbit.
 fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
     let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {

@@ -10,18 +10,17 @@ pub struct Verdict {
     pub id: String,
     /// The name of the system in commands.
     pub system: String,
-    /// The place in the paper, in words. The text is empty if the place is unknown.
+    /// The place in the paper, in words; empty if the place is unknown.
     pub source: String,
     /// The statement of the claim, in one line.
     pub statement: String,
     /// The outcome of checking the claim.
     pub outcome: Outcome,
-    /// The evidence, or the reason of a failure. For a misprint, the text also has the printed
-    /// form.
+    /// The evidence, or the reason of a failure. For a misprint, also the printed form.
     pub detail: String,
     /// The time of the check in seconds; `None` without a clock.
     pub seconds: Option<f64>,
-    /// The claim of the paper. `None` for claims of other blocks.
+    /// The claim, for claims of the paper.
     pub claim: Option<Claim>,
 }
 
@@ -37,7 +36,7 @@ pub struct OpenQuestion {
 /// Claims with their outcomes, and the totals over all claims.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
-    /// The claims with their outcomes. Those of the paper are in its order.
+    /// The claims with their outcomes, in the order of the paper.
     pub claims: Vec<Verdict>,
     /// The number of failed claims.
     pub failed: usize,
@@ -55,7 +54,7 @@ impl Verdicts {
         Verdicts { claims, failed, open, seconds }
     }
 
-    /// Lists the failed claims in one line. `None` if all claims hold.
+    /// Lists the failed claims in one line; `None` if all claims hold.
     #[must_use]
     pub fn complaint(&self) -> Option<String> {
         let failed = self.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
@@ -66,8 +65,8 @@ impl Verdicts {
 }
 
 impl Paper {
-    /// Establishes a claim of the paper. The check takes milliseconds, and about a hundred times
-    /// longer for claims measured on an orbit.
+    /// Establishes a claim of the paper in milliseconds. Claims measured on an orbit take about a
+    /// hundred times longer.
     #[must_use]
     pub fn verdict(&self, claim: &Claim) -> Verdict {
         let established = self.establish(claim);

@@ -1,10 +1,8 @@
-//! Arithmetics in which programs run. An arithmetic provides field operations on values, and
-//! function calls.
+//! Arithmetics in which programs run: field operations on values, and function calls.
 
 use core::convert::Infallible;
 
-/// The field operations on values of one type. A division may fail; modulo a prime, a constant may
-/// have no residue.
+/// The field operations on values of one type.
 pub trait Arithmetic {
     /// The type of values.
     type Value: Clone;
@@ -23,8 +21,7 @@ pub trait Arithmetic {
     fn negate(&self, a: &Self::Value) -> Self::Value;
     /// Returns a / b; `None` if b is zero. Floats return an infinity or NaN instead of `None`.
     fn divide(&self, a: &Self::Value, b: &Self::Value) -> Option<Self::Value>;
-    /// Returns a · b + c. The result is rounded twice unless the arithmetic overrides this
-    /// function.
+    /// Returns a · b + c, rounded twice unless the arithmetic overrides this function.
     #[inline]
     fn multiply_add(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.add(&self.multiply(a, b), c)
@@ -41,13 +38,11 @@ pub trait Arithmetic {
     }
     /// Returns whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Returns whether a is a better pivot than the other value. Among floats the value of larger
-    /// magnitude is better. Among exact values, every nonzero value is better than 0.
+    /// Returns whether a is a better pivot: the larger of two floats, or the only nonzero value.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }
-    /// Returns whether division by the float a may be replaced by multiplication by 1/a, because a
-    /// is far enough from 0 and from overflow. Exact values return `false`.
+    /// Returns whether a is a float so far from 0 and overflow that 1/a may replace division by a.
     fn is_moderate(&self, _a: &Self::Value) -> bool {
         false
     }
@@ -55,8 +50,7 @@ pub trait Arithmetic {
 
 /// An arithmetic that can call functions of type `F`.
 pub trait Calls<F>: Arithmetic {
-    /// Returns f(a, b), or f(a) if f has one argument; `None` if the arguments are outside the
-    /// domain of f.
+    /// Returns f(a, b) or f(a); `None` outside the domain of f.
     fn call(&self, function: &F, a: &Self::Value, b: &Self::Value) -> Option<Self::Value>;
 }
 

@@ -1,5 +1,4 @@
-//! Builds programs without common subexpressions. The builder applies simplifications that hold in
-//! every field, such as 0 + a = a, 1 · a = a and a − (−b) = a + b.
+//! Builds programs without common subexpressions, simplified by rules that hold in every field.
 
 use alloc::vec::Vec;
 use core::convert::Infallible;
@@ -19,8 +18,7 @@ pub trait ExactConstant: Clone + Eq + Hash {
     /// Returns −c.
     #[must_use]
     fn negated(&self) -> Self;
-    /// Returns c / d for this constant c and the divisor d; `None` if the quotient cannot be
-    /// represented, for example if d = 0.
+    /// Returns c / d for the divisor d; `None` if the quotient cannot be represented.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
 }
 
@@ -42,7 +40,7 @@ where
     C: Clone + Eq + Hash,
     F: Function + Clone + Eq + Hash,
 {
-    /// Returns the program with these outputs, without operations that no output needs.
+    /// Returns the program of the operations that these outputs need.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Program<Vec<Operation<I, C, F>>> {
         Program::of_results(&self.operations, outputs)
@@ -78,7 +76,7 @@ where
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// Returns the node of −a without simplifying a. Callers use it if a is also needed itself.
+    /// Returns the node of −a without simplification of a, for callers that also need a.
     pub fn changed_sign(&mut self, a: Node) -> Node {
         match *self.operation(a) {
             Operation::Negate(inner) => inner,
@@ -139,8 +137,7 @@ where
         self.is_constant(node, 0)
     }
 
-    /// Returns the node of a constant. A negative constant becomes the negation of a positive one,
-    /// so that signs can be factored out.
+    /// Returns the node of a constant. A negative constant becomes the negation of a positive one.
     pub fn constant(&mut self, value: &C) -> Node {
         if value.is_negative() {
             let size = self.push(Operation::Constant(value.negated()));
@@ -201,8 +198,7 @@ where
             .unwrap_or_else(|| self.push(Operation::Multiply(a.min(b), a.max(b))))
     }
 
-    /// Applies `join` to |a| and |b| and factors out the sign; `None` if neither a nor b is a
-    /// negation.
+    /// Applies `join` to a and b without their signs; `None` if neither is a negation.
     fn with_sign_outside(
         &mut self,
         a: Node,
@@ -219,8 +215,7 @@ where
         Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
-    /// Returns a / b. A division by the constant 0 is not simplified; it fails when the program
-    /// runs.
+    /// Returns a / b. A division by the constant 0 fails only when the program runs.
     pub fn divide(&mut self, a: Node, b: Node) -> Node {
         if self.is_constant(b, 1) {
             return a;

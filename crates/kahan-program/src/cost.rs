@@ -1,10 +1,7 @@
-//! Computes the cost of a program: operation counts and critical path. Latencies are those of
-//! x86-64 cores of the last ten years, in cycles. The latencies serve to compare programs, and
-//! never enter an error bound.
+//! Computes the cost of a program: operation counts and critical path.
 //!
-//! A multiply-add saves one instruction. But its result is ready 4 cycles after its addend, while
-//! an addition takes 3 cycles. [`Program::fused`] therefore does not fuse if a late addend would
-//! lengthen the critical path.
+//! Latencies are those of x86-64 cores of the last ten years, in cycles. A multiply-add is ready
+//! one cycle later than an addition, so [`Program::fused`] does not always fuse.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -28,18 +25,16 @@ pub struct Cost {
     pub additions: usize,
     /// The number of multiplications.
     pub multiplications: usize,
-    /// The number of multiply-adds. Each is one instruction if the target has it, otherwise two.
+    /// The number of multiply-adds.
     pub fused: usize,
     /// The number of divisions.
     pub divisions: usize,
-    /// The number of cycles from the inputs to the last output if unlimited operations can run in
-    /// parallel.
+    /// The number of cycles from the inputs to the last output with unlimited parallelism.
     pub critical_path: u32,
 }
 
 impl Cost {
-    /// Returns the number of operations on a target without multiply-add instructions. Each
-    /// multiply-add counts twice.
+    /// Counts the operations, where a multiply-add is a multiplication and an addition.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.additions + self.multiplications + 2 * self.fused + self.divisions
@@ -89,8 +84,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         cost
     }
 
-    /// Returns for each operation the cycle in which its result is ready. The inputs are ready in
-    /// cycle 0.
+    /// Returns for each operation the cycle in which its result is ready.
     #[must_use]
     pub fn ready(&self) -> Vec<u32> {
         let mut ready: Vec<u32> = Vec::with_capacity(self.operations.len());
@@ -132,8 +126,7 @@ impl<I: Clone + Eq + Hash, C: Clone + Eq + Hash> Program<Vec<Operation<I, C>>> {
         let at = |node: Node| ready[node.0];
         let candidate = match self.operations[index] {
             Operation::Add(a, b) => {
-                // If both operands are products, fuse the one that is ready later, and take the
-                // earlier one as the addend.
+                // Of two products, fuse the one that is ready later.
                 let (late, early) = if at(a) > at(b) { (a, b) } else { (b, a) };
                 match (product(late), product(early)) {
                     (Some((x, y)), _) => Some(Operation::MultiplyAdd(x, y, early)),

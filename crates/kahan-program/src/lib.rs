@@ -3,16 +3,7 @@
 //!
 //! A [`Builder`] eliminates common subexpressions and yields a [`Program`]. A program runs in any
 //! [`Arithmetic`], can be printed as text, and is the input of compilers. The types of inputs,
-//! constants and functions are type parameters. The crate knows nothing about polynomials, vector
-//! fields or targets.
-//!
-//! | a program of | inputs `I` | constants `C` | functions `F` |
-//! |---|---|---|---|
-//! | a field, its map, a claim | variables, prepared constants | exact rationals | none |
-//! | the interpreter | indices of a slice | rationals with their nearest floats | reciprocals |
-//! | machine code | entries of two arrays | floats | maximum, minimum, roundings |
-//! | formulas of commands and of Python | name indices | exact rationals | sin, exp, powers, … |
-//! | initial values of a lift | states, parameters | exact rationals | exp, roots, powers, … |
+//! constants and functions are type parameters.
 
 #![no_std]
 

@@ -1,9 +1,7 @@
-//! A set of distinct items that are numbered in order of insertion. The number of an item is found
-//! by hashing the item.
+//! A set of distinct items that are numbered in order of insertion.
 //!
-//! Macro expansion looks up plans and polynomials, and usually runs unoptimised. The simple loops
-//! below are then several times faster than the standard hash tables. Items inserted last can also
-//! be removed again.
+//! Macro expansion usually runs unoptimised. The simple loops below are then several times faster
+//! than the standard hash tables.
 
 use core::hash::{Hash, Hasher};
 use core::ops::Deref;
@@ -16,7 +14,7 @@ use rustc_hash::FxHasher;
 /// Marks the end of a bucket.
 const NONE: u32 = u32::MAX;
 
-/// A set of distinct items in order of insertion. A hash table finds the number of an item.
+/// A set of distinct items, numbered in order of insertion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Numbered<T> {
     items: Vec<T>,

@@ -68,7 +68,7 @@ impl Function for Infallible {
 }
 
 impl<I, C, F: Function> Operation<I, C, F> {
-    /// Returns the operands in order. There are at most three.
+    /// Returns the operands in order, at most three.
     pub fn operands(&self) -> impl Iterator<Item = Node> + use<I, C, F> {
         let (nodes, count) = match *self {
             Operation::Input(_) | Operation::Constant(_) => ([Node(0); 3], 0),
@@ -87,9 +87,8 @@ impl<I, C, F: Function> Operation<I, C, F> {
 }
 
 impl<I, C, F> Operation<I, C, F> {
-    /// Returns the operation with operands renamed by `rename`, for a program with other types of
-    /// inputs, constants and functions. Returns `None` if the operation is an input, a constant or
-    /// a call.
+    /// Renames the operands for a program with other types of inputs, constants and functions.
+    /// Returns `None` for an input, a constant or a call.
     pub fn computed<J, D, G>(&self, mut rename: impl FnMut(Node) -> Node) -> Option<Operation<J, D, G>> {
         Some(match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Call(..) => return None,

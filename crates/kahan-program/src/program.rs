@@ -9,12 +9,10 @@ use crate::operation::{Function, Node, Operation};
 
 /// A straight-line program: a list of operations, and the outputs among their results.
 ///
-/// `O` is the type of the list of operations, `N` that of the list of outputs. Both are vectors if
-/// the program owns them, and slices if it borrows them.
+/// The lists `O` of operations and `N` of outputs are vectors or borrowed slices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Program<O, N = Vec<Node>> {
-    /// The operations. Operands come before the operations that use them; a builder never adds an
-    /// operation twice.
+    /// The operations. Operands come before the operations that use them.
     pub operations: O,
     /// The results that the program returns, in order.
     pub outputs: N,
@@ -72,7 +70,7 @@ where
             && self.outputs.iter().all(|output| output.0 < operations.len())
     }
 
-    /// Returns the inputs in order. If a builder made the program, each input occurs once.
+    /// Returns the inputs in order.
     #[must_use]
     pub fn inputs(&self) -> Vec<I>
     where

@@ -12,15 +12,13 @@ where
     O: Deref<Target = [Operation<usize, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Runs a program whose inputs are indices into `inputs`.
+    /// Runs a program whose inputs are indices into `inputs`, without allocation.
     ///
-    /// Overwrites `workspace` and `outputs`, and allocates nothing. `workspace` needs at least one
-    /// entry for each operation, `outputs` one for each output. Returns `None` if a constant, a
-    /// quotient or a call is undefined.
+    /// Overwrites `workspace`, which needs one entry for each operation, and `outputs`. Returns
+    /// `None` if a constant, a quotient or a call is undefined.
     ///
     /// # Panics
-    /// If `inputs` or `workspace` is too short. If `outputs` is too short, the other outputs are
-    /// dropped.
+    /// If `inputs` or `workspace` is too short.
     pub fn run<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -60,9 +58,8 @@ where
         Some(())
     }
 
-    /// Computes the operations from index `first` on. The workspace must already hold inputs,
-    /// constants and results of earlier operations. Returns `None` at the first undefined quotient
-    /// or call.
+    /// Computes the operations from index `first` on. The workspace must hold inputs, constants and
+    /// earlier results. Returns `None` if a quotient or call is undefined.
     #[inline(always)]
     pub fn compute<A: Calls<F, Constant = C>>(
         &self,
@@ -88,9 +85,8 @@ where
         Some(())
     }
 
-    /// Evaluates each output separately; `input` returns the value of an input. An output is `None`
-    /// if it depends on a missing input, an undefined constant, a division by zero, or a call
-    /// outside the function's domain.
+    /// Evaluates each output separately, where `input` returns the value of an input. An output is
+    /// `None` if it depends on an undefined value.
     pub fn evaluate<A: Calls<F, Constant = C>>(
         &self,
         arithmetic: &A,
@@ -108,8 +104,7 @@ where
     }
 }
 
-/// Computes the value of an operation from the values of its operands; `None` if the operation or
-/// one of its operands is undefined.
+/// Computes an operation; `None` if the operation or one of its operands is undefined.
 #[inline(always)]
 fn value<I, F, A: Calls<F>>(
     operation: &Operation<I, A::Constant, F>,

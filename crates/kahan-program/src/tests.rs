@@ -186,7 +186,6 @@ fn a_product_that_is_added_once_is_fused() {
     assert_eq!((cost.fused, cost.operations()), (0, 2));
 }
 
-/// Of two products, the one that is ready later is fused with the sum.
 #[test]
 fn the_later_of_two_products_is_fused() {
     let mut builder = Builder::<usize, i64>::default();
@@ -199,7 +198,6 @@ fn the_later_of_two_products_is_fused() {
     assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 4, 4 + cost::FUSED));
 }
 
-/// The fused sum would be the last result, and would be ready one cycle later.
 #[test]
 fn a_late_addend_on_the_chain_is_not_fused() {
     let mut builder = Builder::<usize, i64>::default();

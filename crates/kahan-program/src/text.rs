@@ -38,8 +38,7 @@ where
     O: Deref<Target = [Operation<I, C, F>]>,
     N: Deref<Target = [Node]>,
 {
-    /// Writes one line for each operation, `vk = …`, where k is a number. Inputs and constants are
-    /// written where they are used.
+    /// Writes one line `vk = …` for each operation except inputs and constants.
     pub fn text(&self, input: impl Fn(&I) -> String) -> String {
         let names: Vec<String> = (self.operations.iter().enumerate())
             .map(|(index, operation)| match operation {

@@ -1,5 +1,5 @@
-//! Axes of a question in JSON: an object from names to values, `{"a": "0:1:/9", "eps":
-//! "1/10:1:5"}`.
+//! Axes of a question in JSON, as an object from names to values:
+//! `{"a": "0:1:/9", "eps": "1/10:1:5"}`.
 //!
 //! Use `#[serde(with = "axes")]` on a [`NamedValues`], an optional entry or a list of entries.
 
@@ -18,10 +18,7 @@ pub(crate) trait NamedValues: Sized {
 
     fn to_json(&self) -> Value;
 
-    /// Reads the values of `name`.
-    ///
-    /// # Errors
-    /// A sentence that describes the mistake.
+    /// Reads the values of `name`, or returns a sentence that describes the mistake.
     fn of_json(name: &str, values: Value) -> Result<Self, String>;
 }
 
@@ -48,10 +45,7 @@ pub(crate) trait NamedValueList: Sized {
 
     fn entries(&self) -> &[Self::Entry];
 
-    /// Builds the value from a list of entries.
-    ///
-    /// # Errors
-    /// A sentence, if the list is too short or too long.
+    /// Builds the value from a list of entries, unless the list is too short or too long.
     fn of(entries: Vec<Self::Entry>) -> Result<Self, &'static str>;
 }
 
@@ -98,9 +92,6 @@ impl NamedValueList for Axis {
 }
 
 /// Writes the entries as an object.
-///
-/// # Errors
-/// Errors of the serializer.
 pub(crate) fn serialize<T: NamedValueList, S: Serializer>(
     axes: &T,
     serializer: S,
@@ -109,9 +100,6 @@ pub(crate) fn serialize<T: NamedValueList, S: Serializer>(
 }
 
 /// Reads an object and keeps the order of its names; `null` gives no entries.
-///
-/// # Errors
-/// The first mistake, with its path if the deserializer tracks paths.
 pub(crate) fn deserialize<'de, T: NamedValueList, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<T, D::Error> {
@@ -141,7 +129,7 @@ impl<'de, E: NamedValues> Visitor<'de> for Object<E> {
     }
 }
 
-/// Deserializes the values of one name, so that errors carry their path.
+/// Deserializes the values of one name; errors hold the path.
 struct Named<'a, E>(&'a str, PhantomData<E>);
 
 impl<'de, E: NamedValues> DeserializeSeed<'de> for Named<'_, E> {

@@ -1,6 +1,4 @@
 //! The number by which a chart colours each orbit.
-//!
-//! In: the name of a colour, and a table with a row for each orbit. Out: a number for each row.
 
 use kahan_runtime::Observable;
 
@@ -14,14 +12,12 @@ use crate::study::Study;
 pub struct ColourColumn {
     /// The observable.
     pub observable: Observable,
-    /// The name of the column. The name of [`Observable::Drift`] itself selects the largest drift
-    /// of all integrals.
+    /// The name of the column. The name of [`Observable::Drift`] selects the largest drift.
     pub column: String,
 }
 
 impl ColourColumn {
-    /// Finds an observable with a single number, or a column, by name. Use [`read`](Self::read) to
-    /// check that a field has the column.
+    /// Finds an observable with a single number, or a column, by name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let observable = Observable::of_column(name)?;
@@ -54,9 +50,8 @@ impl ColourColumn {
         self.observable == Observable::Drift && self.column == self.observable.name()
     }
 
-    /// Returns the number of each row of a table with this observable only. An orbit that ended
-    /// early gives NaN; under [`Observable::Escape`], an orbit gives NaN if no variable exceeds the
-    /// size.
+    /// Returns the number of each row of a table with this observable only; NaN for an orbit
+    /// without such a number.
     ///
     /// # Panics
     /// If the table has other columns.
@@ -66,8 +61,7 @@ impl ColourColumn {
             StoredColumn::F64(numbers) => numbers,
             other => unreachable!("what is observed is a number, and not {other:?}"),
         };
-        // An axis over a parameter called `ended` holds numbers, so a column with this name counts
-        // only if it holds text.
+        // A parameter may also be called `ended`, but its column holds numbers.
         let is_word = |place: &usize| matches!(table.values[*place], StoredColumn::Text(_));
         let is_end = |place: &usize| is_word(place) && table.columns[*place].name == "ended";
         let place_of_end = (0..table.values.len()).find(is_end).expect("a row an orbit");
@@ -77,7 +71,7 @@ impl ColourColumn {
             unreachable!("how an orbit ended is a word and a count")
         };
         if self.is_of_all() {
-            // Each integral has two columns: its largest drift, then its drift at the last point.
+            // Each integral has two columns: the largest drift, then the drift at the last point.
             let drifts: Vec<&Vec<f64>> = seen.iter().step_by(2).map(floats).collect();
             let largest = |row: usize| drifts.iter().map(|drifts| drifts[row]).fold(f64::NAN, f64::max);
             return (0..ended.len()).map(largest).collect();
@@ -85,8 +79,7 @@ impl ColourColumn {
         let of_seen = table.columns[place_of_end + 2..].iter().position(|column| column.name == self.column);
         let mut values = floats(&seen[of_seen.expect("a column of the observable")]).clone();
         if self.observable == Observable::Escape {
-            // An orbit that left the range of doubles has also exceeded the size, unless it made no
-            // step.
+            // An orbit that left the range of doubles also exceeded the size, if it made a step.
             for row in (0..ended.len()).filter(|row| ended[*row] == "range" && steps[*row] > 0) {
                 values[row] = (steps[row] + 1) as f64;
             }

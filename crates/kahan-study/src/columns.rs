@@ -1,8 +1,4 @@
 //! Assigns the columns of a table to states, parameters and ε by name.
-//!
-//! In: the names of a table's columns, and the names of the field. Out: a column for each name, or
-//! an error that the caller begins with the table's name: "has no column `y`; …". Files of numbers,
-//! plans of sweeps and Python's tables share this module. This module reads no numbers.
 
 use std::fmt;
 
@@ -11,10 +7,9 @@ use kahan_algebra::check::nearest;
 /// The names that columns may have.
 #[derive(Clone, Copy, Debug)]
 pub struct ExpectedColumns<'a> {
-    /// The states. Each of the first [`least`](Self::least) needs a column.
+    /// The states, of which the first [`least`](Self::least) need a column.
     pub states: &'a [String],
-    /// The number of leading states that need a column. The others are new variables of a lift, for
-    /// which columns are optional.
+    /// The number of states that need a column; the other states are new variables of a lift.
     pub least: usize,
     /// The parameters of the field.
     pub parameters: &'a [String],
@@ -38,13 +33,11 @@ pub enum OtherColumns {
 pub struct ColumnIndices {
     /// The column of each state.
     pub states: Vec<usize>,
-    /// The index of the column of each parameter, and of `eps`, that has one, in the order of the
-    /// table.
+    /// The parameters, and `eps`, that have a column, each with the column's index.
     pub others: Vec<(String, usize)>,
 }
 
-/// A mistake in the columns of a table. The displayed text is a sentence without the subject: the
-/// caller puts the table's name in front.
+/// A mistake in the columns of a table. The displayed sentence lacks its subject, the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnError {
     /// A state has no column.
@@ -58,7 +51,7 @@ pub enum ColumnError {
     },
     /// Two columns have one name.
     Twice(String),
-    /// A parameter or `eps` has a column, but takes one value here.
+    /// A parameter or `eps` has a column, but a single value is expected.
     Single(String),
     /// Some columns have names that the field does not know.
     Unusable {
@@ -77,9 +70,6 @@ impl<'a> ExpectedColumns<'a> {
     }
 
     /// Finds the columns of a table with these names.
-    ///
-    /// # Errors
-    /// A state without a column, two columns of one name, or a column that cannot be used.
     pub fn places(&self, names: &[String]) -> Result<ColumnIndices, ColumnError> {
         let (first, new) = self.states.split_at(self.least);
         let states = if new.iter().any(|state| names.contains(state)) { self.states } else { first };

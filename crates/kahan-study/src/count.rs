@@ -35,7 +35,7 @@ impl<'a> WorkCount<'a> {
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Returns whether the watch has cancelled the work; a cancelled work sends no more reports.
+    /// Returns whether the watch has cancelled the work.
     pub fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }

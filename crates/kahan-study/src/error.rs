@@ -1,7 +1,4 @@
-//! Errors of questions.
-//!
-//! Variants hold values, from which each front end (command, Python, library) words its message.
-//! [`Display`](fmt::Display) writes the message of the library.
+//! Errors of questions. Each front end words its messages from the values in the variants.
 
 use std::fmt;
 
@@ -35,8 +32,7 @@ pub enum StudyError {
     },
     /// The text has mistakes, or claims that do not hold.
     Field(Diagnostics),
-    /// A number of sites is given, but the text writes out each equation instead of those of site
-    /// i.
+    /// A number of sites is given, but the equations are not those of a general site i.
     NoFamily,
     /// A chain of this length has more than [`MOST_VARIABLES`] variables.
     ManySites {
@@ -120,7 +116,7 @@ pub enum StudyError {
         /// The highest degree that is feasible, if any is.
         most: Option<u32>,
     },
-    /// The name of an axis is not one that the question allows.
+    /// The question does not allow an axis of this name.
     UnknownAxis {
         /// The kind of name that the question allows, in a negated form, such as `no parameter`.
         what: &'static str,
@@ -219,7 +215,7 @@ pub enum StudyError {
     },
     /// The options of an orbit contradict each other or the field.
     Orbit(NoOrbit),
-    /// The question asks for rows, but its answer is not a table; holds the name of the question.
+    /// Rows are requested from the question of this name, whose answer is not a table.
     NoRows(&'static str),
     /// An answer has more cells than [`MOST_CELLS`].
     TooLong {
@@ -264,8 +260,8 @@ impl StudyError {
     }
 }
 
-/// Spells a named value of a question in the style of a front end, such as `--eps 1/2`. `value` is
-/// empty if the message is about every value.
+/// Spells a named value in the style of a front end, such as `--eps 1/2`. An empty `value` stands
+/// for every value.
 pub type Spelling = fn(name: &str, value: &str) -> String;
 
 /// Spells a named value in the style of JSON, TOML and Python: the name, then the value.

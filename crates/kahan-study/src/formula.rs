@@ -1,10 +1,7 @@
-//! Formulas as straight-line programs. A formula depends on the index i of a site, as `1 +
-//! 1/2*cos(2*pi*i/n)`, or on the variables of a state.
+//! Formulas as straight-line programs, in the index i of a site or in the variables of a state.
 //!
-//! In: text in the language of `kahan!`, with functions and any exponents. Out: a program that
-//! performs the operations as written and computes each common subexpression once. A [`Formula`]
-//! runs in doubles, [`Formulas`] in doubles, single precision and fractions. `kahan_algebra`
-//! parses; this module resolves names and functions.
+//! A program performs the operations as written, and computes each common subexpression once. A
+//! [`Formula`] runs in doubles, [`Formulas`] in doubles, single precision and fractions.
 
 mod lanes;
 
@@ -47,7 +44,7 @@ const FUNCTIONS: [(&str, Unary); 15] = [
 /// A function called by a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Called {
-    /// A function of one number, as an index of `FUNCTIONS`.
+    /// A function of one number: an index of `FUNCTIONS`.
     Named(usize),
     /// a^b, computed by multiplications if b is an integer with |b| ≤ 1024.
     Power,
@@ -92,8 +89,7 @@ impl Calls<Called> for Exact {
     }
 }
 
-/// An operation of a formula. Input k is variable k if there are that many variables, and otherwise
-/// a known number.
+/// An operation of a formula. The inputs are the variables, followed by the known numbers.
 type Operation = kahan_program::Operation<usize, Rational, Called>;
 
 type Builder = kahan_program::Builder<usize, Rational, Called>;
@@ -125,7 +121,7 @@ impl Formula {
         Formula { program, known, variables }
     }
 
-    /// Returns the value at a site. The index of the site is the only variable of the formula.
+    /// Returns the value at a site, for a formula whose only variable is the site's index.
     #[must_use]
     pub fn at(&self, site: usize) -> f64 {
         self.of(&[site as f64])
@@ -159,19 +155,15 @@ impl Formula {
     }
 }
 
-/// Several formulas in one list of names, computed together. In doubles, each result has the same
-/// bits as that of the single [`Formula`].
+/// Several formulas in one list of names. In doubles, results have the same bits as [`Formula`].
 #[derive(Clone, Debug)]
 pub struct Formulas {
     program: Program<Vec<Operation>>,
 }
 
 impl Formulas {
-    /// Reads formulas in these names. `definitions` are named formulas that `texts`, and later
-    /// definitions, may use.
-    ///
-    /// # Errors
-    /// The first mistake.
+    /// Reads formulas in these names, or returns the first mistake. Formulas and later definitions
+    /// may use the named `definitions`.
     pub fn read(names: &[&str], definitions: &[(&str, &str)], texts: &[&str]) -> Result<Self, NoFormula> {
         let mut builder = Builder::default();
         let mut defined: Vec<(&str, Node)> = Vec::new();
@@ -197,9 +189,9 @@ impl Formulas {
         self.program.outputs.len()
     }
 
-    /// Computes the formulas at points. `inputs` has a row for each [`needed`](Self::needed) name,
-    /// with a value for each point; `outputs` has a row for each point, with a value for each
-    /// formula. In exact arithmetic, returns `None` if a formula is undefined at a point.
+    /// Computes the formulas at points: `inputs` has a row for each [`needed`](Self::needed) name,
+    /// and `outputs` has a row for each point. In exact arithmetic, returns `None` if a formula is
+    /// undefined.
     ///
     /// # Panics
     /// If a row of `inputs` lacks values.
@@ -257,26 +249,17 @@ impl fmt::Display for NoFormula {
 
 impl std::error::Error for NoFormula {}
 
-/// Reads one formula of the index of a site, `i`.
-///
-/// # Errors
-/// The first mistake.
+/// Reads one formula of the index `i` of a site, or returns the first mistake.
 pub fn formula(text: &str, known: &NamedConstants) -> Result<Formula, NoFormula> {
     formula_of(&OF_SITES, text, known)
 }
 
-/// Reads one formula of these variables.
-///
-/// # Errors
-/// The first mistake.
+/// Reads one formula of these variables, or returns the first mistake.
 pub fn formula_of(variables: &[&str], text: &str, known: &NamedConstants) -> Result<Formula, NoFormula> {
     read(text, |tokens| Names { variables, known, defined: &[] }.formula(&parse_formula(tokens)?))
 }
 
-/// Reads named formulas of the index of a site: `a = 1; b = i/n`.
-///
-/// # Errors
-/// The first mistake.
+/// Reads named formulas of the index of a site, such as `a = 1; b = i/n`.
 pub fn formulas(text: &str, known: &NamedConstants) -> Result<Vec<(String, Formula)>, NoFormula> {
     read(text, |tokens| {
         let names = Names { variables: &OF_SITES, known, defined: &[] };
@@ -342,8 +325,7 @@ impl Names<'_> {
         Ok(builder.push(operation))
     }
 
-    /// Combines operands from left to right with `operator`, or with `inverse` where the flag of
-    /// the operand is set.
+    /// Combines operands from left to right by `operator`, or by `inverse` if flagged.
     fn chain<'a>(
         &self,
         builder: &mut Builder,

@@ -1,4 +1,4 @@
-//! Reads questions and subjects from TOML, with the names and values that their JSON has.
+//! Reads questions and subjects from TOML, with the names and values of the JSON form.
 
 use std::ops::Range;
 
@@ -9,8 +9,8 @@ use toml::de::{DeTable, DeValue};
 
 use crate::misread;
 
-/// Reads a value that is readable from JSON, such as a [`Question`](crate::Question) or a
-/// [`Subject`](crate::Subject), from TOML. Numbers are taken from their text: 0.1 is one tenth.
+/// Reads a [`Question`](crate::Question), a [`Subject`](crate::Subject) or another value from
+/// TOML. Decimals are exact: 0.1 is one tenth.
 ///
 /// ```
 /// use kahan_study::{Question, Subject, Systems, Unwatched, from_toml};
@@ -20,7 +20,7 @@ use crate::misread;
 /// assert!(subject.study(&Systems).unwrap().ask(&question, &Unwatched).is_ok());
 /// ```
 ///
-/// A sentence: a mistake in TOML with its line, or a mistake in a value with the expected one.
+/// The error is a sentence about a mistake in TOML, with the line, or about a mistake in a value.
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     let document = TomlDocument::parse(text);
     let object = document.and_then(|document| document.to_json());
@@ -39,10 +39,7 @@ pub struct TomlDocument<'t> {
 type MistakeAtLine = (usize, String);
 
 impl<'t> TomlDocument<'t> {
-    /// Parses a text.
-    ///
-    /// # Errors
-    /// The first mistake in the grammar of TOML, with its line.
+    /// Parses a text, or returns the first mistake in the grammar of TOML.
     pub fn parse(text: &'t str) -> Result<Self, MistakeAtLine> {
         let root = DeTable::parse(text).map_err(|mistake| {
             (line_of(text, mistake.span().unwrap_or_default()), mistake.message().to_owned())
@@ -50,16 +47,13 @@ impl<'t> TomlDocument<'t> {
         Ok(TomlDocument { text, root })
     }
 
-    /// Converts the document to a JSON object, in the order of the text.
-    ///
-    /// # Errors
-    /// A value that JSON cannot represent, with its line.
+    /// Converts the document to a JSON object, in the order of the text. Fails if JSON cannot
+    /// represent a value.
     pub fn to_json(&self) -> Result<Map<String, Value>, MistakeAtLine> {
         of_table(self.root.get_ref()).map_err(|(span, why)| (line_of(self.text, span), why))
     }
 
-    /// Returns the line, from 1, of the value at a path of names and indices. If the document has
-    /// no value at the path, returns the line of the last value on the way to it.
+    /// Returns the line, from 1, of the value at a path, or else of the last value on the path.
     #[must_use]
     pub fn line(&self, path: &[String]) -> usize {
         let place = in_table(self.root.get_ref(), path);
@@ -67,8 +61,7 @@ impl<'t> TomlDocument<'t> {
     }
 }
 
-/// Returns the byte span of the value at a path that begins with a name of `table`, or of the last
-/// value on the way to it.
+/// Returns the byte span of the value at a path, or else of the last value on the path.
 fn in_table(table: &DeTable<'_>, path: &[String]) -> Option<Range<usize>> {
     let (name, rest) = path.split_first()?;
     let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;

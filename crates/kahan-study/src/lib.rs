@@ -1,10 +1,9 @@
 //! Questions about a field and its Kahan map, and the answers, as values.
 //!
-//! In: a [`Subject`] (a field with parameter values) and a [`Question`]. Out: an [`Answer`] with a
-//! type for each question. Answers serialize to the JSON that the command prints. Any thread may
-//! ask questions of a [`Study`], a subject that was read once. Also here: reference trajectories of
-//! the flow ([`mod@reference`]), and measured error and cost of settings ([`trade`]). Terminals,
-//! files, flags and HTML are deliberately absent.
+//! A [`Study`] is a [`Subject`] that was read: a field with values of its parameters. Any thread
+//! may ask a study a [`Question`]. The [`Answer`] serializes to the JSON that the command prints.
+//! Reference trajectories of the flow are in [`mod@reference`], and comparisons of settings by
+//! error and cost in [`trade`].
 //!
 //! # Example
 //!

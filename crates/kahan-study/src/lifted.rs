@@ -1,8 +1,6 @@
 //! Lifted fields: quadratic fields made from other equations by new variables.
 //!
-//! In: a text with functions, quotients or powers, and the kind of lift. Out: the lift, and the
-//! quadratic system with the formulas that its map preserves. Callers give points in the original
-//! variables; the new variables are functions of the original variables.
+//! Callers give points in the original variables, which determine the new variables.
 
 use std::collections::HashSet;
 use std::sync::OnceLock;
@@ -28,12 +26,11 @@ use crate::study::Study;
 pub struct Lifting {
     /// The kind of lift.
     pub which: LiftCriterion,
-    /// The first point of the orbit along which lifts are compared, in the original variables;
-    /// defaults to the first point of the text.
+    /// The first point of the orbit along which lifts are compared, by default that of the text.
     pub start: Option<Vec<Rational>>,
-    /// The names of the coordinates of `start`; empty if they have the order of the variables.
+    /// The names of the coordinates of `start`; empty for the order of the variables.
     pub names: Vec<String>,
-    /// Values of parameters that have no other value, used to compare lifts.
+    /// Values of parameters for the comparison of lifts, if no other values are given.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, if the equations depend on t.
     pub time: Rational,
@@ -42,8 +39,7 @@ pub struct Lifting {
 }
 
 impl Lifting {
-    /// Sorts the coordinates of the start into the order of the variables; drops an incomplete
-    /// start.
+    /// Sorts the coordinates of the start by variable; drops an incomplete start.
     fn put_in_order(&mut self, states: &[String]) {
         let names = std::mem::take(&mut self.names);
         if !names.is_empty() {
@@ -68,8 +64,7 @@ pub(crate) struct Lifted {
     places: Vec<usize>,
     /// The index of each lift parameter among the field's parameters.
     parameters: Vec<Option<usize>>,
-    /// The derivatives of the new variables with respect to the original variables, computed on
-    /// first use.
+    /// The derivatives of the new variables by the original variables, computed on first use.
     slopes: OnceLock<Embedding>,
 }
 
@@ -149,8 +144,7 @@ impl Lifted {
     }
 }
 
-/// Returns the rational constants and the claims of a block as text, one per line, together with
-/// the names that these lines define.
+/// Returns the rational constants and the claims of a block as text, with the defined names.
 fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -212,8 +206,7 @@ fn claims(given: &FieldText) -> Result<(String, Vec<String>), StudyError> {
     Ok((constants.into_iter().map(constant).chain(claims.into_iter().map(|(_, text)| text)).collect(), names))
 }
 
-/// Builds the text of a lift, with the `given` claims added to the lift's claims, and the system of
-/// this text.
+/// Builds the text of a lift, with the `given` claims, and the system of this text.
 fn quadratic(
     lift: &Lift,
     (given, names_given): (String, Vec<String>),
@@ -270,22 +263,20 @@ impl Study {
         self.lifted().map(|lifted| &lifted.lift)
     }
 
-    /// Returns the variables of points. For a lifted field, the variables of points are the
-    /// original variables without `t`.
+    /// Returns the variables of points: for a lifted field, the original variables without `t`.
     #[must_use]
     pub fn coordinates(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.original)
     }
 
-    /// Returns the variables that answers show. For a quadratic field, answers show all variables.
-    /// For a lifted field, answers show the original variables, and on request the new variables.
+    /// Returns the variables that answers show: for a lifted field the original variables, and on
+    /// request the new variables.
     #[must_use]
     pub fn shown(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.shown)
     }
 
-    /// Returns the relations that restrict tangent vectors to the original variables; `None` if all
-    /// variables are original.
+    /// Returns the relations of a lift with new variables, which restrict tangent vectors.
     pub(crate) fn relations(&self) -> Option<&dyn Relations> {
         let lifted = self.lifted().filter(|lifted| lifted.original.len() < self.variables().len());
         lifted.map(|lifted| lifted as &dyn Relations)
@@ -321,8 +312,7 @@ impl Study {
         }
     }
 
-    /// Extends a point to all variables, at these values of the parameters. A point that already
-    /// has all variables stays unchanged. A new variable that is undefined becomes NaN.
+    /// Extends a point to all variables at these parameters. An undefined new variable is NaN.
     #[must_use]
     pub fn embed(&self, at: &[f64], values: &[f64]) -> Vec<f64> {
         self.embed_at(at, values, self.time().to_f64())
@@ -337,7 +327,7 @@ impl Study {
         }
     }
 
-    /// Inserts the time into a point in the variables that answers show, if `t` was lifted.
+    /// Inserts the time into a point, if `t` was lifted.
     fn with_time<T: Clone>(&self, at: &[T], time: T) -> Vec<T> {
         let mut all = at.to_vec();
         if let Some(place) =
@@ -376,17 +366,15 @@ impl Study {
 /// The length of the time interval over which errors of relations are measured.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
-/// The number of segments in an eighth of an orbit. Each segment has an error.
+/// The number of segments in an eighth of an orbit.
 const EIGHTH: usize = 50;
-/// The growth factor of a relation's error, from the first eighth of an orbit to the last, above
-/// which the error counts as drifting.
+/// The growth of an error, from the first to the last eighth of an orbit, that counts as drift.
 const DRIFT: f64 = 1.5;
-/// The size up to which the error of a relation is taken as rounding.
+/// The size up to which the error of a relation counts as rounding.
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {
-    /// Returns the ratio of a relation's error in the last eighth of the orbit to that in the first
-    /// eighth; `None` if the orbit ends early.
+    /// Returns the growth of a relation's error from the first to the last eighth of the orbit.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);
@@ -402,15 +390,14 @@ impl Study {
         self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
     }
 
-    /// Returns the first point of the orbit along which the lift was chosen: the given point, or
-    /// else the first point in the text.
+    /// Returns the first point of the orbit along which the lift was chosen, if there is one.
     #[must_use]
     pub fn lift_start(&self) -> Option<Vec<Rational>> {
         self.lifted()?.lifting.start.clone().or_else(|| self.start())
     }
 
-    /// Describes the lift; `None` if the field was not lifted. If a start is known, measures the
-    /// errors of the relations along its orbit at `eps`, or at ε = 0.01.
+    /// Describes the lift, if the field was lifted. If a start is known, measures the errors of the
+    /// relations along an orbit at `eps`, by default 0.01.
     ///
     /// # Errors
     /// Claims that do not hold, or a start of the wrong length.
@@ -511,8 +498,7 @@ pub struct WatchedOrbit {
 pub struct NewFound {
     /// The name of the variable.
     pub name: String,
-    /// The variable as a function of the original variables. `None` for the mechanical work done
-    /// since the start, which is not a function of the state.
+    /// The variable as a function of the original variables; `None` for mechanical work.
     pub expression: Option<String>,
     /// The expression in LaTeX.
     #[serde(skip)]
@@ -527,8 +513,7 @@ pub struct NewFound {
 pub struct RelationFound {
     /// A function that is 0 where the relation holds.
     pub relation: String,
-    /// The behaviour of the error along the orbit; `None` if no start was given and no rule
-    /// preserves the relation.
+    /// The behaviour of the error along the orbit, if known.
     pub along: Option<RelationFate>,
     /// The formula that the map preserves exactly.
     pub formula: Option<String>,
@@ -562,8 +547,7 @@ pub enum RelationFate {
 }
 
 impl RelationFate {
-    /// Combines two results along an orbit: the behaviour of the linearised error, and the measured
-    /// growth.
+    /// Combines the behaviour of the linearised error with the measured growth.
     fn of(along: RelationBehaviour, drift: Option<f64>) -> Self {
         match along {
             RelationBehaviour::Kept => RelationFate::Kept,

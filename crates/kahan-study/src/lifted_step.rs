@@ -1,10 +1,7 @@
-//! Steps of lifted fields. A lifted step ends an orbit where the original equations become
-//! undefined.
+//! Steps of lifted fields, which end an orbit where the original equations become undefined.
 //!
-//! In: the map of a lifted field at an ε. Out: a [`Step`]. This step returns NaN in two cases: a
-//! variable that is positive by definition, such as a square root, would become negative; or a
-//! requested symmetric projection onto the relations does not converge. Each step depends only on
-//! its point.
+//! A step returns NaN if a variable that is positive by definition, such as a square root, would
+//! become negative, or if a requested projection onto the relations does not converge.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{EmbedScalar, Step, Stopped, Workspace};
@@ -15,8 +12,7 @@ use crate::error::StudyError;
 use crate::question::NoOrbit;
 use crate::study::Study;
 
-/// A step of a lifted field, or of its tangent map, that detects where the original equations
-/// become undefined.
+/// A step of a lifted field that detects where the original equations become undefined.
 pub struct LiftedStep<'a, S: Step> {
     at: S,
     lift: &'a Lift,
@@ -24,20 +20,19 @@ pub struct LiftedStep<'a, S: Step> {
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// Advances a point on the relations by the step in the second argument; returns `false` if the
-/// projection does not converge.
+/// Advances a point on the relations by the given step; returns `false` without convergence.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
 /// The reason why a point of a lifted field has no successor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
-    /// This new variable, positive by definition, would become negative.
+    /// This new variable would become negative, but is positive by definition.
     Negative(usize),
     /// Symmetric projection does not converge.
     NotReembedded,
 }
 
-/// The growth factor of a relation's error, over a measured orbit, that counts as exponential.
+/// The growth of a relation's error along an orbit that counts as exponential.
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
@@ -62,8 +57,7 @@ impl LiftEnds {
 }
 
 impl Study {
-    /// Returns steps that end where a variable loses the sign that its definition gives it. Returns
-    /// `None` if no variable has a fixed sign, since the steps of the map then suffice.
+    /// Returns steps that check the signs of new variables; `None` if no variable has a fixed sign.
     #[must_use]
     pub fn lifted_step<S: Step + Clone>(&self, at: &S) -> Option<LiftedStep<'_, S>> {
         let lift = self.lift()?;
@@ -71,16 +65,13 @@ impl Study {
         (!positive.is_empty()).then(|| LiftedStep { at: at.clone(), lift, positive, projection: None })
     }
 
-    /// Checks that steps can be projected onto relations, if this is requested.
-    ///
-    /// # Errors
-    /// [`NoOrbit::Reembed`] if the field was not lifted.
+    /// Checks that the field has relations onto which steps can be projected, if requested.
     pub fn can_reembed(&self, reembed: bool) -> Result<(), StudyError> {
         let has_relations = self.lift().is_some() || !reembed;
         if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
     }
 
-    /// Warns if the lift was chosen without an orbit, and the errors of relations grow more than
+    /// Warns if the lift was chosen without an orbit, and errors of relations grow more than
     /// 100-fold along the orbit of this start. Costs an orbit over 100 units of time.
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
@@ -98,8 +89,7 @@ impl Study {
         ))
     }
 
-    /// Returns the steps of a lifted field's map, projected onto the relations if `reembed`; `None`
-    /// if the steps of the map suffice.
+    /// Returns the steps of a lifted field, projected if `reembed`; `None` if the map suffices.
     #[must_use]
     pub fn steps<T: RuntimeFloat + EmbedScalar>(
         &self,
@@ -109,8 +99,7 @@ impl Study {
         if reembed { self.reembedded_step(at) } else { self.lifted_step(at) }
     }
 
-    /// Returns steps with symmetric projection onto the relations; `None` for a field without a
-    /// lift.
+    /// Returns steps with symmetric projection onto the relations of a lift.
     fn reembedded_step<T: RuntimeFloat + EmbedScalar>(
         &self,
         at: &MapAt<T>,
@@ -154,8 +143,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
                 self.negative(x).is_none()
             }
             Some(project) => {
-                // Signs are checked only after the first step, because that step starts on the
-                // relations.
+                // The first step starts on the relations, so signs are checked only afterwards.
                 let (mut is_first, mut has_signs) = (true, true);
                 let is_there = project(x, &mut |point| {
                     step(point);
@@ -185,8 +173,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.negative(x).is_some()
     }
 
-    /// Returns how an orbit with last point `x` ended: by the lift if the lift ended it, and
-    /// otherwise `end`.
+    /// Returns the end of an orbit with last point `x`: that of the lift, or otherwise `end`.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
         match end {

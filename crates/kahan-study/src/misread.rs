@@ -9,7 +9,7 @@ use serde_path_to_error::Segment;
 /// A mistake in a question or a subject.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misread {
-    /// The path to the mistake, from the outermost object: names, and indices of lists from 0.
+    /// The path to the mistake: names, and indices of lists from 0.
     pub path: Vec<String>,
     /// A sentence that describes the mistake.
     pub why: String,
@@ -32,10 +32,7 @@ impl fmt::Display for Misread {
 
 impl std::error::Error for Misread {}
 
-/// Reads a value from JSON.
-///
-/// # Errors
-/// The first mistake.
+/// Reads a value from JSON, or returns the first mistake.
 pub fn read<T: DeserializeOwned>(value: Value) -> Result<T, Misread> {
     serde_path_to_error::deserialize(value).map_err(|error| {
         let name = |segment: &Segment| match segment {

@@ -1,9 +1,7 @@
-//! Files of numbers: CSV, split into cells by the crate `csv`, and NumPy arrays (`.npy`).
+//! Files of numbers: CSV and NumPy arrays (`.npy`).
 //!
-//! In: the bytes of a file. Out: the numbers, exact on request, with shape and column names; or a
-//! first point from each row. File access is deliberately absent. Arrays are parsed here because
-//! `npyz` 0.9.1 multiplies the sizes of a header unchecked and panics on crafted files, and
-//! `ndarray-npy` requires all sizes beforehand.
+//! Arrays are parsed here, because `npyz` 0.9.1 panics on crafted files, and `ndarray-npy` requires
+//! all sizes beforehand.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use kahan_algebra::rational::Rational;
@@ -53,23 +51,18 @@ pub struct Numbers<V = f64> {
 }
 
 impl<V: FileNumber> Numbers<V> {
-    /// Reads a file: a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a
-    /// header. A column named `ended` holds words and gives no numbers.
-    ///
-    /// # Errors
-    /// A sentence that describes the mistake.
+    /// Reads a NumPy array if `name` ends in `.npy`, otherwise CSV with or without a header. A
+    /// column named `ended` holds words and gives no numbers.
     pub fn of(name: &str, bytes: &[u8]) -> Result<Self, String> {
         if name.ends_with(".npy") { array(bytes) } else { table(bytes) }
     }
 }
 
 impl Numbers<Option<Rational>> {
-    /// Reads a point from each row. Named columns are matched with the states; without names, each
-    /// column is a state. Ignores an unnamed first column that counts the rows from 0, as in files
-    /// of pandas.
+    /// Reads a point from each row. Named columns are matched with the states; otherwise each
+    /// column is a state, except for a first column that counts the rows from 0.
     ///
-    /// # Errors
-    /// A sentence that the caller begins with the file's name: "has no rows; …".
+    /// An error is a sentence that lacks its subject, the file's name.
     pub fn points(&self, wanted: &ExpectedColumns<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
         let states = wanted.states;
@@ -113,8 +106,7 @@ impl Numbers<Option<Rational>> {
     }
 }
 
-/// Reads CSV. Rows that begin with `#` are comments. As in NumPy's files, the last comment that has
-/// one word for each column holds the names.
+/// Reads CSV with comments after `#`. The last comment with a word for each column holds the names.
 fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
@@ -172,8 +164,7 @@ fn table<V: FileNumber>(text: &[u8]) -> Result<Numbers<V>, String> {
     Ok(numbers)
 }
 
-/// Reads names from a comment, separated by commas or else by spaces; `None` unless each column has
-/// a name.
+/// Reads the names of all columns from a comment, if there are so many names.
 fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     let comment = comment.trim_start_matches('#').trim();
     let between: [Vec<&str>; 2] = [comment.split(',').collect(), comment.split_whitespace().collect()];
@@ -182,8 +173,7 @@ fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     Some(found.into_iter().map(|name| name.trim().trim_matches('"').to_owned()).collect())
 }
 
-/// Returns the line in which a row begins. The crate `csv` counts neither empty lines nor the
-/// second character of a Windows line break.
+/// Returns the line in which a row begins. The crate `csv` does not count empty lines.
 fn line(text: &[u8], row: &StringRecord) -> usize {
     let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
     let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
@@ -266,10 +256,7 @@ fn array<V: FileNumber>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     values.map(|values| Numbers { names: None, sizes: array.sizes, values })
 }
 
-/// Reads an array of strings from `.npy`.
-///
-/// # Errors
-/// A sentence about the array, if it has no readable strings.
+/// Reads an array of strings from `.npy`, or describes the mistake.
 pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
     let length: Option<usize> =

@@ -1,7 +1,6 @@
 //! Ranges of exact values, in one grammar for all questions: `1/10:1:400`.
 //!
-//! In: text. Out: equally spaced values, and for pictures the cells around them. A range is written
-//! as text that reads back as an equal range.
+//! A range is written as text that reads back as an equal range.
 
 use std::fmt;
 
@@ -53,23 +52,16 @@ pub enum Spacing {
 
 /// The most values of a range read by [`Range::read`].
 const MOST: usize = 100_000;
-/// The largest number of values on an axis of a table: 2⁴⁰ − 1 if indices have 64 bits, and 2²⁴ − 1
-/// if they have 32 bits.
+/// The largest number of values on an axis of a table: 2⁴⁰ − 1 with 64-bit indices.
 const MANY: usize = usize::MAX >> (usize::BITS / 2 - 8);
 
 impl Range {
-    /// Reads `FROM:TO:COUNT`, `FROM:TO:+STEP` or `FROM:TO:/CELLS`.
-    ///
-    /// # Errors
-    /// [`NoRange`] says what is wrong with the text.
+    /// Reads `FROM:TO:COUNT`, `FROM:TO:+STEP` or `FROM:TO:/CELLS`, or describes the mistake.
     pub fn read(text: &str) -> Result<Self, NoRange> {
         Self::up_to(MOST, text)
     }
 
     /// Reads a range for an axis of a table, of fewer than 2⁴⁰ values.
-    ///
-    /// # Errors
-    /// [`NoRange`] says what is wrong with the text.
     pub fn of_table(text: &str) -> Result<Self, NoRange> {
         Self::up_to(MANY, text)
     }
@@ -104,8 +96,7 @@ impl Range {
         &self.spacing
     }
 
-    /// Returns the range whose cells have the distinct `values` as midpoints; `None` if there are
-    /// fewer than two values, or they are not equally spaced.
+    /// Returns the range whose cells have `values` as midpoints, if these are equally spaced.
     #[must_use]
     pub fn around(values: &[f64]) -> Option<Self> {
         let mut found = values.to_vec();
@@ -162,8 +153,7 @@ impl Range {
             Spacing::Count(count) | Spacing::Cells(count) => *count,
             Spacing::Step(step) => {
                 let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // Rounding can carry the float quotient up to the next whole number, but no
-                // further.
+                // Rounding can carry the quotient up to the next whole number, but no further.
                 let near = steps.to_f64() as usize;
                 if Rational::from(near as i64) > steps { near } else { near + 1 }
             }
@@ -203,8 +193,7 @@ impl Range {
         [0, self.count() - 1].map(|index| self.value(index))
     }
 
-    /// Returns the start of the first cell and the end of the last cell; the values are the
-    /// midpoints of the cells.
+    /// Returns the start of the first cell and the end of the last cell around the values.
     #[must_use]
     pub fn edges(&self) -> [Rational; 2] {
         let ([first, last], half) = (self.ends(), half(&self.step()));

@@ -1,9 +1,7 @@
 //! Checks whether steps resolve the fast components of a field.
 //!
-//! In: a field at an ε, and points of an orbit. Out: the largest |2ελ|, where λ is an eigenvalue of
-//! f′ at one of some points, and a warning if it is large. Kahan's map multiplies a component of
-//! rate λ by (1 + ελ)/(1 − ελ), close to exp(2ελ) only for small |2ελ|. From |2ελ| = 2 on, a
-//! decaying component changes sign in each step, and a fast oscillation has a wrong phase.
+//! Kahan's map multiplies a component of rate λ by (1 + ελ)/(1 − ελ), which is close to exp(2ελ)
+//! only for small |2ελ|. From |2ελ| = 2 on, a decaying component changes sign in each step.
 
 use kahan_runtime::MapAt;
 
@@ -20,8 +18,7 @@ const MANY: usize = 32;
 /// The value of |2ελ| above which a component is not resolved.
 const FAST: f64 = 2.0;
 
-/// The numbers of products by f′ in a power iteration: first without, then with a measurement of
-/// growth.
+/// The numbers of products by f′ before and during the measurement of growth.
 const PRODUCTS: [u32; 2] = [16, 32];
 
 /// The rates of a field at points of an orbit.
@@ -53,7 +50,7 @@ impl Rates {
         rows.div_ceil(most).max(1)
     }
 
-    /// The number of variables of a point.
+    /// Returns the number of variables of a point.
     #[must_use]
     pub fn variables(&self) -> usize {
         self.variables

@@ -1,5 +1,4 @@
-//! The relations between the variables of a lift: their errors along an orbit, and descriptions of
-//! these errors.
+//! The errors of the relations of a lift along an orbit, and descriptions of these errors.
 
 use std::ops::ControlFlow;
 
@@ -18,7 +17,7 @@ use crate::subject::{Catalog, Subject};
 #[derive(Clone, Debug)]
 pub struct RelationErrors {
     /// The largest error of each relation in each of the equal segments of the orbit; infinite if a
-    /// function is undefined at a point. A segment that the orbit does not reach has no entry.
+    /// function is undefined.
     pub errors: Vec<Vec<f64>>,
     /// The requested steps, or fewer if the orbit ended early.
     pub steps: u64,
@@ -27,8 +26,7 @@ pub struct RelationErrors {
 type PointFunction = Box<dyn Fn(&[f64]) -> f64>;
 
 enum Error {
-    /// The difference between a new variable and the function that defines it, divided by max(1,
-    /// |function|).
+    /// The relative difference between a new variable and its defining function.
     Defined(usize),
     /// A function of all variables that vanishes where the relation holds.
     Function(PointFunction),
@@ -48,8 +46,7 @@ impl Error {
 
 impl Study {
     /// Measures the errors of the relations of a lift along an orbit of Kahan's map, in `parts`
-    /// equal segments. For a field without a lift the list is empty. Each step also costs the
-    /// functions of the new variables.
+    /// equal segments. The list is empty without a lift.
     ///
     /// # Errors
     /// Missing values, or a start of the wrong length.
@@ -102,8 +99,8 @@ fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
 }
 
 impl Subject {
-    /// Reads the field like [`study`](Subject::study). If the lift has no first point and all
-    /// parameters have values, chooses the lift along [`Study::shown_orbit`].
+    /// Reads the field like [`study`](Subject::study). A lift without a first point is chosen along
+    /// [`Study::shown_orbit`], if all parameters have values.
     ///
     /// # Errors
     /// The errors of [`study`](Subject::study).
@@ -117,8 +114,7 @@ impl Subject {
         self.clone().lifting(lifting).study(catalog)
     }
 
-    /// Returns whether the equations are not quadratic, but of a kind that can be lifted. The
-    /// search for a lift may still fail within its budget.
+    /// Returns whether the equations are not quadratic, but of a kind that can be lifted.
     #[must_use]
     pub fn calls_for_a_lift(&self) -> bool {
         match &self.field {
@@ -152,15 +148,13 @@ impl LiftFound {
 }
 
 impl RelationFound {
-    /// Describes the behaviour along the orbit: `kept exactly: …`, `bounded`, `decays at the rate
-    /// …`.
+    /// Describes the behaviour along the orbit, such as `bounded` or `kept exactly: …`.
     #[must_use]
     pub fn verdict(&self) -> String {
         self.verdict_asking("give a first point")
     }
 
-    /// Describes the behaviour along the orbit. If no first point is known, asks for one by the
-    /// text `for_point`.
+    /// Describes the behaviour along the orbit, or asks for a first point by the text `for_point`.
     #[must_use]
     pub fn verdict_asking(&self, for_point: &str) -> String {
         let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));

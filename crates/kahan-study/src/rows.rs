@@ -1,5 +1,4 @@
-//! Tables in blocks of rows. Blocks are passed to a consumer while the table is computed, so that
-//! memory is bounded.
+//! Tables that are computed and passed on in blocks of rows, so that memory is bounded.
 
 use std::fmt::{self, Display, Write};
 use std::ops::{ControlFlow, Range};
@@ -59,10 +58,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Returns the value in a row.
-            ///
-            /// # Panics
-            /// If `row` is out of range.
+            /// Returns the value in a row. Panics if `row` is out of range.
             #[must_use]
             pub fn cell(&self, row: usize) -> Cell<'a> {
                 match self {
@@ -131,8 +127,8 @@ pub enum Exact {
     Undefined,
 }
 
-/// A cell of a table. The displayed text is that in CSV: empty for an undefined value, `inf` for an
-/// infinite value. JSON has `null` for both, and strings for exact numbers.
+/// A cell of a table. CSV has `inf` for an infinite value and an empty cell for an undefined
+/// value; JSON has `null` for both.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell<'a> {
     /// A float.
@@ -171,7 +167,7 @@ impl Display for Cell<'_> {
     }
 }
 
-/// Appends a line of CSV to a text, without quotes: cells are identifiers, numbers or quoted texts.
+/// Appends a line of CSV to a text, without adding quotes.
 pub fn csv_line(text: &mut String, cells: impl IntoIterator<Item = impl Display>) {
     for (place, cell) in cells.into_iter().enumerate() {
         let comma = if place == 0 { "" } else { "," };
@@ -194,12 +190,12 @@ impl Serialize for Cell<'_> {
 
 /// A consumer of the rows of a table, block by block.
 pub trait Rows {
-    /// Takes a block of at most some thousand rows: the values of each column, all of one length. A
-    /// consumer returns `Break` to end the work; it then gets no further block.
+    /// Takes a block of rows: the values of each column, all of one length. Returns `Break` to end
+    /// the work.
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()>;
 }
 
-/// A table in memory that collects all rows it receives. A table serializes as a list of rows.
+/// A table in memory, which serializes as a list of rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     /// The columns; empty before the first block.
@@ -260,8 +256,7 @@ impl Ending {
         Ending { end, step, why: None, instead: None, note: None }
     }
 
-    /// Returns the reason why the orbit ended. The reason includes the option that may help,
-    /// spelled by `spelling`.
+    /// Returns the reason why the orbit ended, with an option that may help, spelled by `spelling`.
     #[must_use]
     pub fn in_words(&self, spelling: Spelling) -> Option<String> {
         let instead = self.instead.map(|[name, value]| format!("; try {}", spelling(name, value)));

@@ -1,7 +1,6 @@
 //! Defaults for ε and the first point, chosen so that a picture shows a typical orbit.
 //!
-//! The defaults follow the units of length and time in which the field is written. A change of
-//! units changes them by powers of two, and leaves the picture unchanged.
+//! A change of the units of length and time changes the defaults by powers of two.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -30,13 +29,12 @@ pub struct ShownOrbit {
 }
 
 const STEPS: u64 = 4000;
-/// The ratio of a point's size to the size of the first point above which an orbit counts as
-/// escaped.
+/// The size of a point, relative to the first point, above which an orbit counts as escaped.
 const REACH: f64 = 1e3;
 /// The error of a lift's relations above which a smaller ε is tried.
 const LARGEST_ERROR: f64 = 0.1;
-/// The coordinates of first points. The coordinates are small fractions, so that exact orbits are
-/// feasible. All coordinates differ, so that the point lies on no symmetry axis.
+/// The coordinates of first points: small fractions for exact orbits, all different to avoid
+/// symmetry axes.
 const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 /// Sizes of first points, relative to the field's length scale, in the order of trial.
 const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
@@ -45,10 +43,8 @@ impl Study {
     /// Returns an orbit to show; chooses ε and the start if they are not given.
     ///
     /// ε is a power of two, at most a fifth of the largest step that the field's rates allow. The
-    /// start is the first of some small fractions of the length scale whose orbit stays bounded and
-    /// keeps moving. For a lifted field, rates and orbits are those of the original variables: ε is
-    /// then at most a tenth of the bound, and is halved while relations have large errors. Costs
-    /// some orbits of 4000 steps.
+    /// start is the first of some points whose orbit stays bounded and keeps moving. Costs some
+    /// orbits of 4000 steps.
     ///
     /// # Errors
     /// [`StudyError`]: missing values, a point that does not fit, or a field that is undefined at
@@ -75,12 +71,10 @@ impl Study {
                     continue;
                 }
             };
-            // For a quadratic field the rate is a norm, an overestimate; for a lifted field it is a
-            // frequency.
+            // For a quadratic field, the rate is a norm that overestimates the frequency.
             let share = if is_lifted { 0.1 } else { 0.2 };
             let mut rate = StepsAndRates::new(self, map.at(0.0), true).rate(&floats(&start));
-            // The second trial uses the rates along the first orbit. The rates of a lifted field
-            // may change by orders of magnitude, so that two more trials may follow.
+            // The second trial uses the rates along the first orbit; lifted fields get two more.
             for look in 0..4 {
                 if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
                     break;
@@ -164,8 +158,8 @@ impl<'a> StepsAndRates<'a> {
         values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
-    /// Returns ‖f′‖∞. For a lifted field with new variables w = g(x), returns ‖J²‖∞^(1/2), where J
-    /// = f_x + f_w g′ is the Jacobian of the original equations. For x″ = −ω²x the result is ω.
+    /// Returns ‖f′‖∞, or for a lifted field ‖J²‖∞^(1/2), where J is the Jacobian of the original
+    /// equations.
     fn rate(&self, x: &[f64]) -> f64 {
         /// The step size of central differences, about the cube root of the rounding error.
         const STEP: f64 = 1e-5;
@@ -238,8 +232,7 @@ impl TrialOrbit {
         TrialOrbit { shown, steps, moves, rate: steepest, error }
     }
 
-    /// Ranks the orbit. Bounded orbits that move rank highest, then other bounded orbits, then
-    /// longer orbits.
+    /// Ranks bounded orbits that move highest, then other bounded orbits, then longer orbits.
     fn rank(&self) -> (bool, bool, u64) {
         (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }
@@ -256,8 +249,7 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 }
 
 /// Returns the length scale of the field, a power of two at which terms of different degrees
-/// balance. For a homogeneous quadratic field, returns the length at which a point moves by its own
-/// size in time ε; if ε is not given, in a unit of time.
+/// balance. In a homogeneous quadratic field, a point of this size moves by its size in time ε.
 fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
     let [constant, linear, quadratic] =
         [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
@@ -294,8 +286,7 @@ fn power_below(number: f64) -> Option<f64> {
     (number > 0.0 && power > 0.0 && power.is_finite()).then_some(power)
 }
 
-/// Returns first points to try, with sizes relative to `length`. Each size gives two points: one
-/// with positive coordinates, and one with alternating signs.
+/// Returns first points to try, with sizes relative to `length`.
 fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     let signs = [[1, 1], [1, -1]];
     let starts = SIZES.iter().flat_map(|size| signs.iter().map(move |signs| (size, signs)));
@@ -307,8 +298,7 @@ fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
     starts.map(|(size, signs)| (0..variables).map(|k| coordinate(size, signs[k % 2], k)).collect()).collect()
 }
 
-/// Returns the largest power of two ≤ `bound`; a power of two stays a short number after a change
-/// of units. Returns 1 for an infinite bound, and 2⁻³⁰ if no power of two is small enough.
+/// Returns the largest power of two ≤ `bound`, or 1 for an infinite bound.
 fn round_below(bound: f64) -> Rational {
     const SMALL: f64 = 1.0 / (1_u64 << 30) as f64;
     let eps = power_below(bound).unwrap_or(if bound > 0.0 { 1.0 } else { SMALL });

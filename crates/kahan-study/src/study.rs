@@ -25,8 +25,7 @@ pub const MOST_VARIABLES: usize = 200;
 pub enum NoStep {
     /// The reduced map has a pole at the point.
     Pole,
-    /// det A = 0 for a map that has too many terms to be reduced; the reduced map might be defined
-    /// there.
+    /// det A = 0, but the map has too many terms to be reduced, and may be defined.
     Unreduced,
     /// The image is beyond the range of the scalar.
     Range,
@@ -59,7 +58,7 @@ struct MapAtParameters {
 }
 
 impl Subject {
-    /// Reads the field. Costs a parse; plans are made when a question first needs them.
+    /// Reads the field; plans are made when a question first needs them.
     ///
     /// # Errors
     /// An unknown system, a text with mistakes, or an unknown parameter.
@@ -113,8 +112,7 @@ impl Study {
         Study { read: Arc::new(read), here: Arc::clone(&self.here) }
     }
 
-    /// Returns the name of the field in answers: its name in the catalog, the name of its type, or
-    /// `field`.
+    /// Returns the name of the field: in the catalog, of its type, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
         self.entry().map_or_else(|| self.system().name(), |named| named.name)
@@ -139,8 +137,7 @@ impl Study {
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
-    /// Returns the name in the catalog if the field is a system of the catalog and no parameter is
-    /// given.
+    /// Returns the name in the catalog of a system without given parameters.
     #[must_use]
     pub fn as_it_stands(&self) -> Option<&'static str> {
         self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
@@ -152,8 +149,7 @@ impl Study {
         self.read.text.seed()
     }
 
-    /// Returns the entry of a system in the catalog; `None` for a family, because its type is not
-    /// the type of one chain.
+    /// Returns the entry of a system in the catalog; `None` for a family.
     fn entry(&self) -> Option<&Named> {
         self.read.named.as_ref().filter(|named| named.type_name.is_some())
     }
@@ -179,7 +175,7 @@ impl Study {
         self.lifted().map_or(&self.read.text, |lifted| &lifted.given)
     }
 
-    /// Returns notes for the author of the text on unusual interpretations.
+    /// Returns notes on unusual interpretations of the text.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         self.given_text().notes()
@@ -191,8 +187,7 @@ impl Study {
         self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
-    /// Returns the values of the parameters for numeric work: the given values, or else those of
-    /// the text.
+    /// Returns the given values of the parameters, or else those of the text.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
         let own = |name| named(self.given_text().parameters(), name);
@@ -218,10 +213,8 @@ impl Study {
         &self.read.system
     }
 
-    /// Returns the system after proving its claims as the macro does. The proof runs only once.
-    ///
-    /// # Errors
-    /// The claims that do not hold.
+    /// Returns the system after proving its claims as the macro does, or the claims that do not
+    /// hold.
     pub fn proved(&self) -> Result<&System, StudyError> {
         let proof = || match self.read.sites {
             // The claims of a family were proved on reading, for chains of every length.
@@ -239,8 +232,7 @@ impl Study {
     }
 
     /// Returns the study at these parameter values, which replace all earlier values. Both studies
-    /// share the field with its proofs, plans and compiled code. A lift keeps the values that its
-    /// `Subject` had.
+    /// share proofs, plans and compiled code.
     ///
     /// # Errors
     /// An unknown name, or a name given twice.
@@ -269,8 +261,8 @@ impl Study {
         self.at(given)
     }
 
-    /// Returns the study at this ε: claims with a condition `when` become unconditional if the
-    /// parameters and ε satisfy it. If a claim changes, the field is planned again.
+    /// Returns the study at this ε, where claims with a satisfied condition `when` are
+    /// unconditional.
     ///
     /// # Errors
     /// Claims that do not hold, or a field that divides by zero.
@@ -345,16 +337,12 @@ impl Study {
         system.coefficients().ok_or_else(|| self.undefined_field())
     }
 
-    /// Returns the values of all parameters, in order.
-    ///
-    /// # Errors
-    /// A missing value.
+    /// Returns the values of all parameters, in order. Fails if a value is missing.
     pub fn values(&self) -> Result<Vec<Rational>, StudyError> {
         self.values_but(|_| false)
     }
 
-    /// Returns the values of the parameters. Parameters for which `varies` returns true need no
-    /// value.
+    /// Returns the values of the parameters; those for which `varies` returns true need no value.
     pub(crate) fn values_but(&self, varies: impl Fn(usize) -> bool) -> Result<Vec<Rational>, StudyError> {
         let values = self.valued();
         let missing = (0..values.len()).filter(|k| values[*k].is_none() && !varies(*k));
@@ -408,11 +396,7 @@ impl Study {
         self.read.field.get_or_init(|| Field::of(self.system()))
     }
 
-    /// Returns the component of the field for a variable x, that is ẋ, as a formula. The formula
-    /// vanishes where x has an extremum.
-    ///
-    /// # Errors
-    /// An unknown variable.
+    /// Returns the component ẋ of the field for a variable x, as a formula.
     pub fn rate(&self, variable: &str) -> Result<String, StudyError> {
         let place = self.variable(variable)?;
         let field = &self.system().field;
@@ -510,10 +494,6 @@ pub(crate) fn assigned<N: Display, V: Display>(
 }
 
 /// Builds the system of a chain with this number of sites, with proved claims.
-///
-/// # Errors
-/// Mistakes in the text, a field that is not a family, more than [`MOST_VARIABLES`] variables, or
-/// too few sites, so that the field divides by zero.
 fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
     let family = text.family().map_err(StudyError::Field)?.ok_or(StudyError::NoFamily)?;
     if sites.saturating_mul(family.block()) > MOST_VARIABLES {

@@ -13,9 +13,8 @@ use crate::numbers::exact;
 
 /// A field given by a user.
 ///
-/// Its JSON has a `name` in the catalog or a text `field`, and optionally values `params`, `sites`
-/// and a `lift` such as `automatic`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a":
-/// "1/2"}}`.
+/// In JSON a subject has a `name` in the catalog or a text `field`, and optionally `params`,
+/// `sites` and a `lift`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -43,7 +42,7 @@ pub(crate) enum SubjectSource {
 
 /// A collection of named fields.
 pub trait Catalog {
-    /// Returns every system and family: its name in subjects, and the name of its type.
+    /// Returns the name of every system and family, and the name of the type.
     fn names(&self) -> Vec<[&'static str; 2]>;
 
     /// Finds a system or family by one of its names, in upper or lower case.
@@ -72,8 +71,8 @@ impl Subject {
         Self::of(SubjectSource::Name(name.into()))
     }
 
-    /// Reads a field in the language of `kahan!`, with or without a header, or in the usual
-    /// notation of equations. Values of parameters in the text are defaults.
+    /// Reads a field in the language of `kahan!` or in the usual notation of equations. Values of
+    /// parameters in the text are defaults.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
         Self::block(FieldText::new(text.into(), "field".to_owned()))

@@ -10,9 +10,8 @@ use crate::question::{ClaimShown, FormulaSheet};
 
 /// The notation of Python's SymPy, `1/2*x**2`, which `sympify` reads exactly.
 ///
-/// A Python keyword gets a `_` at its end. The second copy of a state, `x'`, is written `x_prime`.
-/// SymPy predefines names such as `E` and `S`. Readers must therefore pass their symbols,
-/// `sympify(formula, locals={"E": Symbol("E")})`, like [`FormulaSheet::script`].
+/// Python keywords get a final `_`. SymPy predefines names such as `E`, so readers must pass their
+/// symbols: `sympify(formula, locals={"E": Symbol("E")})`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 
@@ -83,10 +82,8 @@ impl Notation for SymPy {
     }
 }
 
-/// Writes the script of [`FormulaSheet::script`] for a sheet in this notation.
-///
-/// Names with characters beyond ASCII are not passed to `sympify`, which makes symbols of them
-/// anyway. Python would normalise `ϕ` to `φ`.
+/// Writes the script of [`FormulaSheet::script`]. Names beyond ASCII are not passed to `sympify`,
+/// since Python would normalise `ϕ` to `φ`.
 pub(crate) fn script(sheet: &FormulaSheet) -> String {
     let symbols = |names: &[String]| {
         let names: Vec<String> = names.iter().map(|name| SymPy.name(name)).collect();

@@ -89,7 +89,6 @@ fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() 
     }
 }
 
-/// Indicators of a NaN start are NaN; they differ from those of a regular orbit.
 #[test]
 fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
@@ -163,8 +162,7 @@ fn a_transient_is_not_observed() {
     }
 }
 
-/// After convergence, the first exponents alone agree with the complete spectrum, for single orbits
-/// and for groups.
+/// After convergence, the first exponents alone agree with the complete spectrum.
 #[test]
 fn a_spectrum_may_have_its_first_exponents_alone() {
     let text = "xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;";

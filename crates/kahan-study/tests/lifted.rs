@@ -40,8 +40,7 @@ fn rational_lifts_embed_exactly() {
     let point = study.point(&rational(&[(1, 3)])).unwrap();
     let new: Vec<&str> = study.variables()[1..].iter().map(String::as_str).collect();
     assert!(!new.is_empty());
-    // The new variables are powers of 1/(3 + x). Since 3/10 is not a float, they show whether
-    // values are exact.
+    // The new variables are powers of 1/(3 + x), and 3/10 is not a float.
     let powers: Vec<Rational> = (1..4).map(|k| Rational::new(3_i64.pow(k), 10_i64.pow(k))).collect();
     assert!(point[1..].iter().all(|value| powers.contains(value)), "{new:?}: {point:?}");
 }
@@ -109,8 +108,7 @@ fn relations_have_errors_along_an_orbit() {
         let start = rational(&[(1, 1), (0, 1)]);
         study.relation_errors(&start, &Rational::new(eps.0, eps.1), steps, 8).expect("an orbit")
     };
-    // The errors of s² + c² − 1, s − sin x and c − cos x are of order 2 in the step, and do not
-    // grow.
+    // The errors are of order 2 in the step, and do not grow.
     let (coarse, fine) = (errors((1, 20), 800), errors((1, 40), 1600));
     assert_eq!((coarse.errors.len(), coarse.steps), (3, 800));
     for (coarse, fine) in coarse.errors.iter().zip(&fine.errors) {
@@ -120,8 +118,6 @@ fn relations_have_errors_along_an_orbit() {
         assert!((3.5..4.5).contains(&ratio), "{coarse:?} {fine:?}");
         assert!(coarse[7] < 1.5 * coarse[0], "{coarse:?}");
     }
-    // If there are more segments than points, the start fills four segments with its rounding
-    // errors.
     let few = errors((1, 20), 1);
     assert!(few.errors.iter().all(|errors| errors.len() == 5 && errors[3] < 1e-15 && errors[4] > 1e-6));
     let none = Subject::named("lv").study(&Systems).unwrap();
@@ -137,8 +133,7 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
     let study = subject.study_to_show(&Systems).unwrap();
     assert_eq!(study.lift_start(), Some(rational(&[(1, 1), (1, 2)])));
     assert_eq!(fates(study), Some(RelationFate::Decays));
-    // A lift of a text with a start is chosen along the orbit of the start. Without parameter
-    // values there is no orbit.
+    // A lift of a text with a start is chosen along the orbit of that start.
     let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(LiftCriterion::Automatic);
     assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
     let generic = Subject::text(PENDULUM).lifted(LiftCriterion::Automatic).study_to_show(&Systems).unwrap();
@@ -147,8 +142,7 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
 
 #[test]
 fn a_lift_to_show_begins_where_the_original_orbit_stays() {
-    // The rates of lifted variables differ from those of the original variables. In the case of
-    // tanh, the errors grow along the first lift.
+    // The rates of lifted variables differ from those of the original variables.
     for (text, largest, smallest, error) in [
         ("x' = -x + tanh(y), y' = -y + tanh(2*x) + 1/10", 0.25, 0.01, 0.11),
         ("xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);", 0.05, 0.0009, 4.0),

@@ -1,10 +1,7 @@
-//! Exponents of lifted fields are those of the original equations.
+//! Tests that exponents of lifted fields are those of the original equations.
 //!
-//! 1. The reference integrates the original equations and their variational equations by the
-//!    classical Runge–Kutta method, and makes the vectors orthogonal.
-//! 2. The study lifts the text, and observes the lifted map.
-//! 3. Both have as many exponents as there are original variables; their sum is the mean divergence
-//!    of the original field.
+//! The reference integrates the original equations and their variational equations by the classical
+//! Runge–Kutta method. The sum of exponents is the mean divergence of the original field.
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
@@ -163,8 +160,7 @@ fn are_those_of_the_equations(case: &Case, steps: u64, near: f64, divergence: f6
 
 #[test]
 fn exponents_of_chaotic_motion() {
-    // A chaotic orbit and the reference orbit separate after some time, so their means differ
-    // slightly.
+    // A chaotic orbit and the reference orbit separate, so their means differ slightly.
     are_those_of_the_equations(&DRIVEN, 20_000, 0.015, -0.3);
     are_those_of_the_equations(&QUARTIC, 20_000, 0.015, 0.0);
 }
@@ -180,9 +176,7 @@ fn exponents_of_motion_that_is_attracted() {
     }
 }
 
-/// On regular orbits of a conservative system, tangent vectors grow linearly. If the plane of
-/// tangent vectors were reset at each step, exponents would be of order ε, and vectors would grow
-/// to e^30.
+/// On regular orbits of a conservative system, tangent vectors grow only linearly.
 #[test]
 fn indicators_of_regular_motion_are_small() {
     let found = observed(&PENDULUM, Some(LiftCriterion::Automatic), (1, 40), 200_000);

@@ -1,5 +1,4 @@
-//! Steps of lifted fields. Every question about orbits supports symmetric projection. An orbit ends
-//! where a variable would lose the sign that its definition gives it.
+//! Steps of lifted fields: symmetric projection, and ends where a variable would lose its sign.
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Step, Workspace};
@@ -120,7 +119,6 @@ fn what_is_of_the_map_is_refused_with_its_reason() {
         assert!(matches!(refused, StudyError::Orbit(NoOrbit::OfTheMap(known)) if known == name));
         assert!(refused.to_string().contains("extrema"), "{refused}");
     }
-    // Projection is refused for fields without a lift, and in other scalars.
     let quadratic = Subject::text("xdot = v; vdot = -x;").study(&Systems).unwrap();
     let section = Section { reembed: true, ..Section::new(eps.clone(), at.clone(), 10, "v") };
     let observe = Observe { observe: vec![Observable::Last], ..plain };
@@ -193,8 +191,6 @@ fn torricellis_law_ends_where_the_water_does() {
     }
 }
 
-/// An orbit that ends at this point also ends there in a group of orbits. The other orbits of the
-/// group continue.
 #[test]
 fn orbits_side_by_side_end_alone() {
     let study = lifted(TORRICELLI);
@@ -213,8 +209,7 @@ fn orbits_side_by_side_end_alone() {
     }
 }
 
-/// Variables without a fixed sign, such as odd roots, even powers, and sums that may vanish, end no
-/// orbit.
+/// Odd roots, even powers, and sums that may vanish end no orbit.
 #[test]
 fn other_variables_may_change_their_signs() {
     for (text, at) in [
@@ -248,7 +243,7 @@ impl Watch for Clock {
     }
 }
 
-/// Errors are relative to the size of the original variables, whatever times the clock shows.
+/// Errors are relative to the size of the original variables.
 #[test]
 fn trades_of_lifted_fields_measure_the_original_variables() {
     let scale = |time: i64| {

@@ -1,5 +1,4 @@
-//! Sections of many orbits: their rows, ends and bits equal those of single orbits. Also tests the
-//! order of crossing times, and diagrams over a parameter.
+//! Sections of many orbits have the rows, ends and bits of single orbits.
 
 use std::ops::ControlFlow;
 
@@ -164,8 +163,7 @@ fn times_of_crossings_have_the_order_of_the_method() {
     }
 }
 
-/// Over c, Rössler's maxima have one value for a cycle with one loop, and two after the first
-/// doubling.
+/// Over c, Rössler's maxima have one value before the first period doubling, and two after.
 #[test]
 fn a_diagram_shows_periods_that_double() {
     let study = rossler();
@@ -192,7 +190,6 @@ fn a_diagram_shows_periods_that_double() {
     }
 }
 
-/// With `carry`, an orbit starts at the last point of the previous orbit.
 #[test]
 fn a_carried_orbit_goes_on() {
     let turn = Subject::text("xdot = w*y; ydot = -w*x;").study(&Systems).expect("a field");

@@ -1,5 +1,4 @@
-//! Orbits as tables: rows in blocks and in memory, ranges of rows, equality of bits, methods, and
-//! ends.
+//! Orbits as tables: rows, ranges of rows, equality of bits, methods, and ends.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -47,8 +46,7 @@ fn doubles(table: &Table, column: usize) -> &[f64] {
     list
 }
 
-/// Lists orbits in each scalar, with each compatible method, both with and without projective
-/// steps.
+/// Lists orbits in each scalar, with each compatible method, with and without projective steps.
 fn every_sort(steps: u64) -> Vec<Orbit> {
     let mut sorts = Vec::new();
     for scalar in ScalarKind::ALL {
@@ -146,8 +144,7 @@ impl Watch for Impatient {
     }
 }
 
-/// Rows after a transient are rows of the whole orbit, with the step numbers and times of that
-/// orbit.
+/// Rows after a transient are rows of the whole orbit.
 #[test]
 fn a_transient_is_not_shown() {
     for plain in every_sort(9) {
@@ -156,8 +153,7 @@ fn a_transient_is_not_shown() {
         let found = answer(&lv(), &late);
         let cells = |table: &Table, row: usize| -> Vec<String> {
             let all = table.values.iter().map(|kept| kept.values().cell(row).to_string());
-            // The series of the flow restart after the transient, so the last of 32 digits may
-            // differ.
+            // The series of the flow restart after the transient, so the last digits may differ.
             let digits = if plain.method == Method::Flow { 30 } else { usize::MAX };
             all.map(|cell| cell.chars().take(digits).collect()).collect()
         };
@@ -169,8 +165,7 @@ fn a_transient_is_not_shown() {
         let part = rows(&lv(), &late, 1..3);
         assert_eq!(cells(&part, 0), cells(&whole, 5), "{late:?}");
     }
-    // The orbit of x' = x^2 from 1 ends in its transient: no row is shown, and the end has its true
-    // step.
+    // The orbit of x' = x^2 from 1 ends in its transient.
     let study = Subject::text("xdot = x^2;").study(&Systems).unwrap();
     let orbit = Orbit { transient: 20, ..Orbit::new(rational(1, 20), vec![rational(1, 1)], 5) };
     let found = orbit.ask(&study, &Unwatched).unwrap();
@@ -330,7 +325,7 @@ fn components_that_steps_do_not_resolve_are_noted() {
             answer(study, &Orbit { scalar, ..orbit }).ending.note
         })
     };
-    // 2ελ| is 20, 1.98 and 0.2. Exact orbits have long steps on purpose, and get no warning.
+    // |2ελ| is 20, 1.98 and 0.2. Exact orbits have long steps on purpose, and get no warning.
     for (scalar, note) in ScalarKind::ALL.into_iter().zip(at(&decay, rational(1, 10))) {
         let is_noted = note.is_some_and(|note| note.contains("up to 20 for an eigenvalue"));
         assert_eq!(is_noted, scalar != ScalarKind::Exact, "{scalar:?}");

@@ -1,5 +1,4 @@
-//! Questions over axes: the numbers of cells, the rows, and the independence of rows from threads
-//! and neighbours.
+//! Questions over axes: numbers of cells, rows, and the independence of rows from threads.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -20,8 +19,7 @@ fn over(object: Value) -> Over {
     over
 }
 
-/// Returns a question that mixes drawn starts, two orders and both scalars. At one value, 0, of its
-/// parameter the field divides by zero; from some points orbits overflow.
+/// Returns a question with drawn starts, two orders, both scalars, and cells without an orbit.
 fn mixed() -> (Study, Over) {
     let field = "xdot = y/r; ydot = x^2 + r;";
     let over = over(json!({

@@ -30,7 +30,7 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
 }
 
 /// Each step of the series adds some rounding errors of double-double, u = 2⁻¹⁰⁶ ≈ 1.2e-32. The
-/// flows amplify them by at most 10⁴.
+/// flows amplify these errors by at most 10⁴.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]
@@ -163,9 +163,7 @@ fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
     }
 }
 
-/// If the steps of a composition are too long for a fast component, the errors are as large as that
-/// component. Halving such steps may not reduce the errors. The study must not attribute these
-/// errors to rounding.
+/// Steps that are too long for a fast component have errors as large as that component.
 #[test]
 fn steps_that_are_too_long_are_not_taken_for_roundings() {
     let reference = reference(&Kinetics, "", &[], &["1", "0", "0"], 0.125, 1e-9).expect("a reference");
@@ -184,8 +182,7 @@ fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     reference(&E6, "e6", &[], &["1", "2", "3"], 5.0, 1e-11).expect("a shorter horizon");
 }
 
-/// At a fixed point, all terms of the series except x₀ are 0, and the radius of convergence is
-/// infinite.
+/// At a fixed point, the series is constant, and its radius of convergence is infinite.
 #[test]
 fn a_solution_that_rests_has_a_reference() {
     let reference = reference(&LotkaVolterra, "lv", &[], &["1", "1"], 100.0, 1e-20).expect("a reference");

@@ -1,6 +1,6 @@
 //! Crossings and jumps of random fields, planes and starts agree with dense samples of each step.
 //!
-//! This command runs all 2000 of them: `cargo test -p kahan-study --test sections -- --ignored`
+//! This command tests 2000 samples: `cargo test -p kahan-study --test sections -- --ignored`
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -12,8 +12,7 @@ const STEPS: u64 = 80;
 /// The largest value of the formula at a crossing, divided by the larger of its values at the ends
 /// of the step.
 const SMALL: f64 = 1.0 / (1 << 17) as f64;
-/// The number of samples of a step. A subinterval with a sign change is sampled by this number
-/// again.
+/// The number of samples of a step.
 const SAMPLES: usize = 128;
 
 #[derive(Debug, Default)]
@@ -52,8 +51,7 @@ fn field(random: &mut SplitMix64, variables: &[&str]) -> String {
     variables.iter().map(equation).collect()
 }
 
-/// Draws a function of the state: polynomials, quotients with poles, and functions that jump or are
-/// undefined somewhere.
+/// Draws a polynomial, a quotient with poles, or a function that jumps or is undefined somewhere.
 fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
     let mut linear = || {
         let one = variables[random.below(variables.len() as u64) as usize];
@@ -84,10 +82,7 @@ fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
     forms[random.below(forms.len() as u64) as usize].clone()
 }
 
-/// Returns whether samples show that the function is continuous along a step and passes through 0.
-/// The samples are refined repeatedly around the sign change. The samples must change little,
-/// relative to the function's size at the ends, and variables must stay near their sizes at the
-/// ends.
+/// Returns whether repeatedly refined samples show a continuous function that passes through 0.
 fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2]) -> bool {
     let (mut workspace, eps) = (Workspace::new(), *Step::eps(at));
     let size = ends.map(|x| height(x).abs()).into_iter().fold(0.0, f64::max);
@@ -97,7 +92,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
     };
     let (mut low, mut high) = (0.0, 1.0);
     for level in 0..4 {
-        // From level to level, a smooth function changes by 1/128 of this bound.
+        // At each refinement, a smooth function changes by 1/128 of this bound.
         let most = size / 8.0 / 64_f64.powi(level);
         let part = |k: usize| low + (high - low) * k as f64 / SAMPLES as f64;
         let points = (0..=SAMPLES).map(|k| match part(k) {

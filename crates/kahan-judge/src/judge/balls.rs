@@ -1,7 +1,6 @@
 //! Tests results by balls around x̃, for maps with too many terms to be expanded.
 //!
-//! If balls do not decide a question, it is asked again with twice the bits, and finally of exact
-//! quotients.
+//! Undecided questions are repeated with twice the bits, and finally with exact quotients.
 
 use std::cmp::Ordering;
 
@@ -23,7 +22,7 @@ struct Balls {
 }
 
 impl Balls {
-    /// Solves the equation for x̃. `None` at a pole, where det A = 0.
+    /// Solves the equation for x̃. Returns `None` at a pole, where det A = 0.
     fn of(equation: AtPoint) -> Option<Box<dyn ExactStep>> {
         for bits in precisions() {
             match elimination::next(&equation, bits) {
@@ -113,8 +112,7 @@ fn range(balls: &[Ball]) -> (Dyadic, Dyadic) {
     (largest(balls.iter().map(Ball::least)), largest(balls.iter().map(Ball::most)))
 }
 
-/// Returns whether the format holds every component of x̃ with full precision. `None` if the balls
-/// do not decide this.
+/// Returns whether the format holds all of x̃ with full precision; `None` if undecided.
 pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     let (least, greatest) = (Dyadic::new(1, format.least_binade), greatest(format));
     let verdict = |ball: &Ball| {
@@ -133,18 +131,15 @@ pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
     verdicts.iter().all(Option::is_some).then_some(true)
 }
 
-/// Returns the condition number of the step in (x, ε). The number is infinite if no precision
-/// determines it.
+/// Returns the condition number of the step in (x, ε), or infinity if no precision suffices.
 pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
     let (at, curvature) = (equation.at(point), equation.curvature(point));
     precisions().find_map(|bits| elimination::condition(&at, &curvature, bits)).unwrap_or(f64::INFINITY)
 }
 
-/// Expands det A as a polynomial in a random state or in ε. The expansion goes row by row, with a
-/// minor for each set of columns. An entry of A is linear in each variable.
+/// Expands det A, row by row, as a polynomial in a random state or in ε.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> PolePolynomial {
-    /// The number of bits. The number suffices for a root with the precision of the longest scalar,
-    /// unless cancellation is severe.
+    /// Unless cancellation is severe, so many bits give a root the precision of the longest scalar.
     const BITS: u64 = 320;
     let n = equation.dimension();
     let chosen = random.below(n as u64 + 1) as usize;
@@ -155,14 +150,13 @@ fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Pole
         equation.at(&moved)
     };
     let (zero, one) = (at(0), at(1));
-    // The index of a minor is its set of columns as bits.
+    // The index of a minor encodes its set of columns as bits.
     let mut minors = vec![None; 1 << n];
     minors[0] = Some(vec![Dyadic::new(1, 0)]);
     for i in 0..n {
         let mut entries: Vec<(usize, [Dyadic; 2])> = Vec::new();
         let mut slopes = one.row(i);
         for (j, constant) in zero.row(i) {
-            // The rows at both points have entries in the same columns.
             let at_one = slopes.iter().position(|(k, _)| *k == j).map(|k| slopes.swap_remove(k).1);
             let slope = &at_one.unwrap_or_else(Dyadic::zero) - &constant;
             entries.push((j, [constant, slope]));

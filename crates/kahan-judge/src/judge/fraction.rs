@@ -31,7 +31,7 @@ impl Fraction {
         Self { numerators, denominator, size }
     }
 
-    /// Solves the equation for x̃ over the rational numbers. `None` if det A = 0.
+    /// Solves the equation for x̃ over the rational numbers, unless det A = 0.
     pub(crate) fn of_equation(equation: &AtPoint) -> Option<Self> {
         let n = equation.x.len();
         let row = |i: usize| {
@@ -42,8 +42,7 @@ impl Fraction {
         let matrix: Vec<_> = (0..n).map(row).collect();
         let right: Vec<_> = (0..n).map(|i| vec![equation.increment(i).rational()]).collect();
         let solved = solve(&arithmetic::Exact, &matrix, &right)?;
-        // Minors are sums of products of dyadic entries, so these numerators are dyadic numbers
-        // n·2^k.
+        // Minors of dyadic entries are dyadic, so these numerators are dyadic.
         let numerator = |(x, moved): (&Dyadic, &Vec<Rational>)| {
             Dyadic::of_rational(&(&(&x.rational() + &moved[0]) * &solved.determinant))
         };
@@ -64,7 +63,6 @@ impl ExactStep for Fraction {
                 error.clone().scaled(format.precision).ratio(&self.size)
             },
             keeps_promise: within(&(&self.size * &Dyadic::new(PROMISE, -format.precision))),
-            // The result is roughly right if error·1000 ≤ size; the comparison is exact.
             is_rough: (&error * &Dyadic::new(1000, 0)).compare(&self.size) != Ordering::Greater,
         }
     }
@@ -79,8 +77,7 @@ impl ExactStep for Fraction {
     }
 }
 
-/// Returns (2 − 2^(1−p))·2^e, the largest number of a format with precision p and greatest exponent
-/// e.
+/// Returns the largest number of a format.
 pub(crate) fn greatest(format: &Format) -> Dyadic {
     let Format { precision, greatest_binade, .. } = format;
     Dyadic::new((BigInt::from(1) << precision) - 1, greatest_binade + 1 - precision)

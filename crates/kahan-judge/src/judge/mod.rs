@@ -1,8 +1,8 @@
 //! Tests float results against the exact step from the given floats.
 //!
-//! For fields of up to eight variables, the exact step is the expanded map in lowest terms. If that
-//! map has too many terms, the step is computed by elimination in balls of growing precision. Every
-//! verdict is exact; only printed values are rounded.
+//! For fields of up to eight variables, the exact step comes from the expanded map in lowest terms,
+//! or from elimination in balls if the map has too many terms. Every verdict is exact; only printed
+//! values are rounded.
 
 pub(crate) mod balls;
 pub(crate) mod fraction;
@@ -23,9 +23,8 @@ use reduced::Reduced;
 pub(crate) trait ExactMap: Debug + Send + Sync {
     fn equation(&self) -> &Equation;
 
-    /// Makes the exact step; `None` at a pole. The map is in lowest terms before parameters get
-    /// values. So it may be defined where the field divides by zero: it is the limit in the
-    /// parameters, which solves the equations multiplied by their divisors.
+    /// Makes the exact step; returns `None` at a pole. In lowest terms, the step may be defined
+    /// where the field divides by zero.
     fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>>;
 
     fn condition(&self, point: &[Dyadic]) -> f64 {
@@ -41,27 +40,24 @@ pub(crate) trait ExactMap: Debug + Send + Sync {
         true
     }
 
-    /// Returns the map's denominator as a polynomial in a random variable. If `is_removable`,
-    /// returns the factor that was divided out of it.
+    /// Returns the denominator of the map as a polynomial in a random variable. For `is_removable`,
+    /// returns the removed factor instead.
     fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial>;
 }
 
 pub(crate) trait ExactStep {
-    /// Compares a finite result with the exact step.
     fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict;
 
-    /// Returns whether the format holds every component of the step with full precision. Each
-    /// component must be 0 or a normal number.
+    /// Returns whether every component of the step is 0 or a normal number of the format.
     fn fits(&self, format: &Format) -> bool;
 }
 
 /// The comparison of a finite result with the exact step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
-    /// ‖error‖∞/‖exact‖∞, or the backward error, in multiples of the unit u = 2^−precision. The
-    /// value is infinite if the exact step is 0.
+    /// The relative error ‖error‖∞/‖exact‖∞ or the backward error, in units of u = 2^−precision.
     pub(crate) error_u: f64,
-    /// Whether the error bound of `try_step` holds. The comparison is exact.
+    /// Whether the error bound of `try_step` holds.
     pub(crate) keeps_promise: bool,
     /// Whether the relative error is at most 1e-3.
     pub(crate) is_rough: bool,
@@ -69,8 +65,7 @@ pub(crate) struct Verdict {
 
 pub(crate) struct PolePolynomial {
     pub(crate) variable: usize,
-    /// The coefficients from the constant term upwards. Coefficients that come from elimination are
-    /// rounded.
+    /// The coefficients from the constant term upwards, possibly rounded.
     pub(crate) coefficients: Vec<Dyadic>,
 }
 

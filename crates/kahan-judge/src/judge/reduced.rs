@@ -1,7 +1,6 @@
 //! Tests results by the expanded polynomials of the map in lowest terms.
 //!
-//! In lowest terms x̃ᵢ = xᵢ + 2ε nᵢ/d = Nᵢ/d with Nᵢ = xᵢd + 2ε nᵢ. The map may be defined where
-//! det A = 0.
+//! In lowest terms, x̃ᵢ = Nᵢ/d with polynomials Nᵢ and d. The map may be defined where det A = 0.
 
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
@@ -18,20 +17,18 @@ use crate::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_
 #[derive(Debug)]
 pub(super) struct Reduced {
     equation: Equation,
-    /// The numerators N₁ … N_n of the map, scaled by one integer, which also scales the denominator
-    /// d.
+    /// The numerators of the map, with integer coefficients.
     numerators: Vec<Terms>,
     denominator: Terms,
     /// The derivatives of numerators and denominator by each state and by ε.
     slopes: Vec<Slopes>,
-    /// The denominator d, and the factor that was divided out of it, as polynomials in each of
-    /// their variables.
+    /// The denominator as a polynomial in each of its variables.
     poles: Vec<Univariate>,
     removable_poles: Vec<Univariate>,
     degree: usize,
 }
 
-/// The derivatives of numerators and denominator by one variable v: ∂Nᵢ/∂v for every i, and ∂d/∂v.
+/// The derivatives of all numerators and of the denominator by one variable.
 #[derive(Debug)]
 struct Slopes {
     variable: usize,
@@ -87,8 +84,7 @@ impl ExactMap for Reduced {
         Some(Box::new(self.fraction(point)?))
     }
 
-    /// Returns the condition number: max over i of Σ |∂x̃ᵢ/∂v|·|v| over the variables v, divided by
-    /// ‖x̃‖∞. The result is infinite for x̃ = 0 and at a pole.
+    /// Returns max_i Σ_v |∂x̃ᵢ/∂v|·|v| / ‖x̃‖∞, where v runs over the states and ε.
     fn condition(&self, point: &[Dyadic]) -> f64 {
         let Some(Fraction { numerators, denominator, size }) = self.fraction(point) else {
             return f64::INFINITY;

@@ -30,7 +30,7 @@ impl Draw {
         &choices[self.below(choices.len())]
     }
 
-    /// Draws ±1 … ±9. One time in three the number is divided by 2 … 7.
+    /// Draws a number ±1 … ±9, sometimes divided by 2 … 7.
     pub(super) fn coefficient(&mut self) -> Tree {
         let size = literal(&(self.below(9) + 1).to_string());
         let size =

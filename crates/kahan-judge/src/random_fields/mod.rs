@@ -1,8 +1,7 @@
 //! Seeded random fields as trees, for `kahan extremes` and for tests of generated code.
 //!
-//! The input consists of seeds. The output consists of fields as trees and as text. Fields may be
-//! sparse or dense, and have linear and constant terms, parameters as factors and divisors, and
-//! awkward spellings.
+//! Fields may be sparse or dense, and have linear and constant terms, parameters as factors and
+//! divisors, and awkward spellings.
 
 mod draw;
 pub(crate) mod odd;
@@ -34,15 +33,11 @@ pub struct RandomField {
 /// A generator of fields with a given number of variables, at most [`DIMENSIONS`].
 pub type FieldGenerator = fn(usize, &mut Draw) -> RandomField;
 
-/// The kinds of fields that [`numbered`] draws. `coupled` occurs twice, each time with other random
-/// choices.
+/// The kinds of fields that [`numbered`] draws in turn.
 const ALL_KINDS: [FieldGenerator; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
 
 /// Draws the field with this number. Successive numbers cycle through 2 to 6 variables and through
 /// the kinds.
-///
-/// The field's name ends in the number. Dense fields of many variables have too many terms for a
-/// closed form.
 #[must_use]
 pub fn numbered(seed: u64, number: usize) -> RandomField {
     let n = 2 + number % (DIMENSIONS - 1);
@@ -117,8 +112,8 @@ pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
 }
 
-/// Draws fields whose linear and quadratic terms have coefficients ±1. Parameters precede some
-/// linear terms. For parameters ±1, leading terms of det A cancel.
+/// Draws fields with coefficients ±1, and with parameters in some linear terms. For parameters ±1,
+/// leading terms of det A cancel.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
@@ -148,8 +143,7 @@ pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let equation = |i: usize| {
         let state = |k: usize| Name(states[(start + i + k) % n]);
         let (x, y, z) = (state(0), state(1), state(2));
-        // Cycle through the spellings, so that each occurs in every dimension with enough
-        // equations.
+        // Every spelling is used in turn.
         let first = match (i + 2 * n) % 5 {
             0 => negated(power(x.clone(), 2)),
             1 => Product(vec![x.clone(), power(Sum(vec![y.clone(), negated(z.clone())]), 1)]),

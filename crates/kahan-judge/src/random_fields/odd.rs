@@ -1,9 +1,7 @@
 //! Random fields with extreme coefficients, which test error bounds far from ordinary numbers.
 //!
-//! The input consists of seeds. The output is the text of fields of 1 to 8 variables, and of more
-//! variables for tests. Literals lie between 2^-1070 and 2^1020, with few bits or with all.
-//! Coefficients nearly cancel, and parameters and their differences occur as divisors. Steps of
-//! these fields are tested elsewhere.
+//! Literals lie between 2^-1070 and 2^1020. Coefficients nearly cancel, and parameters and their
+//! differences occur as divisors.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -56,15 +54,14 @@ pub(crate) struct Draw {
     divisors: Vec<String>,
     /// The largest offset of a neighbour in the equations of a chain; 0 for fields.
     pub(crate) offsets: i64,
-    /// The last coefficient as an integer n and an exponent k; its value is n·2^k.
+    /// The last coefficient n·2^k as the pair (n, k).
     last: (u64, i64),
 }
 
 impl Draw {
     pub(crate) fn new(seed: u64, title: &str, number: usize) -> Self {
         let random = SplitMix64::from_bytes(format!("{title} {seed} {number}").as_bytes());
-        // Numbers of variables have the period 8, so each of the four kinds occurs with every
-        // number of variables.
+        // Division by 8 lets every kind occur with each of the eight numbers of variables.
         let kind = [Kind::Literals, Kind::Cancelling, Kind::Divisors, Kind::All][number / 8 % 4];
         let (states, parameters, divisors) = (Vec::new(), Vec::new(), Vec::new());
         Self { random, kind, states, parameters, divisors, offsets: 0, last: (3, 0) }
@@ -96,7 +93,7 @@ impl Draw {
         }
     }
 
-    /// Writes a literal between 2^-1070 and 2^1020. The literal is often of ordinary size.
+    /// Writes a literal between 2^-1070 and 2^1020, often of ordinary size.
     fn literal(&mut self) -> String {
         let is_ordinary = self.kind == Kind::Cancelling && self.below(3) > 0 || self.below(3) == 0;
         let binade = if is_ordinary { self.between(-4, 4) } else { self.between(-1070, 1019) };
@@ -125,7 +122,6 @@ impl Draw {
     /// Writes the last coefficient, or one that differs from it by some units in the last place.
     fn near_last(&mut self) -> String {
         let (integer, exponent) = self.last;
-        // Ten more bits are used for offsets of fractions of a unit in the last place.
         let room = 10;
         let units = self.between(-40, 40);
         let moved = (i128::from(integer) << room) + i128::from(units << self.below(10));
@@ -139,8 +135,7 @@ impl Draw {
         }
     }
 
-    /// Returns one of at most three divisors free of states. More divisors would make expansions
-    /// long.
+    /// Returns a divisor without states. More than three divisors would make expansions long.
     fn divisor(&mut self) -> String {
         const MOST: usize = 3;
         if self.divisors.len() < MOST {

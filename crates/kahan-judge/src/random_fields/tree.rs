@@ -1,5 +1,4 @@
-//! Expressions as trees, and their text. The text has only the parentheses that precedence
-//! requires.
+//! Expressions as trees, and their text without needless parentheses.
 
 use std::fmt;
 

@@ -1,12 +1,10 @@
 //! Compiles random fields with extreme coefficients as a user does, and tests their steps by exact
 //! arithmetic.
 //!
-//! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` writes a crate
-//! with forty fields of 1 to 8 variables, twelve fields of 9 to 40 variables, and eight chains. It
-//! builds and runs the crate, and checks the results. Points and results pass through files as
-//! bits. `KAHAN_ODD=0,200,100` sets the numbers of fields (two hours). `KAHAN_ODD_TRIALS` sets the
-//! number of trials of each field (300, for every twentieth field 3000). `KAHAN_ODD_NAMED=Chain74`
-//! selects one field, a ring of 2 271 unknowns (half an hour).
+//! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` builds and runs
+//! a crate of fields and chains. `KAHAN_ODD=0,200,100` sets the numbers of fields of up to eight
+//! variables, of larger fields, and of chains (two hours). `KAHAN_ODD_TRIALS` sets the number of
+//! trials of each field. `KAHAN_ODD_NAMED=Chain74` selects one field.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -49,8 +47,7 @@ impl Tried {
         Compiled::count(self.trials)
     }
 
-    /// Writes the module of a field in the crate: the field's block, and a function that makes
-    /// every step.
+    /// Writes the module of a field: the field's block, and a function that makes every step.
     fn module(&self) -> String {
         let Drawn { field: OddField { name, parameters, .. }, of_sites, sites, variables } = &self.field;
         let (parameters, site_parameters) = parameters.split_at(parameters.len() - of_sites);

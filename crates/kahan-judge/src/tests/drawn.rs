@@ -1,13 +1,12 @@
-//! Draws random fields with many variables and extreme coefficients, and chains. `kahan extremes`
-//! does not draw these.
+//! Draws chains and fields of many variables that `kahan extremes` does not draw.
 
 use crate::random_fields::odd::{Draw, OddField, plain};
 
 pub(super) struct Drawn {
-    /// The field. The parameters of the whole chain come first, then those of the sites.
+    /// Lists the parameters of the whole chain before those of the sites.
     pub(super) field: OddField,
     pub(super) of_sites: usize,
-    /// The number of variables of a field, or of arrays of a chain.
+    /// The number of variables of a field, or the number of arrays of a chain.
     pub(super) variables: usize,
     pub(super) sites: Option<usize>,
 }

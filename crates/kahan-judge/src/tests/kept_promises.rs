@@ -58,7 +58,7 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
 }
 
-/// The sum z̃ = z + 2ε(…) overflows in its last multiply-add, after all error bounds are computed.
+/// The last multiply-add of the step overflows, after all error bounds are computed.
 #[test]
 fn a_result_beyond_the_largest_float_is_flagged() {
     for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
@@ -68,7 +68,6 @@ fn a_result_beyond_the_largest_float_is_flagged() {
     assert!(E2.try_step(&vector![12.0, 1e153, 1.0], 0.125).is_ok());
 }
 
-/// Except for ordinary points, the points are hard enough to expose a step without an error bound.
 #[test]
 fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
     let tally = judged(TRIALS, 21);
@@ -111,7 +110,6 @@ fn the_number_of_threads_changes_nothing() {
     assert_ne!(one, judged(6, 1));
 }
 
-/// The sample includes dense fields with divisors.
 #[test]
 fn fields_of_odd_tempers_are_in_the_language() {
     for seed in 1..=3 {
@@ -122,7 +120,6 @@ fn fields_of_odd_tempers_are_in_the_language() {
     }
 }
 
-/// The fields have one to eight variables, and some have closed forms beyond the budget.
 #[test]
 fn what_is_drawn_is_judged() {
     let asked = Extremes { trials: 1, seed: 3, odd_fields: 24, odd_trials: 16, ..Extremes::default() };

@@ -16,13 +16,12 @@ use crate::float::Format;
 use crate::judge::balls::fit;
 use crate::judge::{ExactMap, ExactStep, PolePolynomial, Verdict};
 
-/// The definition of k in the error bound (k + 8)·u·(|A|·|y| + |b|).
+/// The row whose number of entries determines the error bound.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rows {
-    /// The number k counts the entries of the widest row, as in the error bound of a field of many
-    /// variables.
+    /// The widest row, for fields of many variables.
     Widest,
-    /// The number k counts the entries of row i, as in the error bound of a chain.
+    /// Each row itself, for chains.
     Own,
 }
 
@@ -34,7 +33,7 @@ impl ExactMap for ByResidual {
         &self.0
     }
 
-    /// Makes the exact step. `None` where the field divides by zero.
+    /// Makes the exact step, unless the field divides by zero.
     fn step(&self, point: &[Dyadic]) -> Option<Box<dyn ExactStep>> {
         let equation = self.0.at(point);
         if equation.is_defined() { Some(Box::new(Residual { equation, counted: self.1 })) } else { None }
@@ -84,7 +83,7 @@ impl ExactStep for Residual {
         verdict
     }
 
-    /// Returns whether x̃ exists and the format holds it. `false` if no precision decides.
+    /// Returns whether x̃ exists and the format holds x̃; `false` if undecided.
     fn fits(&self, format: &Format) -> bool {
         for bits in precisions() {
             match elimination::next(&self.equation, bits) {
@@ -101,7 +100,7 @@ impl ExactStep for Residual {
     }
 }
 
-/// Expands det A in a state that few rows depend on. Each of these rows is linear in the state.
+/// Expands det A as a polynomial in a state that few rows depend on.
 fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<PolePolynomial> {
     const MOST_ROWS: usize = 3;
     const MOST_VARIABLES: usize = 64;

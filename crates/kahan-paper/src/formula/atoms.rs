@@ -1,8 +1,8 @@
 //! Replaces transcendental functions in formulas by independent variables.
 //!
-//! For independent names v, w, … the functions v, w, exp v, exp w, log v, v^w, tan(v/2), … are
-//! algebraically independent over ℚ. An identity between rational functions of them therefore holds
-//! exactly if it holds after each function is replaced by a new variable.
+//! For independent names v, w, … the functions exp v, log v, v^w, tan(v/2), … are algebraically
+//! independent over ℚ. So a rational identity between these functions holds exactly if it holds
+//! between independent variables.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use kahan_algebra::rational::Rational;
 
 use super::Formula;
 
-/// Replaces functions by rational expressions in new variables. `None` if a function remains.
+/// Replaces functions by expressions in new variables; `None` if a function remains.
 pub(crate) fn rationalise(formula: &Formula) -> Option<Formula> {
     match formula {
         Formula::Name(name) if name == "pi" => None,
@@ -46,8 +46,7 @@ fn call(name: &str, arguments: &[Formula]) -> Option<Formula> {
             };
             Some(above.over(below))
         }
-        // The formula is evaluated at another point, where its functions would need other
-        // variables.
+        // At another point, the functions would need other variables.
         ("next" | "back", [.., inner]) => {
             (!has_functions(inner)).then(|| Formula::call(name, arguments.to_vec()))
         }
@@ -64,8 +63,7 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
     rationalise(formula).is_none_or(|rational| rational != *formula)
 }
 
-/// Rewrites base^exponent. If the exponent contains names, the result is a monomial in new
-/// variables.
+/// Rewrites base^exponent, as a monomial in new variables if the exponent contains names.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     let rational_base = rationalise(base)?;
     if exponent.as_number().is_some() {
@@ -87,9 +85,8 @@ fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     Some(if factors.is_empty() { Formula::integer(1) } else { Formula::Product(factors) })
 }
 
-/// Rewrites exp(u) as a monomial in new variables if u is an integer combination of monomials, or
-/// else as one new variable. Variables for arguments such as y/x and 2y/x are dependent. A proof
-/// that treats them as independent is still valid, but a failure of it shows nothing.
+/// Rewrites exp(u) as a monomial in new variables if u is an integer combination of monomials,
+/// otherwise as one new variable.
 fn exponential(u: &Formula) -> Option<Formula> {
     let Some(form) = expand(u) else { return Some(whole_exponential(u)) };
     let mut factors = Vec::new();
@@ -117,8 +114,7 @@ fn whole_exponential(u: &Formula) -> Formula {
     }
 }
 
-/// A polynomial in names. The keys are monomials, each a sorted list of names; the values are
-/// coefficients.
+/// A polynomial in names: sorted lists of names with their coefficients.
 type Expanded = BTreeMap<Vec<String>, Rational>;
 
 fn expand(formula: &Formula) -> Option<Expanded> {

@@ -2,8 +2,7 @@
 
 use super::Formula;
 
-/// Returns ∂formula/∂variable in simplified form. Fails if a call with unknown derivative (`next`,
-/// `sum`, …) depends on the variable.
+/// Returns ∂formula/∂variable, or an error if a derivative is unknown.
 pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, String> {
     if !depends_on(formula, variable) {
         return Ok(Formula::integer(0));
@@ -28,7 +27,7 @@ pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, S
                 let mut term = factors.clone();
                 let slope = derivative(factor, variable)?;
                 if *divides {
-                    // The divisor b contributes the factor −b′/b² to the derivative of 1/b.
+                    // The derivative of 1/b is 1/b · (−b′/b).
                     term.push((true, factor.clone()));
                     term.push((false, slope));
                 } else {

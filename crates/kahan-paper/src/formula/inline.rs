@@ -5,11 +5,10 @@ use std::collections::BTreeMap;
 use super::derivative::derivative;
 use super::{Definition, Formula};
 
-/// The greatest nesting of definitions. Deeper nesting means that definitions form a cycle.
+/// The greatest nesting of definitions. Deeper nesting means a cycle.
 const DEEPEST: usize = 64;
 
-/// Substitutes all definitions, and evaluates all derivatives `d(E, v)`. Fails for a definition
-/// that uses itself, a wrong number of arguments, or an unknown derivative.
+/// Substitutes all definitions, and evaluates all derivatives `d(E, v)`.
 pub(crate) fn inline(
     formula: &Formula,
     definitions: &BTreeMap<String, Definition>,
@@ -19,7 +18,7 @@ pub(crate) fn inline(
 
 struct Scope<'a> {
     definitions: &'a BTreeMap<String, Definition>,
-    /// For each parameter of the current definition, the formula that replaces it.
+    /// The formulas that replace the parameters of the current definition.
     locals: BTreeMap<String, Formula>,
     depth: usize,
 }

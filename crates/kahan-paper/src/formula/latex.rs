@@ -9,7 +9,7 @@ use kahan_latex::Latex;
 use super::{Formula, Item, Relation, Statement, parse};
 use call::{FUNCTIONS, OPEN_ENDED, call};
 
-/// An item of a statement in LaTeX, which is a definition or a relation.
+/// A definition or a relation in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LatexItem {
     /// The left-hand side.
@@ -20,8 +20,7 @@ pub struct LatexItem {
     pub right: String,
 }
 
-/// Returns a statement in LaTeX, item by item. Tables show the right-hand sides of definitions.
-/// Fails with a message if the text is not a statement.
+/// Returns the items of a statement in LaTeX, or a message if the text is not a statement.
 pub fn latex_of(text: &str) -> Result<Vec<LatexItem>, String> {
     Ok(parse(text)?.items.iter().map(item).collect())
 }
@@ -56,8 +55,7 @@ fn item(item: &Item) -> LatexItem {
     }
 }
 
-/// Writes a number with as many decimals as in the source. The value of the last decimal place is
-/// `digit`.
+/// Writes a number with as many decimals as in the source; `digit` is one unit of the last place.
 fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
     let places = digit.denominator().to_string().len() - 1;
     let units = value.checked_div(digit).filter(|_| places > 0)?;
@@ -150,12 +148,11 @@ fn write(formula: &Formula) -> (String, Precedence) {
             (joined(written.collect()), level)
         }
         Formula::Power(base, exponent) => match &**base {
-            // Powers of functions have the exponent after the function's name: sin²θ instead of
-            // (sin θ)².
+            // The exponent follows the function's name: sin²θ instead of (sin θ)².
             Formula::Call(function, arguments) if FUNCTIONS.contains(&function.as_str()) => {
                 (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Precedence::Power)
             }
-            // Powers of other calls, such as N(n)² and x̃², need no parentheses.
+            // Other powers, such as N(n)² and x̃², need no parentheses.
             Formula::Call(function, arguments) if !OPEN_ENDED.contains(&function.as_str()) => (
                 format!("{{{}}}^{{{}}}", call(function, arguments, ""), write(exponent).0),
                 Precedence::Power,

@@ -1,9 +1,11 @@
-//! The language of the paper's formulas. A [`Statement`] is a list of items between semicolons:
-//! definitions `name := expr` and `name(a, b) := expr`, equations `left = right`, inequations
-//! `left != right` (the sides are different functions), and approximate equations `left ~ right`
-//! (the sides agree in the written digits). Expressions have the operators of `kahan!`, any
-//! exponent, and these calls:
+//! The language of the paper's formulas.
 //!
+//! A [`Statement`] consists of items between semicolons: definitions `name(a, b) := expr`,
+//! equations `left = right`, inequations `left != right` between different functions, and
+//! approximate equations `left ~ right`. Expressions have the operators of `kahan!` and calls. The
+//! calls `f`, `A`, `b`, `J` and `next` accept another system's name as first argument.
+//!
+//! # Calls
 //! | call | meaning |
 //! |---|---|
 //! | `next(E)`, `back(E)` | E at the next, the previous point of the map |
@@ -13,9 +15,6 @@
 //! | `f(i)`, `A(i,j)`, `b(i)`, `J(i,j)`, `detA`, `detJ` | the field, A(x,ε), b(x,ε), ∂x̃/∂x and determinants |
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
 //! | `exp`, `sinh`, `sn`, `gamma`, … | Jacobi's functions with the modulus second, Γ, ψ (`digamma`), theta functions, … |
-//!
-//! `f`, `A`, `b`, `J` and `next` accept another system's name as first argument. The text of a
-//! statement is the only source from which it is shown, checked and mutated.
 
 mod atoms;
 mod derivative;
@@ -44,9 +43,9 @@ pub enum Formula {
     Number(Rational),
     /// A state, a parameter, `eps`, or a defined or free name.
     Name(String),
-    /// A sum of terms. The flag `true` marks subtracted terms.
+    /// A sum of terms; `true` marks subtracted terms.
     Sum(Vec<(bool, Formula)>),
-    /// A product of factors. The flag `true` marks divisors.
+    /// A product of factors; `true` marks divisors.
     Product(Vec<(bool, Formula)>),
     /// The negation −a.
     Negation(Box<Formula>),
@@ -80,8 +79,7 @@ pub enum Item {
         relation: Relation,
         /// The right-hand side.
         right: Formula,
-        /// The value of one unit in the last written decimal place, if the right-hand side is a
-        /// number.
+        /// One unit in the last written decimal place, if the right-hand side is a number.
         digit: Option<Rational>,
     },
 }
@@ -91,7 +89,7 @@ pub enum Item {
 pub struct Definition {
     /// The name.
     pub name: String,
-    /// The names of the parameters, which are replaced by formulas in each use.
+    /// The names of the parameters.
     pub parameters: Vec<String>,
     /// The formula that defines the name.
     pub body: Formula,
@@ -125,8 +123,7 @@ impl Formula {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
     }
 
-    /// Replaces names and calls by numbers. The function `number` returns the number for a name and
-    /// its arguments.
+    /// Replaces names and calls by the numbers that `number` returns for a name and arguments.
     pub(crate) fn replaced(
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,
@@ -149,7 +146,7 @@ impl Formula {
         }
     }
 
-    /// Rebuilds the formula; the function `new` is applied to each operand.
+    /// Rebuilds the formula after `new` is applied to each operand.
     pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
         let boxed = |part: &Formula| new(part).map(Box::new);
         let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {

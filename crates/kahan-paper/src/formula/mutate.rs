@@ -1,13 +1,12 @@
-//! Mutations: texts in which one coefficient or sign is changed, token by token. The texts are
-//! statements or `kahan!` blocks.
+//! Mutations: statements or `kahan!` blocks in which one coefficient or sign is changed.
 
 use std::ops::Range;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::{Token, TokenKind};
 
-/// Returns all mutations in this order: first a number is increased by one in its last place, then
-/// a sign is flipped, then a right-hand side is doubled, then `*` and `/` are exchanged.
+/// Returns all mutations of a text: numbers are increased by one in their last place, signs
+/// flipped, right-hand sides doubled, and `*` and `/` exchanged.
 #[must_use]
 pub fn mutations(text: &str) -> Vec<String> {
     let lexed = lex(text);

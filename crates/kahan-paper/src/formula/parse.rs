@@ -1,4 +1,4 @@
-//! Parses statements. The parser of `kahan!` reads the formulas in them.
+//! Parses statements with the parser of `kahan!`.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse_formula;
@@ -8,7 +8,7 @@ use kahan_algebra::token::{Token, TokenKind};
 
 use super::{Definition, Formula, Item, Relation, Statement};
 
-/// Parses a statement. If the text is wrong, the error holds the mistake and the text.
+/// Parses a statement, or returns the mistake and the text.
 pub(crate) fn parse(text: &str) -> Result<Statement, String> {
     let tokens = lex(text).tokens;
     let items = tokens.split(|token| token.kind == TokenKind::Punctuation(';'));
@@ -17,7 +17,7 @@ pub(crate) fn parse(text: &str) -> Result<Statement, String> {
 }
 
 fn item(tokens: &[Token]) -> Result<Item, String> {
-    // Separators of items or of sides; no formula contains these tokens.
+    // No formula contains the separators of items and of sides.
     let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
     let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
     let sign = |index: usize| rest.get(index).map_or("", |token| &*token.text);

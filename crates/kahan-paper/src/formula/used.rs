@@ -5,13 +5,12 @@ use std::collections::BTreeSet;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::TokenKind;
 
-/// Puts the `definitions` that a statement uses, directly or indirectly, in front of it.
+/// Puts those of the `definitions` that a statement uses in front of the statement.
 pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     let pieces: Vec<&str> = definitions.split(';').map(str::trim).filter(|piece| !piece.is_empty()).collect();
     let own: BTreeSet<String> = statement.split(';').filter_map(defined).collect();
     let mut used = identifiers(statement);
     let mut kept = vec![false; pieces.len()];
-    // Every pass except the final one adds a name, so the loop ends.
     loop {
         let before = used.len();
         for (piece, kept) in pieces.iter().zip(&mut kept) {
@@ -28,7 +27,7 @@ pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     kept.chain([statement]).collect::<Vec<_>>().join("; ")
 }
 
-/// Returns the name that a piece of text defines, if it defines one.
+/// Returns the name that a piece of text defines, if any.
 fn defined(piece: &str) -> Option<String> {
     let (left, _) = piece.split_once(":=")?;
     identifier_tokens(left).into_iter().next()

@@ -21,8 +21,7 @@ use numerical::{agreement, decimal};
 /// The number of random points that are tried before a formula counts as undefined.
 const MOST_DRAWS: usize = 16;
 
-/// The number of decimals to which both sides must agree, relative to the larger of 1 and the
-/// sides.
+/// The number of decimals to which both sides must agree.
 pub(super) const DECIMALS: u32 = 40;
 
 /// The evidence for a relation between formulas.
@@ -30,12 +29,12 @@ pub(super) const DECIMALS: u32 = 40;
 pub(super) enum Evidence {
     /// Both sides have equal expansions over ℚ, and agree modulo primes.
     NormalForm,
-    /// Both sides agree at points modulo primes; the field holds the number of points. The
-    /// probability of an error is below 2⁻¹⁰⁰.
+    /// Both sides agree at this number of points modulo primes, with an error probability below
+    /// 2⁻¹⁰⁰.
     Modular(u32),
-    /// Both sides agree at exact points; the field holds the number of points.
+    /// Both sides agree at this number of exact points.
     Exact(u32),
-    /// Both sides agree at random points; the field holds the number of equal decimals.
+    /// Both sides agree to this number of decimals at random points.
     Numerical(u32),
 }
 
@@ -44,27 +43,25 @@ impl Calculus for Modular {}
 impl Calculus for Exact {}
 impl Calculus for SizeArithmetic {}
 
-/// A relation between two formulas, which contain no definitions, about one system.
+/// A relation between two formulas without definitions, about one system.
 pub(super) struct Identity<'a> {
     pub(super) models: &'a Models,
     pub(super) model: &'a Model,
     pub(super) left: &'a Formula,
     pub(super) relation: Relation,
     pub(super) right: &'a Formula,
-    /// The value of one unit in the last decimal place of an approximate number.
+    /// One unit in the last decimal place of an approximate number.
     pub(super) digit: Option<&'a Rational>,
-    /// The intervals from which numerical tests draw values of names. Other names have the interval
-    /// (1/5, 4/5).
+    /// The intervals from which numerical tests draw values of names.
     pub(super) domain: &'a [(String, Rational, Rational)],
     pub(super) seed: u64,
 }
 
 impl Identity<'_> {
-    /// Checks the relation and returns the evidence. The error is the reason of a failure.
+    /// Checks the relation, and returns the evidence or the reason of a failure.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // The new variables that replace functions may be dependent, so they cannot prove that
-        // functions differ.
+        // Variables that replace functions may be dependent, so they cannot prove a difference.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,
@@ -81,8 +78,7 @@ impl Identity<'_> {
         self.numerical()
     }
 
-    /// Evaluates both sides at exact values of the names, and returns whether the relation holds
-    /// there. Fails if a side is undefined.
+    /// Returns whether the relation holds at exact values of the names, if both sides are defined.
     pub(super) fn at_point(
         &self,
         point: &BTreeMap<String, Rational>,

@@ -29,7 +29,7 @@ fn collect_names(formula: &Formula, models: &Models, names: &mut BTreeSet<String
         (Formula::Name(name), _) => {
             names.insert(name.clone());
         }
-        // A system's name as first argument means that the variables of that system are used.
+        // If the first argument names a system, that system's variables are used.
         (Formula::Call(..), Some(Formula::Name(first))) if models.contains_key(first.as_str()) => {
             names.extend(models[first.as_str()].names());
             parts.remove(0);

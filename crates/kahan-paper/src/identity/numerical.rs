@@ -74,8 +74,7 @@ pub(super) fn decimal(value: &Rational) -> Float256 {
     Real::from_rational(&value.to_big())
 }
 
-/// Returns the number of equal decimals, relative to the larger of 1 and both numbers. The result
-/// is at most 70.
+/// Returns the number of equal decimals, at most 70, relative to the largest of 1 and both numbers.
 pub(super) fn agreement(left: &Float256, right: &Float256) -> u32 {
     let one = Float256::from(1);
     let scale = [left.abs(), right.abs()].into_iter().fold(one, |a, b| if b > a { b } else { a });
@@ -90,7 +89,7 @@ pub(super) fn agreement(left: &Float256, right: &Float256) -> u32 {
     decimals
 }
 
-/// Returns the number k for the unit 10⁻ᵏ.
+/// Returns k for the unit 10⁻ᵏ.
 fn decimals_of(unit: &Rational) -> u32 {
     let digits = unit.denominator().to_string().len();
     u32::try_from(digits).expect("a unit has few digits") - 1

@@ -1,5 +1,4 @@
-//! Proves rational relations modulo primes and by expansion over ℚ. Relations that are too large
-//! are checked at exact points.
+//! Proves rational relations modulo primes and over ℚ. Large relations are checked at exact points.
 
 use std::collections::BTreeMap;
 
@@ -14,12 +13,12 @@ use super::super::formula::{Formula, Relation, rationalise};
 use super::names::uses_map;
 use super::{Evidence, Identity, MOST_DRAWS, words};
 
-/// The most terms of a formula that is expanded over ℚ.
+/// The greatest number of terms of a formula that is expanded over ℚ.
 const MOST_TERMS: usize = 20_000;
-/// The most products of terms in an expansion over ℚ, which takes about a second.
+/// The greatest number of products of terms in an expansion over ℚ, which takes about a second.
 const MOST_WORK: u64 = 2_000_000;
 
-/// The number of exact points at which relations too large to be proved are checked.
+/// The number of exact points at which larger relations are checked.
 const EXACT_POINTS: u32 = 12;
 
 type Point = BTreeMap<String, Rational>;

@@ -6,13 +6,11 @@ use kahan_systems::registry::find;
 use crate::claim::Outcome;
 use crate::verdict::{OpenQuestion, Verdict, Verdicts};
 
-/// The least room for an excerpt of a statement, in characters. In less room, no excerpt is
-/// written.
+/// The least number of characters for which an excerpt of a statement is written.
 const LEAST_SEEN: usize = 12;
 
 impl Verdicts {
-    /// Writes one line of at most `width` characters for each claim, the totals, and a hint. Failed
-    /// claims follow with their full statements.
+    /// Writes one line of at most `width` characters for each claim, then totals and failures.
     #[must_use]
     pub fn lines(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {
@@ -45,8 +43,7 @@ impl Verdicts {
         text.join("\n") + "\n"
     }
 
-    /// Writes all claims by system, with statement, source and time. The open questions and the
-    /// totals follow. Lines of headings have at most `width` characters.
+    /// Writes all claims by system with statement, source and time, then open questions and totals.
     #[must_use]
     pub fn in_full(&self, width: usize) -> String {
         let cells = self.claims.iter().map(|row| {

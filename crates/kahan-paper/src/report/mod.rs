@@ -7,7 +7,7 @@ use super::claim::Outcome;
 use super::verdict::Verdicts;
 
 impl Verdicts {
-    /// Counts the claims by outcome. The text is one line and does not end in a newline.
+    /// Counts the claims by outcome, in one line without a newline.
     #[must_use]
     pub fn totals(&self) -> String {
         let words = ["proved over Q", "proved mod p", "exact at points", "numerical", "misprinted"];

@@ -17,8 +17,8 @@ kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
 
 impl Verdicts {
-    /// Writes one line for each section, then failures or misprints, and a hint. The text has at
-    /// most 40 lines of about `width` characters.
+    /// Writes one line for each section, then failures or misprints. The text has at most 40 lines
+    /// of about `width` characters.
     #[must_use]
     pub fn summary(&self, width: usize) -> String {
         let mut text = sections(self);
@@ -31,7 +31,7 @@ impl Verdicts {
     }
 }
 
-/// Counts claims by section and outcome. The column of failures is omitted if all its counts are 0.
+/// Counts claims by section and outcome.
 fn sections(verdicts: &Verdicts) -> Vec<String> {
     let count = |keep: &dyn Fn(&Claim) -> bool| {
         let kept = verdicts.claims.iter().filter(|row| row.claim.as_ref().is_some_and(keep));
@@ -72,7 +72,7 @@ fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     text
 }
 
-/// Describes the misprints, sorted by erratum. The printed and the correct form share a line.
+/// Describes the misprints, sorted by erratum.
 fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
     let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();
@@ -90,14 +90,12 @@ fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     [vec!["Misprints: what is printed → what is right".to_owned()], aligned(&rows)].concat()
 }
 
-/// Writes `printed → right` in at most `room` characters. If necessary, words that both have in
-/// common are omitted.
+/// Writes `printed → right` in at most `room` characters, if necessary without common words.
 fn replaced(printed: &str, right: &str, room: usize) -> String {
     let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
     let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();
     let least = printed.len().min(right.len()) - first;
     let last = printed.iter().rev().zip(right.iter().rev()).take(least).take_while(|(a, b)| a == b).count();
-    // If both sides have the same left-hand side, it is written once.
     let left_side = printed[..first]
         .iter()
         .rposition(|word| [":=", "=", "~", "!="].contains(word))

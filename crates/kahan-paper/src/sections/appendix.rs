@@ -1,5 +1,5 @@
-//! Claims of section 7 and of the appendix. The claims about dE3 concern its linearisation. The
-//! claims about dE4 concern its curve, bilinear equations and theta functions.
+//! Claims of section 7 and of the appendix: the linearisation of dE3, and the curve, bilinear
+//! equations and theta functions of dE4.
 
 use kahan_algebra::rational::Rational;
 
@@ -22,8 +22,7 @@ L.delta | L is cosh 2 delta | K := 2*tanh(delta)^2; (2 + K)/(2 - K) = cosh(2*del
 linear | (linde3), the linear recurrence | w2 - 2*L*w1 + w0 = 0
 ";
 
-/// The level set of H(ε) and K(ε) in the variables s = x + y, d = x − y and z. The level set is the
-/// intersection of two quadrics.
+/// The level set of H(ε) and K(ε), an intersection of two quadrics in s = x + y, d = x − y and z.
 const CURVE: &str = "
 curve.H | first equation of the curve in s and d |
     s := x + y; d := x - y; (1 - 2*H*eps^2)*s^2 - (1 + 2*H*eps^2)*d^2 = 4*H
@@ -56,7 +55,7 @@ curve.pencil | the four singular quadrics of the pencil are different: the curve
     r1 != 0; r2 != 0; r3 != 0; r1 != r2; r1 != r3; r2 != r3
 ";
 
-/// Hirota's bilinear form. Names with index 1 belong to the next point.
+/// Hirota's bilinear form. The names A1, B1, … belong to the next point.
 const HOMOGENEOUS: &str = "
     x := (A + B)/(2*eps*D); y := (A - B)/(2*eps*D); z := C/(eps*D);
     X := (A1 + B1)/(2*eps*D1); Y := (A1 - B1)/(2*eps*D1); Z := C1/(eps*D1);
@@ -89,7 +88,7 @@ kappa | the integral for kappa |
     sn(kappa, k) = eps*z/(k*sn(delta, k)); dn(kappa, k) = eps*(x + y)*cn(delta, k)/sn(delta, k)
 ";
 
-/// Theta functions of nome q. The arguments are u = ζϑ₃² and δ = vϑ₃².
+/// Theta constants of nome q, and the modulus k.
 const CONSTANTS: &str = "t2 := theta2(0, q); t3 := theta3(0, q); t4 := theta4(0, q); k := (t2/t3)^2";
 const SOLUTION: &str = "
     A(w) := theta1(v, q)/theta2(v, q)*theta3(w, q); B(w) := theta1(v, q)/theta3(v, q)*theta2(w, q);

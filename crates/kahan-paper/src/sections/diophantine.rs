@@ -7,8 +7,7 @@ use super::super::figures::Figure;
 use super::super::section::Section;
 use super::text::read;
 
-/// The growth of heights, by Theorem 4 and for the other maps. Each claim's name begins with its
-/// orbit.
+/// The growth of heights along the orbits of the maps.
 const GROWTH: &str = "
 DE1 growth | growth of the heights, Theorem 4 | growth(x) = logarithmic; growth(z) = logarithmic
 DE2 growth | growth of the heights, Theorem 4 | growth(x) = logarithmic; growth(z) = logarithmic
@@ -40,8 +39,7 @@ DE6 digits | dE6, addition | digits(x, 125) = 114682
 DE6 limit | dE6: h(x_n)/n^2, addition | (h(x, 125) - 2*h(x, 75) + h(x, 25))/(2*50^2) ~ 16.89
 ";
 
-/// Claims about the limits C1, which are computed instead of measured. The name of each claim
-/// begins with the system.
+/// Claims about the limits C1, which are computed instead of measured.
 const TRANSCENDENTAL_MAPS: &str = "
 DE7 height_x | figure of 400 iterates: h(x_n) grows like log n only | logslope(x, 500, 1000) ~ 1.0
     explains B5

@@ -1,5 +1,4 @@
-//! Claims of section 6, on dE7 and dE8 with gamma and digamma functions, and on the quadrature of
-//! E9.
+//! Claims of section 6, on dE7 and dE8, and on the quadrature of E9.
 
 mod e7;
 mod e8;

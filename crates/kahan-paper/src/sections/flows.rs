@@ -7,10 +7,9 @@ use super::super::section::Section;
 use super::structures::structure;
 use super::text::read;
 
-/// A row of Table 5. In its formulas T = t + α, where α is a constant.
+/// A row of Table 5, with formulas in T = t + α for a constant α.
 struct Row {
     system: &'static str,
-    /// The components x, y and z as functions of T = t + α.
     solution: [&'static str; 3],
     values: [&'static str; 2],
 }

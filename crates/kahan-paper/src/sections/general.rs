@@ -1,12 +1,11 @@
-//! Claims of section 1 for the maps of all quadratic fields, and of section 2 for brackets in three
-//! dimensions.
+//! Claims of section 1 on all quadratic fields, and of section 2 on brackets in three dimensions.
 
 use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// Definitions of component i of the field at a point, Fᵢ(u,v,w), of its homogeneous parts Qᵢ, Bᵢ
-/// and Cᵢ of degrees 2, 1 and 0, and of Kronecker's δᵢⱼ.
+/// Definitions of the components Fᵢ of the field, of their homogeneous parts Qᵢ, Bᵢ and Cᵢ of
+/// degrees 2, 1 and 0, and of Kronecker's δᵢⱼ.
 const PARTS: &str = "
     F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
     F3(u, v, w) := at(f3, x, u, y, v, z, w);
@@ -21,8 +20,7 @@ const PARTS: &str = "
 ";
 
 /// Identities for generic fields. The placeholders `{i}`, `{x}` and `{X}` stand for a row, its
-/// state and its next state; a statement with them is made for three rows. With the column `{j}`,
-/// nine statements are made.
+/// state and its next state, and `{j}` for a column.
 const METHOD: &str = "
 scheme | definition of the map |
     ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2

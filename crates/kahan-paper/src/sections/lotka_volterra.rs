@@ -4,21 +4,19 @@ use super::super::claim::Claim;
 use super::super::section::Section;
 use super::text::read;
 
-/// The integral of the map at ε = ±1, and a function that changes its sign there.
+/// The integral of the map at ε = ±1, and a function that changes sign in each step.
 const INTEGRAL: &str = "
     H_hat := x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y);
     I := (x - y)*(x + y - 2)/(x*y);
 ";
 
-/// The recurrence at ε = 1, and six iterates that follow x₀ = x and x₋₁ = y.
+/// The recurrence at ε = 1, and six iterates.
 const ITERATES: &str = "
     r(a, b) := a*(2 - a)/b;
     x1 := r(x, y); x2 := r(x1, x); x3 := r(x2, x1); x4 := r(x3, x2); x5 := r(x4, x3); x6 := r(x5, x4);
 ";
 
-/// Claims about the flow, the map, and the map at ε = ±1. For other ε, Ĥ is not an integral: its
-/// increments at two points have factors a and b with u a + v b = 48 for polynomials u and v. So
-/// both increments vanish only at ε = 0, 1 and −1.
+/// Claims about the flow, the map, and the map at ε = ±1. For other ε, Ĥ is not an integral.
 const CLAIMS: &str = "
 field | the Lotka-Volterra flow | f1 = x*(1 - y); f2 = y*(x - 1)
 hamilton | Hamilton's equations with {x,y} = x y |

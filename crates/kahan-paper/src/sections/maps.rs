@@ -1,5 +1,4 @@
-//! Claims of sections 2, 3 and 5: fields, matrices A(x,ε), determinants, difference equations,
-//! reductions between systems, and changes of variables.
+//! Claims of sections 2, 3 and 5 about fields, maps, and relations between the systems.
 
 use kahan_systems::registry::find;
 
@@ -21,7 +20,7 @@ section2.euler.relation | Section 2, the integrals are dependent |
     H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2; a1*H1 + a2*H2 + a3*H3 = 0
 ";
 
-/// The fields and their matrices A(x,ε). The paper prints only one of the determinants.
+/// The fields and their matrices A(x,ε).
 const MATRICES: &str = "
 field.euler | Section 2, the vector field | f1 = a1*y*z; f2 = a2*z*x; f3 = a3*x*y
 matrix.euler | Section 2, A(x, eps) |
@@ -114,7 +113,7 @@ difference.e9.y | Section 6, dE9, equation of y | next(y) - y = -eps*xi*(Y*z + y
 difference.e9.z | Section 6, dE9, equation of z | next(z) - z = 2*eps*x*X + 2*eps*xi*y*Y
 ";
 
-/// Systems that become others at special values of their parameter.
+/// Reductions of systems to other systems at special values of a parameter.
 const REDUCTIONS: &str = "
 reduction.e7.e1 | Section 6, dE7 at xi = 1 is dE1 |
     at(f(e7, 1), xi, 1) = f(e1, 1); at(f(e7, 2), xi, 1) = f(e1, 2); at(f(e7, 3), xi, 1) = f(e1, 3);

@@ -1,5 +1,4 @@
-//! Claims of Theorem 3, on the solutions of the maps dE1 to dE5, with consequences for dE6 and the
-//! Euler top.
+//! Claims of Theorem 3, on the solutions of the maps dE1 to dE6 and of the Euler top.
 
 mod branches;
 mod initial_data;
@@ -102,7 +101,7 @@ impl Solution {
     }
 
     /// Makes the claims that each component solves its equation, and that the integrals have the
-    /// stated values. The sign `-` marks components with an additional factor (−1)ⁿ.
+    /// stated values. The sign `-` marks an additional factor (−1)ⁿ.
     fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
         let system = self.system;
         let claim = |cell: &str, statement: String| {
@@ -123,7 +122,7 @@ impl Solution {
             if signs == [""; 3] {
                 return claim(state, step);
             }
-            // In this case n is odd, and n + 1 is even.
+            // Here n is odd, and n + 1 is even.
             let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
             claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
         });
@@ -185,7 +184,7 @@ fn claim(id: &str, place: &str, statement: &str) -> Claim {
     Claim::new(Section::MapSolutions, [id], system, place, statement)
 }
 
-/// Makes a claim whose statement may use the solution of the map.
+/// Makes a claim whose statement may use the solution.
 fn solved(id: &str, place: &str, statement: &str) -> Claim {
     let claim = claim(id, place, statement);
     let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);

@@ -8,15 +8,13 @@ pub struct StructureRow {
     pub system: &'static str,
     /// The Lie algebras of the tensors P and Q.
     pub algebras: [Algebra; 2],
-    /// The definitions of H, K, c and the tensors P and Q of Table 1. If the map has rational H(ε),
-    /// K(ε), P(ε) and Q(ε), the definitions of Tables 2, 3 and 4 follow, with row 3 of Table 4
-    /// corrected. Tensors are given by {x,y}, {y,z} and {z,x}, which are named `P12`, `P23` and
-    /// `P31`. Names for the map end in `_eps`.
+    /// The definitions of H, K, c, P and Q of Table 1, and for maps those of Tables 2 to 4. Tensors
+    /// are given by {x,y}, {y,z} and {z,x}, named `P12`, `P23` and `P31`. Names for the map end in
+    /// `_eps`.
     pub definitions: &'static str,
 }
 
-/// A Lie algebra, given by the brackets {e,f}, {f,g} and {g,e} of a basis e, f, g of linear
-/// functions.
+/// A Lie algebra, given by the brackets of a basis e, f, g of linear functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Algebra {
     /// The name of the algebra.
@@ -125,15 +123,14 @@ pub(super) const STRUCTURES: [StructureRow; 9] = [
     },
 ];
 
-/// Returns the Lie-Poisson pair and the map's structures for a system E1 to E9.
+/// Returns the Lie-Poisson pair and the map's structures of a system E1 to E9.
 #[must_use]
 pub fn structure(system: &str) -> Option<&'static StructureRow> {
     STRUCTURES.iter().find(|structure| structure.system == system)
 }
 
 impl StructureRow {
-    /// Returns whether the map's integrals and Poisson pair are rational, and therefore in Tables 2
-    /// to 4.
+    /// Returns whether the map's integrals and Poisson pair are rational.
     #[must_use]
     pub fn has_map(&self) -> bool {
         self.value("H_eps").is_some()

@@ -1,7 +1,7 @@
-//! Claims of Tables 1 to 4 and of Theorems 1 and 2, cell by cell. All rows make the same claims.
+//! Claims of Tables 1 to 4 and of Theorems 1 and 2, for each row.
 //!
-//! In the texts, `{P12}` stands for the row's definition of `P12`, so that a cell is shown, checked
-//! and mutated with its claim. The placeholder `{e}` is the system, and `{i}` is its number.
+//! In the texts, `{P12}` stands for the row's definition of `P12`, `{e}` for the system, and `{i}`
+//! for its number.
 
 use super::super::claim::Claim;
 use super::super::id::Id;
@@ -9,8 +9,7 @@ use super::super::section::Section;
 use super::structures::{Algebra, STRUCTURES, StructureRow};
 use super::text::{ClaimText, read};
 
-/// Claims about a flow. The claims belong to Table 1 and Section 3. Claims about E7 to E9 belong to
-/// Section 6.
+/// Claims about a flow, of Table 1 and Section 3, or of Section 6 for E7 to E9.
 const FLOW: &str = "
 table1.{e}.P | {table}, P |
     {P12}; {P23}; {P31}; jacobi(P12, P23, P31) = 0;
@@ -45,7 +44,7 @@ section3.{e}.algebra_{t} | {table}, {t} is the algebra {algebra} |
     bracket({t}12, {t}23, {t}31, {e3}, {e1}) = {e3e1}
 ";
 
-/// Claims about a map. The claims belong to Tables 2 to 4 and Theorems 1 and 2.
+/// Claims about a map, of Tables 2 to 4 and Theorems 1 and 2.
 const MAP: &str = "
 table2.{e}.limit | Table 2, i = {i}, at eps = 0 | at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K
 theorem1.{e}.flow | Theorem 1, the volume form of the flow, i = {i} | divergence(c/(H*K)) = 0
@@ -76,7 +75,7 @@ theorem2.{e}.involution | Theorem 2, i = {i}, H(eps) and K(eps) commute |
     bracket(P12_eps, P23_eps, P31_eps, H_eps, K_eps) = 0; bracket(Q12_eps, Q23_eps, Q31_eps, H_eps, K_eps) = 0
 ";
 
-/// Claims for nonconstant c: the map preserves Q(ε)/c instead of Q(ε).
+/// Claims for systems with nonconstant c: the map preserves Q(ε)/c.
 const FACTOR: &str = "
 theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not invariant |
     Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
@@ -85,8 +84,7 @@ theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not i
         + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)))/c = next(Q12_eps/c)
 ";
 
-/// Misprinted cells. Without its sign, c of E8 does not link the two forms of the field. The
-/// printed tensor Q of E3 is Poisson, but not invariant.
+/// Misprinted cells.
 const MISPRINTS: &str = "
 table1.e8.c
     misprint A2: c := exp(-y/x)/x; P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c
@@ -119,7 +117,6 @@ pub(super) fn claims() -> Vec<Claim> {
 
 fn row(s: &StructureRow) -> Vec<Claim> {
     let index = &s.system[1..];
-    // A system belongs to Table 1 if its map is in Tables 2 to 4.
     let (section, table) = if s.has_map() {
         ("3", format!("Table 1, i = {index}"))
     } else {

@@ -10,15 +10,14 @@
 //!     within q: 1/50, 1/4
 //! ```
 //!
-//! Notes may follow a statement. The notes give the erratum that the claim corrects or explains.
-//! Notes also give the intervals from which numerical tests draw values of names.
+//! Notes name the errata that a claim corrects or explains, and intervals for numerical tests.
 
 use kahan_algebra::rational::Rational;
 
 use super::super::claim::Claim;
 use super::super::erratum::Erratum;
 
-/// The text of a claim, which begins with a line without indentation, and the notes that follow.
+/// The text of a claim and the notes that follow.
 pub(super) struct ClaimText {
     pub(super) head: String,
     notes: Vec<String>,
@@ -44,8 +43,7 @@ impl ClaimText {
         all
     }
 
-    /// Adds the notes to a claim. Panics if a note is malformed; the notes are constants, which
-    /// tests check.
+    /// Adds the notes to a claim. Panics if a note is malformed; tests check the constant notes.
     pub(super) fn annotate(&self, claim: Claim) -> Claim {
         let annotated = self.notes.iter().try_fold(claim, |claim, note| {
             let (word, rest) = note.split_once([' ', ':'])?;
@@ -67,8 +65,8 @@ impl ClaimText {
     }
 }
 
-/// Reads claims. The function `claim` makes a claim from a name, a place and a statement. Panics if
-/// a line lacks one of these three; the lines are constants, which tests check.
+/// Reads claims, where `claim` makes a claim from a name, a place and a statement. Panics if a
+/// line lacks one of these.
 pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
     let one = |written: ClaimText| {
         let mut parts = written.head.splitn(3, " | ");

@@ -1,5 +1,4 @@
-//! Tests that the registry lists all claims, that they are established, and that they are not
-//! vacuous.
+//! Tests that the registry lists all claims, that claims are established, and that none is vacuous.
 
 use std::collections::BTreeSet;
 
@@ -104,7 +103,6 @@ fn a_correction_sets_what_is_printed_beside_what_is_right() {
         paper.claims().iter().find(corrects).and_then(Claim::correction).expect("a correction")
     };
     let pair = |printed: &str, right: &str| (printed.to_owned(), right.to_owned());
-    // The pairs are found by the defined name, by the least difference, and by the common end.
     assert_eq!(correction(Erratum::A(3)), pair("Z(n) := solution(n, 2)", "Z(n) := solution(n, 4)"));
     assert_eq!(
         correction(Erratum::A(6)),
@@ -136,12 +134,10 @@ fn what_is_false_fails() {
         assert_eq!(established.outcome, Outcome::Failed, "{statement}");
         established.detail
     };
-    // All relations here are false: the sides differ at generic points, or are equal at one point
-    // only, or are equal despite `!=`.
+    // All relations here are false.
     assert!(fails("field.e1", "f1 = x^2").contains("on the left"));
     fails("field.e1", "f1 = -x^2 + eps*x");
     fails("field.e1", "f1 != -x^2");
-    // The statements contain exponentials, or functions that are compared in 256-bit arithmetic.
     fails("table1.e8.H", "exp(x + y) = exp(x)*exp(2*y)");
     fails("table1.e8.H", "gamma(x + 1) = gamma(x)");
     // Approximate values are checked to the last digit.

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::paper;
 
-/// For each orbit: the growth of heights, and the limit of their ratio from step to step.
+/// For each orbit, the growth of heights and the limit of ratios of successive heights.
 const GROWTH: [(&str, Growth, f64); 7] = [
     ("lv", Growth::Exponential, 2.0),
     ("e3", Growth::Linear, 1.0),
@@ -51,7 +51,6 @@ fn fifteenth_digit(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { 10_f64.powi(value.abs().log10().floor() as i32 - 14) }
 }
 
-/// Compares all listed heights of an orbit, and the digits of the last height.
 fn check(system: &str, data: &Value) {
     let figure = figure(system, data);
     let name = figure.name;
@@ -64,8 +63,7 @@ fn check(system: &str, data: &Value) {
         for (n, text) in listed.zip(texts(&data["h"][variable])) {
             let wanted: f64 = text.parse().expect("a number");
             let found = survey.heights[n as usize].logarithms[component];
-            // The file rounds to half a unit of the last digit, and the double may be wrong by one
-            // ulp.
+            // The file is rounded, and the double may be wrong by one ulp.
             let tolerance = 0.5 * fifteenth_digit(wanted) + wanted * f64::EPSILON;
             assert!((found - wanted).abs() <= tolerance, "{name}: h({variable}_{n}) = {found:e}, not {text}");
             compared += 1;

@@ -2,13 +2,12 @@
 
 const BITS: usize = 32;
 
-/// The length of the sequence, after which it repeats.
+/// The number of points after which the sequence repeats.
 const LENGTH: u64 = 1 << BITS;
 
 const DIMENSIONS: usize = 512;
 
-/// For each dimension from the second on, the primitive polynomial and the initial direction
-/// integers m.
+/// The primitive polynomials and initial direction integers of all dimensions but the first.
 const NUMBERS: &str = include_str!("joe_kuo.txt");
 
 #[derive(Clone, Debug)]
@@ -17,8 +16,8 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// Returns the dimension with this index, for a number of points; fails beyond [`DIMENSIONS`]
-    /// or [`LENGTH`].
+    /// Returns the dimension with this index. Fails if the sequence is too short or has too few
+    /// dimensions.
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
         if points > LENGTH {
             return Err(format!(
@@ -37,8 +36,7 @@ impl Sobol {
             for (m, first) in m.iter_mut().zip(numbers) {
                 *m = first;
             }
-            // For a polynomial of degree s with coefficients aₖ, the recurrence of the direction
-            // integers is
+            // The recurrence, for degree s and coefficients aₖ:
             // mᵢ = mᵢ₋ₛ XOR 2ᵏ aₖ mᵢ₋ₖ, over k = 1, …, s.
             for i in degree..BITS {
                 m[i] = m[i - degree];

@@ -17,11 +17,7 @@ pub(crate) struct Abreast {
 }
 
 impl Abreast {
-    /// Combines the formulas of the orbits, which come from one text. The last formula also fills
-    /// the unused lanes.
-    ///
-    /// # Panics
-    /// If `formulas` is empty.
+    /// Combines the formulas of one text at the constants of each orbit. Panics without formulas.
     pub(crate) fn of(formulas: &[&Formula]) -> Self {
         let own = |lane: usize| &formulas[lane.min(formulas.len() - 1)].known;
         let group = |place: usize| std::array::from_fn(|lane| own(lane)[place]);
@@ -30,8 +26,7 @@ impl Abreast {
         Abreast { program, variables, workspace }
     }
 
-    /// Returns the values of the formula at the current points; `points` holds a group of lanes for
-    /// each variable.
+    /// Returns the values at the current points; `points` holds one group for each variable.
     pub(crate) fn at(&self, points: &[Group<f64>]) -> Group<f64> {
         let mut workspace = self.workspace.borrow_mut();
         for (variable, place) in &self.variables {

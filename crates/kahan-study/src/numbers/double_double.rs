@@ -1,7 +1,4 @@
-//! Double-double arithmetic for interpreted plans.
-//!
-//! The operations, including multiply-adds, are those of [`Dd`]. An interpreted step therefore has
-//! the same bits as a compiled one.
+//! Double-double arithmetic for interpreted plans, with the same bits as compiled steps.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

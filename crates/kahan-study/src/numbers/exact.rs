@@ -1,5 +1,4 @@
-//! Exact numbers in JSON: a string `"3/7"`, or a number. The text of the number counts: 0.1 is one
-//! tenth.
+//! Exact numbers in JSON: strings such as `"3/7"`, or decimals, so that 0.1 is one tenth.
 //!
 //! Use `#[serde(with = "exact")]` on a [`Rational`], an optional one, or lists of them.
 
@@ -15,10 +14,8 @@ pub trait ExactJson: Sized {
     /// Returns the text p/q or p, `null` for `None`, or a list.
     fn to_json(&self) -> Value;
 
-    /// Reads numbers in the grammar of [`Rational::parse`].
-    ///
-    /// # Errors
-    /// A sentence that names the value that is not a number.
+    /// Reads numbers in the grammar of [`Rational::parse`], or names the value that is not a
+    /// number.
     fn of_json(value: &Value) -> Result<Self, String>;
 }
 
@@ -54,17 +51,11 @@ impl<T: ExactJson> ExactJson for Vec<T> {
 }
 
 /// Writes exact numbers.
-///
-/// # Errors
-/// Errors of the serializer.
 pub fn serialize<T: ExactJson, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     value.to_json().serialize(serializer)
 }
 
 /// Reads exact numbers.
-///
-/// # Errors
-/// A value that is not an exact number.
 pub fn deserialize<'de, T: ExactJson, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     T::of_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
 }

@@ -8,9 +8,8 @@ use serde::{Serialize, Serializer};
 
 /// A number in the scalar of its computation.
 ///
-/// Its text reads back as an equal number: p/q, the shortest decimal of a float, or 32 digits of a
-/// [`Dd`]. In JSON an exact number is a string, a finite float a number, and any other float
-/// `null`; an `f32` of 0.1 is written 0.1, and a [`Dd`] with its 32 digits.
+/// The text of a number reads back as an equal number. In JSON, exact numbers are strings, finite
+/// floats are numbers, and other floats are `null`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Number {
     /// A rational number.

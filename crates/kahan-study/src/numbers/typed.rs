@@ -4,10 +4,7 @@ use std::fmt::Display;
 
 use kahan_algebra::rational::Rational;
 
-/// Reads an exact number: 3/7, -2, 0.25, 1e-3.
-///
-/// # Errors
-/// A sentence that describes the mistake and a correction.
+/// Reads an exact number such as 3/7, -2, 0.25 or 1e-3, or describes the mistake.
 pub fn number(text: &str) -> Result<Rational, String> {
     let text = text.trim();
     Rational::parse(text).ok_or_else(|| {
@@ -32,10 +29,7 @@ fn has_large_exponent(text: &str) -> bool {
         && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// Reads a count from `least` to `most`: 1000, 1_000, 1e3.
-///
-/// # Errors
-/// A sentence that describes the mistake and a correction.
+/// Reads a count from `least` to `most`, such as 1000, 1_000 or 1e3, or describes the mistake.
 pub fn whole<T: Copy + Display + TryFrom<i128>>(text: &str, least: T, most: T) -> Result<T, String> {
     let text = text.trim();
     let usual = || format!("write a whole number, {least} or more, such as 1000 or 1e3");

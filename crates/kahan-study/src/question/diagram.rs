@@ -21,9 +21,8 @@ use super::over::AxisOver;
 use super::section::{Crossed, Section, name_of, of_name};
 use super::usual_order;
 
-/// A request for the values of one variable, in doubles, at each value of a parameter or of ε.
-/// Values are taken after a transient, at each step or at each crossing of a section. Each orbit
-/// starts at one fixed point, or at the last point of the previous orbit.
+/// A request for the values of one variable, in doubles, over a parameter or ε. Values are taken
+/// after a transient, at each step or at each crossing of a section.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Diagram {
@@ -42,8 +41,7 @@ pub struct Diagram {
     /// The number of steps before the first shown point.
     #[serde(default = "usual_transient")]
     pub transient: u64,
-    /// The number of steps to show after the transient. With a section, the largest number of
-    /// steps; a section needs either `steps` or `crossings`.
+    /// The number of steps after the transient. A section needs this number or `crossings`.
     #[serde(default)]
     pub steps: Option<u64>,
     /// The formula that vanishes on the section; without a formula, all steps are shown.
@@ -61,8 +59,7 @@ pub struct Diagram {
     /// Whether each orbit starts at the last point of the orbit at the previous value.
     #[serde(default)]
     pub carry: bool,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
-    /// lift.
+    /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -83,8 +80,7 @@ pub struct DiagramFound {
     /// The values on the axis; fewer than requested if the watch stopped the work.
     #[serde(with = "exact")]
     pub values: Vec<Rational>,
-    /// The shown numbers at each value on the axis. A list is shorter than requested, or empty, if
-    /// the orbit ends at a pole or beyond the range of doubles, or if the field is undefined.
+    /// The shown numbers at each value on the axis, fewer than requested if the orbit ends early.
     pub points: Vec<Vec<f64>>,
     /// The number of values on the axis at which fewer numbers are shown than requested.
     pub ended: usize,
@@ -112,8 +108,7 @@ impl Diagram {
         }
     }
 
-    /// Follows an orbit at each value of the axis. Costs the steps of the orbits, and memory for
-    /// each shown number.
+    /// Follows an orbit at each value of the axis.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing values, an unknown axis or variable, or a

@@ -31,14 +31,12 @@ pub struct Discover {
     /// ε, half the time step, if fixed; otherwise ε is generic.
     #[serde(with = "exact")]
     pub eps: Option<Rational>,
-    /// The largest degree of relations on orbits. The default depends on the number of variables,
-    /// and grows while integrals may be missing.
+    /// The largest degree of relations on orbits; with `None`, the search chooses degrees.
     pub degree: Option<u32>,
     /// The time limit in seconds.
     pub seconds: f64,
 }
 
-/// By default the search has no degree limit, and lasts at most a minute.
 impl Default for Discover {
     fn default() -> Self {
         Discover { eps: None, degree: None, seconds: 60.0 }
@@ -64,7 +62,7 @@ pub struct Discovered {
 
 impl Discover {
     /// Searches for integrals, densities, brackets, drifts and structure. Parameters without values
-    /// are generic. Ignores the field's own claims. Reports each proved result to the watch.
+    /// are generic. Reports each proved result to the watch.
     ///
     /// # Errors
     /// [`StudyError::Discover`], or [`StudyError::Degree`] if the degree is not feasible.
@@ -162,8 +160,7 @@ impl Discovered {
         self.claims().filter(|(_, claim)| claim.kind == kind).map(|(text, _)| text).collect()
     }
 
-    /// Iterates over the claims for display. Leaves out integrals for which a compact modified
-    /// Hamiltonian stands, and texts of more than [`MOST_READABLE`] characters.
+    /// Iterates over the claims of the [readable field](Self::readable).
     fn readable_parts(&self) -> impl Iterator<Item = (&str, &Claim)> {
         let replaced = self.report.replaced();
         // Integrals come first, so their indices are the indices of the claims.
@@ -177,8 +174,8 @@ impl Discovered {
         self.readable_parts().map(|(text, _)| text).collect()
     }
 
-    /// Returns the field with the claims for display. Leaves out integrals for which a compact
-    /// modified Hamiltonian stands, and texts of more than [`MOST_READABLE`] characters.
+    /// Returns the field with the claims for display, without long texts, and without integrals
+    /// that a compact modified Hamiltonian replaces.
     #[must_use]
     pub fn readable(&self) -> System {
         let claims = self.readable_parts().map(|(_, claim)| claim.clone()).collect();
@@ -192,7 +189,7 @@ impl Discovered {
         System { claims, ..self.field.clone() }
     }
 
-    /// Writes each claim as a JSON object. Adds the Hamiltonian H if the field is K grad H.
+    /// Writes each claim, and the Hamiltonian if there is one, as a JSON object.
     fn parts(&self) -> Vec<Value> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
@@ -211,8 +208,7 @@ impl Discovered {
         let claims = self
             .claims()
             .map(|(_, claim)| part(claim.kind.keyword(), &claim.name.text, &expression(&claim.body)));
-        // Integrals are called H1, H2, …; to avoid a clash, the Hamiltonian that belongs to the
-        // matrix K1 is called H_K1.
+        // The Hamiltonian of a matrix K1 is H_K1, since integrals are called H1, H2, …
         let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| {
             let name = found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}"));
             part("hamiltonian", &name, &found.hamiltonian)
@@ -221,8 +217,8 @@ impl Discovered {
     }
 }
 
-/// Writes the relation Σ `c[m]` m = 0 of a basis along an orbit as a JSON object. The quotients of
-/// the coefficients `c[m]` are integrals. Each term is a sum of monomials with equal coefficients.
+/// Writes the relation Σ c(m) m = 0 between monomials m along an orbit as a JSON object. The
+/// quotients of the coefficients c(m) are integrals.
 fn relation(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];
@@ -236,9 +232,8 @@ fn relation(basis: &Basis, variables: &[String]) -> Value {
     })
 }
 
-/// Writes a matrix K, the Hamiltonian H of the field K grad H, and the modified Hamiltonian at a
-/// point x and its image x~, as a JSON object. `is_compact` says whether the modified Hamiltonian
-/// is new, or much shorter than the integrals.
+/// Writes a matrix K, the Hamiltonian H with the field K grad H, and the modified Hamiltonian as
+/// a JSON object.
 fn hamiltonian(found: &HamiltonianReport) -> Value {
     json!({
         "K": found.tensor,
@@ -250,8 +245,7 @@ fn hamiltonian(found: &HamiltonianReport) -> Value {
     })
 }
 
-/// Writes the integrals that compositions preserve, and the preserved quotients of two integrals,
-/// as a JSON object.
+/// Writes the integrals, and the quotients of integrals, that compositions preserve.
 fn survivors(found: &CompositionIntegrals, integrals: &[Formula]) -> Value {
     let name = |index: usize| integrals[index].name();
     let kept = (0..found.formulas.len()).filter(|&index| found.formulas[index]);

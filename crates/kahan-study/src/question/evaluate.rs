@@ -66,8 +66,7 @@ pub struct Evaluated {
     pub jacobian: Option<Vec<Vec<Number>>>,
     /// The determinant of the Jacobian of the map.
     pub det_jacobian: Option<Number>,
-    /// The integrals that are claimed without a condition, and those whose condition holds at these
-    /// values.
+    /// The integrals that are claimed without a condition, or whose condition holds.
     #[serde(serialize_with = "by_name")]
     pub integrals: Names<Option<Number>>,
     /// The density of the claims that apply.
@@ -75,8 +74,8 @@ pub struct Evaluated {
     /// The brackets of the claims that apply, row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
-    /// The drifts of the claims that apply: each a function, and the function's next value by the
-    /// recurrence.
+    /// The drifts of the claims that apply, each with a function's values at the point and the
+    /// image.
     #[serde(serialize_with = "by_name")]
     pub drifts: Names<Option<Vec<Number>>>,
     /// The reason why the point has no image.

@@ -61,8 +61,7 @@ impl Heights {
         Heights { eps, at, steps, digits: usual_digits(), seconds: minute() }
     }
 
-    /// Follows the orbit of a system whose claims hold. Each step costs products and gcds of
-    /// numbers as long as those of the orbit.
+    /// Follows the orbit of a system whose claims hold.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing values, or a field that is undefined at its

@@ -1,10 +1,8 @@
 //! Questions and their answers, as values.
 //!
-//! A question has a name `ask` and fields in JSON: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
-//! 3]}`; the [`Subject`](crate::Subject) gives the field. Unknown fields are mistakes. Each
-//! question has a file, which defines its fields, its answer and `ask`. The file of a question that
-//! can be asked over axes also computes the row of a cell. The list below declares the modules,
-//! [`Question`] and [`Answer`].
+//! A question in JSON has a name `ask` and further fields, such as
+//! `{"ask": "evaluate", "eps": "1/2", "at": [1, 2, 3]}`. Each question has a file with its fields,
+//! its answer and `ask`.
 
 mod over;
 
@@ -49,7 +47,7 @@ macro_rules! questions {
             Over(Over),
         }
 
-        /// The answer to a question, under the names of its JSON.
+        /// The answer to a question.
         #[derive(Clone, Debug, Serialize)]
         #[serde(untagged)]
         pub enum Answer {
@@ -91,8 +89,7 @@ macro_rules! questions {
                 })
             }
 
-            /// Reads the question called `name`, which has no axes, from the other fields of its
-            /// JSON.
+            /// Reads the question called `name` from the other fields of the JSON object.
             fn from_fields(name: &str, rest: Map<String, Value>) -> Result<Self, Misread> {
                 match name {
                     $(
@@ -103,8 +100,7 @@ macro_rules! questions {
                 }
             }
 
-            /// Returns the fields of the question without its name; `None` for a question over
-            /// axes.
+            /// Returns the fields without the name; `None` for a question over axes.
             fn rest(&self) -> Option<Value> {
                 match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(asked) => Some(json!(asked)),)*
@@ -153,8 +149,7 @@ impl Study {
         question.ask(self, watch)
     }
 
-    /// Passes the rows in `range` to a consumer, if the answer is a table. Rows are counted from 0;
-    /// numbers beyond the last row are ignored. Returns how the table ended.
+    /// Passes the rows in `range`, counted from 0, to a consumer. Returns how the table ended.
     ///
     /// # Errors
     /// [`StudyError::NoRows`] if the answer is not a table, and the errors of the question.
@@ -201,10 +196,7 @@ impl Rows for RowRange<'_> {
 }
 
 impl Question {
-    /// Reads a question from JSON. The field `over` selects axes if the question supports them.
-    ///
-    /// # Errors
-    /// The first mistake, with its path.
+    /// Reads a question from JSON, or returns the first mistake with its path.
     pub fn read(mut object: Map<String, Value>) -> Result<Self, Misread> {
         let Some(name) = object.remove("ask") else {
             return Err(Misread { path: Vec::new(), why: "missing field `ask`".to_owned() });

@@ -1,7 +1,6 @@
 //! Observables of an orbit: exponents, chaos indicators, rotation, drift, escape.
 //!
-//! In: a first point, and the observables. Out: the observed values, in order. No orbit is stored.
-//! Rotation takes two passes, the first for the middles of the extrema.
+//! No orbit is stored. Rotation takes two runs, the first for the middles of the extrema.
 
 use std::ops::ControlFlow;
 
@@ -53,13 +52,11 @@ pub struct Observe {
     /// The number of exponents in the spectrum, largest first; `None` for all.
     #[serde(default)]
     pub spectrum: Option<usize>,
-    /// The size of a variable beyond which the orbit counts as escaped and ends. For `None` the
-    /// orbit never ends this way, and [`Observable::Escape`] reports the first variable beyond a
-    /// million.
+    /// The size of a variable beyond which the orbit counts as escaped and ends. With `None`,
+    /// [`Observable::Escape`] reports a size beyond a million, and the orbit continues.
     #[serde(default)]
     pub escape: Option<f64>,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
-    /// lift.
+    /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
     #[serde(default)]
     pub reembed: bool,
     /// The observables to compute, by default the [usual](Observable::usual) ones.
@@ -91,20 +88,18 @@ pub struct Observed {
     pub variables: Vec<String>,
     /// The integrals claimed without a condition.
     pub integrals: Vec<String>,
-    /// The number of steps, including the transient. If the orbit ended early, this is less than
-    /// requested.
+    /// The number of steps, including the transient.
     pub steps: u64,
     /// The reason why the orbit ended.
     pub end: End,
-    /// A sentence that says why the lift ended the orbit; `None` if it did not.
+    /// A sentence that says why the lift ended the orbit; otherwise `None`.
     pub why: Option<String>,
     /// The observations, in the order of the observables.
     pub seen: Vec<(Observable, ObservedValue)>,
 }
 
 impl Observe {
-    /// Asks for the usual observables of Kahan's map, without an escape bound. Tangent vectors are
-    /// made orthogonal every ten steps.
+    /// Asks for the usual observables of Kahan's map, without an escape bound.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
         let (order, renormalize, observe) = (usual_order(), usual_renormalize(), Observable::usual());
@@ -128,8 +123,7 @@ impl Observe {
         Observe { observe, ..Observe::new(Rational::zero(), Vec::new(), steps) }
     }
 
-    /// Observes the orbit of a system whose claims hold. Costs the steps of the orbit, with tangent
-    /// vectors for exponents and indicators. Rotation costs a second run of the orbit.
+    /// Observes the orbit of a system whose claims hold. Rotation costs a second run of the orbit.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
@@ -166,9 +160,6 @@ impl Observe {
     }
 
     /// Refuses an explicit request for drifts if the field claims no integral.
-    ///
-    /// # Errors
-    /// [`StudyError::NoIntegral`].
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         let is_named = self.observe.contains(&Observable::Drift) && self.observe != Observable::usual();
         if is_named && study.field().integrals().is_empty() {
@@ -213,10 +204,9 @@ impl Observe {
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
-    /// Observes many orbits, in SIMD lanes where machine code supports this. Returns the
-    /// [numbers](Self::numbers) of the table's columns. `maps` holds a map for each orbit, and
-    /// `starts` a column for each variable; ε, order and first point of the question are ignored.
-    /// `tell` receives numbers of steps and may stop the work; the results are then meaningless.
+    /// Observes many orbits, and returns the [numbers](Self::numbers) of the table's columns.
+    /// `maps` holds a map for each orbit, and `starts` a column for each variable. If `tell`, which
+    /// receives numbers of steps, stops the work, the results are meaningless.
     ///
     /// # Panics
     /// If `maps` and `starts` do not fit each other.
@@ -235,7 +225,7 @@ impl Observe {
         self.observe_many(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// Observes one orbit after its transient. Also returns a reason if the lift ended the orbit.
+    /// Observes one orbit after its transient, and returns the reason if the lift ended the orbit.
     pub(super) fn observe_one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -258,7 +248,6 @@ impl Observe {
     }
 
     /// Observes many orbits after their transients, in SIMD lanes where machine code supports this.
-    /// An orbit that ends in its transient is followed a second time, to find its end.
     pub(super) fn observe_many<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -293,8 +282,7 @@ impl Observe {
         found.collect()
     }
 
-    /// Observes one orbit from its start. If the orbit leaves the lift's domain, also returns the
-    /// reason.
+    /// Observes one orbit from its start, and returns the reason if the lift ended the orbit.
     fn one<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -314,8 +302,8 @@ impl Observe {
         (found, ends)
     }
 
-    /// Observes many orbits from their starts. An orbit of a lifted field whose last point is
-    /// outside the lift's domain is followed again, up to the border of the domain.
+    /// Observes many orbits from their starts. An orbit that leaves the domain of a lift is
+    /// followed again, up to the border of the domain.
     fn side_by_side<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -338,8 +326,7 @@ impl Observe {
     }
 
     /// Returns an orbit's observed values as the numbers of a table's columns. If the orbit ended
-    /// early, every number except the step of its escape is NaN, because the other values would not
-    /// cover all steps.
+    /// early, every number except the step of its escape is NaN.
     #[must_use]
     pub fn numbers(found: &Followed<Vec<ObservedValue>>) -> Vec<f64> {
         let numbers = |seen: &ObservedValue| {

@@ -1,8 +1,6 @@
 //! The points of an orbit with the integrals at them, as a table that may exceed memory.
 //!
-//! In: a study, ε, a first point, numbers of steps, a scalar and a method. Out: rows in blocks, or
-//! an answer with all rows. [`points`] makes rows from any moving point; [`maps`] and [`methods`]
-//! provide the moving points.
+//! [`points`] makes rows from any moving point; [`maps`] and [`methods`] provide the moving points.
 
 mod chain;
 mod maps;
@@ -35,8 +33,8 @@ use maps::PointArithmetic;
 use points::{EarlyEnd, OrbitPoints, OrbitRows, ended};
 pub use row_schedule::RowSchedule;
 
-/// A request for the points of an orbit. A row holds n, the time t = 2εn, the variables, and the
-/// integrals whose condition (if any) holds for this orbit. Claims are about Kahan's map.
+/// A request for the points of an orbit. A row holds n, the time t = 2εn, variables and integrals.
+///
 /// Compositions and other methods approximate the flow, so their integrals are the claims at ε = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -47,7 +45,7 @@ pub struct Orbit {
     /// The first point, with a coordinate for each variable.
     #[serde(with = "exact")]
     pub at: Vec<Rational>,
-    /// The number of steps before the first row; [`steps`](Self::steps) counts from there.
+    /// The number of steps before the first row, in addition to [`steps`](Self::steps).
     #[serde(default)]
     pub transient: u64,
     /// The number of steps.
@@ -67,8 +65,7 @@ pub struct Orbit {
     /// Whether the orbit continues through poles, by points at infinity.
     #[serde(default)]
     pub projective: bool,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
-    /// lift, in doubles.
+    /// Whether steps of a lifted field are projected onto the lift's relations, in doubles.
     #[serde(default)]
     pub reembed: bool,
 }
@@ -118,8 +115,7 @@ impl Method {
 /// Options of an orbit that contradict each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoOrbit {
-    /// A composition of this order is requested in exact numbers, but its coefficients are
-    /// irrational.
+    /// A composition, whose coefficients are irrational, is requested in exact numbers.
     Irrational(u32),
     /// Projective steps are requested for a composition.
     ProjectiveOrder,
@@ -132,8 +128,7 @@ pub enum NoOrbit {
     /// Symmetric projection is requested without a lift, in a scalar other than doubles, or for
     /// another method.
     Reembed,
-    /// Projected steps are requested with this observable, which is defined only for the map
-    /// itself.
+    /// Projected steps are requested with this observable of the map itself.
     OfTheMap(&'static str),
     /// A projective orbit is requested in too many variables.
     Projective(UnsupportedDimension),
@@ -224,7 +219,7 @@ pub struct OrbitHead {
     /// The columns of the rows.
     #[serde(serialize_with = "names")]
     pub columns: Vec<Column>,
-    /// The execution of float steps: as `machine code`, or `interpreted`.
+    /// The execution of float steps: `machine code` or `interpreted`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runs_as: Option<&'static str>,
     /// Whether the orbit continues through poles.
@@ -270,7 +265,7 @@ type OrbitContinuation<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows
 
 impl StartedOrbit<'_> {
     /// Passes the rows in `range` to a consumer. Row k is the point after `transient` + k · `every`
-    /// steps. All steps up to the last row are computed, but integrals are computed only in rows.
+    /// steps.
     pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }
@@ -343,8 +338,7 @@ impl Orbit {
         }
     }
 
-    /// Prepares the orbit in doubles, whichever scalar it asks for. A program that calls only this
-    /// method contains no code for other scalars.
+    /// Prepares the orbit in doubles, without code for other scalars.
     ///
     /// # Errors
     /// The errors of [`begin`](Self::begin).
@@ -418,8 +412,8 @@ impl Orbit {
         let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = OrbitRows { arithmetic, columns: &all, eps, paces };
-            // Rates are checked only where the check applies. Near infinity rates are unbounded,
-            // exact orbits have long steps on purpose, and other methods have other growth factors.
+            // Near infinity rates are unbounded, exact orbits have long steps on purpose, and other
+            // methods have other growth factors.
             let is_plain = self.method == Method::Kahan
                 && self.scalar != ScalarKind::Exact
                 && !self.projective

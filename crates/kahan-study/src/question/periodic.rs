@@ -29,28 +29,26 @@ mod flow;
 
 pub use flow::FlowFound;
 
-/// The largest number of unknowns of Newton's method. With this number a failed search, of sixty
-/// matrix decompositions, takes about five seconds.
+/// The largest number of unknowns of Newton's method. A failed search then takes five seconds.
 const MOST_UNKNOWNS: usize = 250;
 
 /// A request for a cycle near a point, and for its branch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
-    /// ε, half the time step; by default the first value of `over`, if that varies ε. Steady states
-    /// (period 1) do not depend on ε; their default follows from the field's rates.
+    /// ε, half the time step. The default is the first value of `over`, or for steady states
+    /// follows from the field's rates.
     #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
-    /// A point near the cycle, with a coordinate for each variable. If empty, the first point in
-    /// the text is used.
+    /// A point near the cycle; if empty, the first point in the text.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
     /// A multiple of the period of the cycle. With `free` ε, roughly the number of steps of a limit
     /// cycle at `eps`, or 1 to take the number from the orbit.
     #[serde(default = "one")]
     pub period: usize,
-    /// The unknown besides the points. With ε as unknown, the search is for a limit cycle of the
-    /// flow, whose period is unknown.
+    /// The unknown besides the points. With ε as unknown, the search finds limit cycles of the
+    /// flow.
     #[serde(default)]
     pub free: Option<FreeUnknown>,
     /// If ε is unknown, the number of steps before the search for close returns of the orbit.
@@ -59,7 +57,7 @@ pub struct Periodic {
     /// The axis of the branch: a parameter, or `eps`.
     #[serde(default, with = "axes")]
     pub over: Option<Axis>,
-    /// The integrals that keep the values that they have at `at`.
+    /// The integrals that keep their values at the point `at`.
     #[serde(default)]
     pub hold: HeldIntegrals,
 }
@@ -104,8 +102,7 @@ pub struct CycleFound {
     pub system: String,
     /// The state variables.
     pub variables: Vec<String>,
-    /// The cycle, in doubles, with multipliers along the level set of the fixed integrals. For a
-    /// limit cycle of the flow, multipliers are extrapolated.
+    /// The cycle in doubles, with multipliers along the level set of the fixed integrals.
     pub cycle: PeriodicPoint,
     /// The linear integrals whose values are held, as equations.
     pub held: Vec<String>,
@@ -117,8 +114,7 @@ pub struct CycleFound {
     pub exact: Option<RationalCycle>,
     /// The name of the axis, and the branch.
     pub branch: Option<(String, Branch)>,
-    /// The extrapolated numbers of each point of a branch of limit cycles; `None` if the branches
-    /// with finer steps lack the point.
+    /// The extrapolated numbers of each point of a branch of limit cycles, if known.
     pub rows: Vec<Option<FlowFound>>,
 }
 
@@ -186,8 +182,7 @@ impl Periodic {
 }
 
 impl CycleFound {
-    /// Iterates over the points of the branch at requested values and at bifurcations, with
-    /// extrapolated numbers for limit cycles.
+    /// Iterates over the points of the branch at requested values and at bifurcations.
     pub fn rows(&self) -> impl Iterator<Item = (&BranchPoint, Option<&FlowFound>)> {
         let points = self.branch.iter().flat_map(|(_, branch)| &branch.points).enumerate();
         let rows = points.map(|(k, point)| (point, self.rows.get(k).and_then(Option::as_ref)));
@@ -325,8 +320,7 @@ impl Family {
         parameters
     }
 
-    /// Returns the map at this value of the axis. If the field divides by zero, the map has ε =
-    /// NaN.
+    /// Returns the map at this value of the axis, with ε = NaN if the field divides by zero.
     fn at(&self, value: f64) -> MapAt<f64> {
         match self.study.map_at(&self.values_at(value)) {
             Some(map) => map.at(self.eps_at(value)),
@@ -343,8 +337,7 @@ impl Family {
         branch
     }
 
-    /// Converts the points of a branch to all variables, and replaces the axis values by the exact
-    /// values.
+    /// Converts the points of a branch to all variables, and makes the axis values exact.
     fn finish(&self, branch: &mut Branch, axis: &Axis) {
         for point in &mut branch.points {
             self.unfold(&mut point.cycle);
@@ -370,8 +363,7 @@ impl Family {
 }
 
 /// Returns the linear integrals of the field, for generic values of the varied parameter. Each
-/// integral eliminates a variable that is small at `start`, so that the remaining variables show
-/// the size of the point.
+/// integral eliminates a variable that is small at `start`.
 fn integrals(
     study: &Study,
     changes: Option<usize>,
@@ -388,9 +380,9 @@ fn integrals(
     Ok(if found.len() < start.len() { found } else { Vec::new() })
 }
 
-/// Returns a power of two for ε. The entries of ∂x̃/∂x − 1 near the point are then at most about 1.
+/// Returns a power of two for ε at which the entries of ∂x̃/∂x − 1 are at most about 1.
 fn step_for(map: &Map, point: &[Rational]) -> Option<Rational> {
-    /// There are fewer powers of two among doubles than this number of trials.
+    /// A number of trials that covers all powers of two among doubles.
     const MOST: usize = 2200;
 
     let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();

@@ -1,5 +1,4 @@
-//! The images of curves that a map contracts to a point or sends to infinity (singularity
-//! confinement).
+//! The images of curves that a map contracts or sends to infinity (singularity confinement).
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::orbits::growth::GrowthVerdict;
@@ -16,8 +15,7 @@ use crate::study::Study;
 use super::discover::options;
 use super::seconds_since;
 
-/// A request for the images of the curves on which the map is singular. In three variables the map
-/// is singular on surfaces.
+/// A request for the images of the curves, or surfaces, on which the map is singular.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Poles {
@@ -30,7 +28,6 @@ pub struct Poles {
     pub seconds: f64,
 }
 
-/// Follows twelve steps, for a minute.
 impl Default for Poles {
     fn default() -> Self {
         Poles { eps: None, steps: 12, seconds: 60.0 }

@@ -18,8 +18,8 @@ use super::{minute, seconds_since};
 
 const MOST_POINTS: usize = 1_000_000;
 
-/// A request for grid points at which degrees or ranks differ from the generic values. The answer
-/// also has relations that such points satisfy.
+/// A request for grid points at which degrees or ranks differ from the generic values, and for
+/// relations that such points satisfy.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scan {
@@ -66,9 +66,7 @@ impl Scan {
         total.filter(|total| *total <= MOST_POINTS)
     }
 
-    /// Searches every point. A parameter that has neither a value nor an axis is generic. Ignores
-    /// the field's claims. Reports to the watch each claim that is proved where a relation between
-    /// parameters holds.
+    /// Searches every point. A parameter that has neither a value nor an axis is generic.
     ///
     /// # Errors
     /// [`StudyError`]: a missing or unknown axis, too many points, a degree that is not feasible,

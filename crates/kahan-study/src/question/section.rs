@@ -29,8 +29,7 @@ use super::{Question, usual_order};
 use orbits::Orbits;
 pub use plane::Plane;
 
-/// A request for crossings of orbits with a section, in doubles: of one orbit, or of many orbits.
-/// Many orbits come from lists of first points and values of parameters.
+/// A request for the crossings of one or many orbits with a section, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Section {
@@ -40,8 +39,7 @@ pub struct Section {
     /// The first point, with a coordinate for each variable; ignored if there are `starts`.
     #[serde(with = "exact", default)]
     pub at: Vec<Rational>,
-    /// The most steps of an orbit after the transient; by default 10 000 for each requested
-    /// crossing.
+    /// The most steps of an orbit after the transient; by default 10 000 for each crossing.
     #[serde(default)]
     pub steps: Option<u64>,
     /// The formula that vanishes on the section, in the variables, the integrals claimed without a
@@ -56,12 +54,10 @@ pub struct Section {
     /// The number of steps before crossings count.
     #[serde(default)]
     pub transient: u64,
-    /// The order of the method, and of the crossing times. A crossing is the endpoint of a step
-    /// whose ε is reduced to a fraction.
+    /// The order of the method, and of the crossing times.
     #[serde(default = "usual_order")]
     pub order: u32,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations of the
-    /// lift.
+    /// Whether steps of a lifted field are projected symmetrically onto the lift's relations.
     #[serde(default)]
     pub reembed: bool,
     /// The first points of many orbits.
@@ -97,9 +93,8 @@ pub struct SectionFound {
     pub variables: Vec<String>,
     /// The orbits, in the order of the rows.
     pub orbits: Vec<Crossed>,
-    /// A row for each crossing: the step n before the crossing, the time of the crossing, and the
-    /// variables. For many orbits, the index of the first point and the varying values precede
-    /// these numbers.
+    /// A row for each crossing: the step before the crossing, the time of the crossing, and the
+    /// variables. For many orbits, the index of the first point and the varying values come first.
     pub rows: Table,
 }
 
@@ -114,12 +109,11 @@ pub struct Crossed {
     pub steps: u64,
     /// The reason why the orbit ended; `Stopped` if it has all requested crossings.
     pub end: End,
-    /// A sentence that says why the lift ended the orbit; `None` if it did not.
+    /// A sentence that says why the lift ended the orbit; otherwise `None`.
     pub why: Option<String>,
     /// The number of crossings.
     pub crossings: u64,
-    /// The number of sign changes in the requested direction at which the formula does not vanish:
-    /// the formula or the map has a pole there, or the formula jumps.
+    /// The number of sign changes at poles or jumps, which are not crossings.
     pub jumps: u64,
 }
 
@@ -144,7 +138,7 @@ impl Section {
         }
     }
 
-    /// Returns whether the question is about many orbits, so that rows identify their orbit.
+    /// Returns whether the question is about many orbits.
     #[must_use]
     pub fn is_of_many(&self) -> bool {
         !self.starts.is_empty() || !self.over.is_empty()
@@ -165,10 +159,7 @@ impl Section {
         Ok(SectionFound { system, variables, orbits, rows })
     }
 
-    /// Returns the columns of the table.
-    ///
-    /// # Errors
-    /// Axes that are unknown, or that the question does not allow.
+    /// Returns the columns of the table. Fails for axes that are unknown or not allowed.
     pub fn columns(&self, study: &Study) -> Result<Vec<Column>, StudyError> {
         Ok(self.columns_of(study, &Cells::with_starts(&self.as_over(), self.params.len(), study)?))
     }
@@ -190,9 +181,8 @@ impl Section {
         front.chain(own).collect()
     }
 
-    /// Passes the crossings of each orbit to a consumer, one orbit after another. Requires that the
-    /// field's claims hold. Refines each crossing on the curve that the step traces as its ε grows
-    /// from 0. Costs the orbits, and some steps for each crossing; memory is bounded.
+    /// Passes the crossings of each orbit to a consumer, one orbit after another. Costs some steps
+    /// for each crossing besides the orbits; memory is bounded.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
@@ -287,8 +277,7 @@ impl SectionFound {
     }
 }
 
-/// Writes one orbit as lists of times and points. Writes several orbits as rows, with the end of
-/// each orbit.
+/// Writes one orbit as lists of times and points, or several orbits as rows with their ends.
 impl Serialize for SectionFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut object = serializer.serialize_map(None)?;

@@ -70,8 +70,7 @@ pub enum ShownField {
     Plan(Box<ShownPlans>),
 }
 
-/// The formulas of a field, each as a text; `None` (null in JSON) for a formula with too many
-/// terms.
+/// The formulas of a field; `None` (null in JSON) for a formula with too many terms.
 #[derive(Clone, Debug, Serialize)]
 pub struct FormulaSheet {
     /// The name of the system.
@@ -85,7 +84,7 @@ pub struct FormulaSheet {
     /// The field with the map's coefficients at ε, if they depend on ε.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_at_eps: Option<Vec<String>>,
-    /// The field f(x) at ε = 0; f′ and Q are derived from it.
+    /// The field f(x) at ε = 0, from which f′ and Q are derived.
     pub field: Vec<String>,
     /// The Jacobian f′(x), row by row.
     pub field_jacobian: MatrixText,
@@ -105,7 +104,7 @@ pub struct FormulaSheet {
     /// The Jacobian ∂x̃/∂x of the map, row by row, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jacobian: Option<MatrixText>,
-    /// The factor divided out of the map, if any was.
+    /// The factor divided out of the map, if any.
     pub removed_factor: Option<String>,
     /// The proved claims.
     pub claims: Vec<ClaimShown>,
@@ -129,13 +128,12 @@ pub struct ClaimShown {
     pub statement: String,
     /// The condition of the claim, in the language of `kahan!`; empty if it always holds.
     pub when: String,
-    /// The expressions that must not vanish, such as `a2 != 0`; empty if all of them are numbers.
+    /// The expressions that must not vanish, such as `a2 != 0`; empty if all are numbers.
     pub nonzero: String,
     /// The source that the catalog cites for the claim.
     pub source: Option<&'static str>,
-    /// The formulas in the notation of the sheet, each as left and right side. An integral or
-    /// density has one formula. A drift has two: the function, and its next value. A bracket has an
-    /// entry for each of [`pairs`](Self::pairs).
+    /// The formulas in the notation of the sheet, each as left and right side. A drift has two: the
+    /// function, and its next value.
     pub equations: Vec<(String, String)>,
     /// The two variables of each equation of a bracket.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -146,9 +144,8 @@ pub struct ClaimShown {
 }
 
 impl Show {
-    /// Derives the formulas of a system whose claims hold. Given parameters are substituted before
-    /// the map is reduced. Costs milliseconds to a second; a limit on the number of terms bounds
-    /// the time.
+    /// Derives the formulas of a system whose claims hold, in milliseconds to a second. Given
+    /// parameters are substituted before the map is reduced.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, a field that is undefined at its parameters, or a

@@ -38,7 +38,7 @@ pub enum Verified {
 pub struct Mutations {
     /// The claims.
     pub mutations: Vec<Mutated>,
-    /// The number of claims that still hold after every change; they state nothing.
+    /// The number of claims that still hold after every change; such claims state nothing.
     pub survived: usize,
     /// The seconds of the check; `None` without a clock.
     #[serde(skip)]
@@ -52,14 +52,14 @@ pub struct Mutated {
     pub id: String,
     /// The number of changes that were tried until the claim failed.
     pub tried: usize,
-    /// The first change after which the claim failed; `None` if it held after each.
+    /// The first change after which the claim failed; `None` if all changed claims hold.
     pub failed: Option<String>,
 }
 
 impl Verify {
-    /// Verifies the claims of a field. For an unchanged system of the catalog, verifies what the
-    /// paper claims about the system. Substitutes given parameters. Costs milliseconds for each
-    /// claim, and some hundred times as much for a claim of the paper that is checked on an orbit.
+    /// Verifies the claims of a field, or the paper's claims for an unchanged system of the
+    /// catalog. Costs milliseconds for each claim, and some hundred times as much for a claim on an
+    /// orbit.
     ///
     /// # Errors
     /// [`StudyError::UndefinedField`]; with `mutate`, also a claim that does not hold.
@@ -102,9 +102,8 @@ impl Verify {
         })
     }
 
-    /// Verifies claims of the paper on the watch's threads. `system` selects the claims about one
-    /// system; `general` selects the claims about every field. `None` selects all claims, which
-    /// cost about a minute on one processor.
+    /// Verifies the paper's claims about one system, or about every field for `general`. `None`
+    /// selects all claims, which take about a minute on one processor.
     #[must_use]
     pub fn of_paper(&self, system: Option<&str>, watch: &dyn Watch) -> Verified {
         let begun = watch.now();

@@ -1,7 +1,4 @@
-//! Compares a Taylor path with a second, independent method.
-//!
-//! In: the path of the Taylor series. Out: the largest difference between the path and the closed
-//! solution, or between the path and Kahan's map composed to order 8.
+//! Compares a Taylor path with the closed solution, or with Kahan's map composed to order 8.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Composition, Dd, KahanMap};
@@ -12,14 +9,12 @@ use super::no_reference::{LEAST_DIFFERENCE, NoReference};
 use super::path::TrajectoryLimits;
 
 const FEWEST_STEPS: f64 = 16.0;
-/// The smallest and the largest factor by which the number of steps grows after a failed trial.
-/// Between these bounds, the factor follows from the order of the method.
+/// The smallest factor by which the number of steps grows after a failed trial.
 const LEAST_MORE: f64 = 1.25;
 const MOST_MORE: f64 = 2.0;
 /// The relative difference above which a trial of the composition stops.
 const LOST: f64 = 0.1;
-/// The number of times at which a path is compared with a closed solution, which is slow to
-/// evaluate.
+/// The number of times at which a path is compared with a closed solution.
 const CLOSED_SAMPLES: u32 = 64;
 const SAMPLES: u64 = 4096;
 
@@ -29,10 +24,10 @@ pub struct Certificate {
     /// The second method.
     #[serde(rename = "second_method", serialize_with = "name")]
     pub method: Method,
-    /// The largest observed difference from the second method, relative to the trajectory's
+    /// The largest difference from the second method, relative to the trajectory's
     /// [`scale`](kahan_dynamics::Flow::scale).
     pub difference: f64,
-    /// The last compared time before any difference exceeded the allowed one.
+    /// The last compared time up to which all differences were allowed.
     #[serde(skip)]
     pub agreed_until: f64,
 }
@@ -68,9 +63,6 @@ impl Certificate {
 
     /// Compares a path with the composition. Increases the number of steps until the difference is
     /// allowed, stops falling, or the time is over.
-    ///
-    /// The first number of steps follows from the speed of the motion. A stiff field may need far
-    /// shorter steps, but only the differences show whether it does.
     pub(super) fn by_composition<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,
@@ -89,9 +81,7 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
-            // If steps are as short as the largest rate requires, or only the last digits differ,
-            // rounding errors remain. Otherwise steps may still be too long for a stiff motion, and
-            // more steps can help.
+            // Only rounding remains if steps resolve the largest rate, or only last digits differ.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {
@@ -125,8 +115,7 @@ impl Comparison {
         }
     }
 
-    /// Returns whether the comparison is clearly better than one with fewer steps: a smaller
-    /// difference, or, for a sensitive motion, a longer agreement.
+    /// Returns whether the difference is clearly smaller, or the agreement clearly longer.
     fn gains_on(&self, before: &Self) -> bool {
         self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }
@@ -181,8 +170,6 @@ mod tests {
         comparison.certificate(Method::ClosedSolution)
     }
 
-    /// The largest difference is taken over all times, but agreement ends at the first difference
-    /// that is too large.
     #[test]
     fn a_certificate_holds_the_largest_difference_and_the_time_before_it() {
         let smooth = certificate(&[1e-12, 3e-11, 2e-11]);
@@ -194,8 +181,6 @@ mod tests {
         assert_eq!(certificate(&[1e-9, 1.0001e-9]).agreed_until, 1.0);
     }
 
-    /// A smaller difference or a longer agreement is a gain. Two equal rounding errors are not a
-    /// gain.
     #[test]
     fn a_sensitive_motion_that_is_followed_for_longer_has_gained() {
         let of = |difference: f64, agreed_until: f64| Comparison { allowed: 1e-9, difference, agreed_until };

@@ -8,9 +8,8 @@ use kahan_systems::special::Float256;
 
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
-/// Returns the closed solution of the system called `command` that starts at `start`. Returns
-/// `None` for systems without one (Lotka–Volterra, fields of users), and for starts outside the
-/// domain of the formula.
+/// Returns the closed solution of a system of the catalog through `start`; `None` without such a
+/// solution, or outside its domain.
 pub(super) fn closed_solution(
     command: &str,
     parameters: &[BigRational],

@@ -1,10 +1,7 @@
 //! Reference trajectories: solutions of the flow with an error estimate by an independent method.
 //!
-//! In: a field, a point, a time. Out: a function of time in double-double numbers, and its
-//! difference from a second method. The first method is a Taylor series in time; the second is the
-//! catalog's closed solution, or Kahan's map composed to order 8. The two methods share no
-//! formulas, whereas two settings of one method would. Interval arithmetic is deliberately absent:
-//! the difference is evidence, not a proof.
+//! The first method is a Taylor series in time. The second method is the catalog's closed solution,
+//! or Kahan's map composed to order 8. The difference is evidence, not a proof.
 
 mod certificate;
 #[cfg(feature = "catalog")]
@@ -25,8 +22,7 @@ pub use certificate::{Certificate, Method};
 pub use no_reference::NoReference;
 pub use path::TrajectoryLimits;
 
-/// The largest allowed difference of the two methods, as a fraction of the tolerance of orbits. An
-/// error near a tenth of the tolerance is then measured to about ten percent.
+/// The largest allowed difference of the two methods, as a fraction of the tolerance of orbits.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
@@ -45,7 +41,7 @@ pub struct Trajectory<'a> {
     pub command: &'a str,
     /// The parameters.
     pub parameters: &'a [BigRational],
-    /// x(0).
+    /// The initial point x(0).
     pub start: &'a [BigRational],
     /// The last time, positive.
     pub end: f64,
@@ -54,15 +50,11 @@ pub struct Trajectory<'a> {
 }
 
 impl Reference {
-    /// Computes the trajectory of a field over double-double numbers, in N variables. A start with
-    /// fewer than N coordinates is padded by zeros.
+    /// Computes the trajectory of a field over double-double numbers. A start with fewer than N
+    /// coordinates is padded by zeros.
     ///
     /// Costs about 250 evaluations of the bilinear form for each step of the series, and the steps
-    /// of the composition. A step of the series is a tenth of the distance to the nearest
-    /// singularity in complex time.
-    ///
-    /// # Errors
-    /// [`NoReference`].
+    /// of the composition.
     pub fn of<M, const N: usize>(
         map: &M,
         asked: &Trajectory<'_>,
@@ -100,8 +92,7 @@ impl Reference {
         self.certificate
     }
 
-    /// Returns the distance of a point from x(t) in the maximum norm, relative to the scale of the
-    /// flow; infinite if a coordinate is NaN.
+    /// Returns the distance of a point from x(t) in the maximum norm, relative to the flow's scale.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.flow.distance(t, &padded(x, self.variables))
     }

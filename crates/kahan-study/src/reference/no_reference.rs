@@ -94,6 +94,5 @@ impl core::fmt::Display for DisplayedTime {
     }
 }
 
-/// The relative difference below which the agreement is limited by rounding, not by sensitivity to
-/// errors.
+/// The relative difference below which rounding limits the agreement.
 pub(super) const LEAST_DIFFERENCE: f64 = 1e-26;

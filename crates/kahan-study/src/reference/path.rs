@@ -1,7 +1,4 @@
 //! The Taylor method: the flow as power series in time, continued from point to point.
-//!
-//! In: a field over double-double numbers, a point, a time, and limits. Out: a [`Flow`], or an
-//! error.
 
 use core::fmt;
 
@@ -17,12 +14,11 @@ const MOST_MEMORY: usize = 1 << 30;
 #[derive(Clone, Copy, Default)]
 pub struct TrajectoryLimits<'a> {
     /// The fraction of [`Trajectory::end`](super::Trajectory::end) by which the trajectory
-    /// continues beyond its end. Orbits that overshoot need this part. If the solution escapes
-    /// first, the trajectory ends without it.
+    /// continues beyond its end, for orbits that overshoot.
     pub margin: f64,
     /// The number of leading variables that count for errors and scale; `None` for all.
     pub variables: Option<usize>,
-    /// Returns whether the time is over; `None` for no limit.
+    /// A function that returns whether the time is over; `None` for no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,
 }
 

@@ -1,4 +1,4 @@
-//! The drift of integrals along orbits, both of the map's integrals and of the flow's.
+//! The drift along orbits of the integrals of the map and of the flow.
 
 use kahan_core::Dd;
 
@@ -6,13 +6,10 @@ use super::runner::Runner;
 
 /// The claimed integrals, as conserved quantities of a map and of a flow.
 ///
-/// An integral of the map is a claim at ε, and an integral of the flow the claim at ε = 0. If the
-/// claim at ε = 0 is constant, like the Euler top's, the flow's integral is the coefficient of ε²,
-/// and the map's is the claim minus the constant.
+/// The flow's integral is the claim at ε = 0, or else the coefficient of ε².
 #[derive(Debug)]
 pub(super) struct Integrals {
-    /// For each claim, the first of its coefficients of ε⁰ and ε² that depends on the state: 0 for
-    /// ε⁰, 1 for ε²; `None` if neither does.
+    /// For each claim, 0 if the coefficient of ε⁰ depends on the state, 1 if only that of ε² does.
     coefficients: Vec<Option<usize>>,
 }
 
@@ -22,7 +19,7 @@ pub(super) struct Drift<'a> {
     eps: f64,
     /// The initial values: for each claim, the map's integral and the flow's.
     begin: Option<Vec<[Dd; 2]>>,
-    /// The largest relative change of any of the map's integrals, and of any of the flow's.
+    /// The largest relative changes of the map's integrals and of the flow's integrals.
     pub(super) most: [f64; 2],
 }
 
@@ -81,8 +78,7 @@ impl<'a> Drift<'a> {
     }
 }
 
-/// Returns the change relative to the initial value; if that is 0, the absolute change. NaN becomes
-/// ∞.
+/// Returns the relative change, or the absolute change from 0. NaN becomes ∞.
 fn change(begin: Dd, now: Dd) -> f64 {
     let (size, change) = (f64::from(begin.abs()), f64::from((now - begin).abs()));
     let change = if size > 0.0 { change / size } else { change };

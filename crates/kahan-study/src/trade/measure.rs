@@ -17,7 +17,7 @@ use super::prices::Prices;
 use super::runner::Runner;
 use super::stops::stops;
 
-/// The number of points at which integrals are evaluated if the need is the trajectory.
+/// The number of points at which integrals are evaluated beside a trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
 pub(super) struct SettingMeasurements<'a> {
@@ -29,7 +29,7 @@ pub(super) struct SettingMeasurements<'a> {
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Duration,
-    /// Whether the steps run as machine code; prices predict their time only then.
+    /// Whether the steps run as machine code.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
     /// For each scheme that ran out of time, the ε of its first skipped setting.
@@ -149,8 +149,7 @@ impl SettingMeasurements<'_> {
         }
         let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
-        // A composition preserves only the flow's integrals, and these nearly; Kahan's map
-        // preserves its own.
+        // Kahan's map preserves its own integrals, a composition nearly those of the flow.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,
@@ -163,8 +162,8 @@ impl SettingMeasurements<'_> {
         })
     }
 
-    /// Returns the distance from the start after all steps forward and back, relative to the size
-    /// of the start; `None` without enough time, or for a nonfinite number.
+    /// Returns the distance from the start after all steps forward and back, relative to the start;
+    /// `None` if the time is too short or a number not finite.
     pub(super) fn return_error(&self, setting: &Setting) -> Option<f64> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         if 2 * self.expected(scheme, eps, steps as f64) > self.time_left() {

@@ -1,9 +1,6 @@
 //! Error against cost in one scene: scalar, order, compensation and ε.
 //!
-//! In: a system, a point, a time to simulate (the horizon), and the need. Out: settings with their
-//! price (nanoseconds per unit of simulated time, on this machine) and error, the Pareto front, and
-//! the cheapest setting that meets the need. The library's own orbits are run and timed; errors are
-//! distances from a certified [`Reference`].
+//! The library's own orbits are run and timed; errors are distances from a certified [`Reference`].
 
 mod drift;
 mod front;
@@ -91,8 +88,8 @@ pub struct Measured {
     pub integral_drift: Option<f64>,
     /// The drift of the flow's integrals; `None` if no integral is declared.
     pub flow_integral_drift: Option<f64>,
-    /// The distance from the start after all steps forward and back, relative to the size of the
-    /// start. Only settings on the Pareto front are measured.
+    /// The distance from the start after all steps forward and back, relative to the start. Only
+    /// settings on the Pareto front are measured.
     pub return_error: Option<f64>,
     /// Whether no other setting is both cheaper and more accurate.
     pub on_front: bool,
@@ -117,8 +114,7 @@ pub struct Traded {
     /// The evidence that errors of trajectories can be trusted.
     #[serde(rename = "reference")]
     pub certificate: Option<Certificate>,
-    /// Whether prices are measured times of this system's compiled steps. Otherwise they are times
-    /// of system E6, scaled by the planned costs of the steps.
+    /// Whether prices are measured times of this system's compiled steps, instead of estimates.
     #[serde(rename = "timing", serialize_with = "object::timing")]
     pub is_code: bool,
     /// The settings, cheapest first.
@@ -178,8 +174,7 @@ impl CannotTrade {
 impl core::error::Error for CannotTrade {}
 
 impl Measured {
-    /// Returns the error of the trajectory if it was measured, and otherwise the drift of
-    /// integrals.
+    /// Returns the error of the trajectory if measured, otherwise the drift of integrals.
     #[must_use]
     pub fn error(&self) -> f64 {
         self.trajectory_error.or(self.integral_drift).expect("what is needed was measured")
@@ -218,9 +213,7 @@ impl Trade {
         Trade { at, horizon, need, tolerance, seconds }
     }
 
-    /// Measures for at most the given seconds; ends earlier if the answer is clear. The claims of
-    /// the system must hold, and the watch must have a clock. Most of the time is spent on the
-    /// orbits.
+    /// Measures for at most the given seconds; ends earlier if the answer is clear.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, missing or nonpositive values, no clock, or nothing
@@ -272,8 +265,7 @@ impl<'a> RefinementSearch<'a> {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
-                // The trajectory is longer than the horizon, because orbits with a rounded ε
-                // overshoot.
+                // Orbits with a rounded ε overshoot the horizon, so the trajectory is longer.
                 let is_over = || clock() > deadline;
                 // Errors are measured in the variables of the original equations.
                 let variables = Some(study.coordinates().len());
@@ -288,9 +280,8 @@ impl<'a> RefinementSearch<'a> {
                 Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
-        // At the coarsest ε the product of ε and rate is 4 in the mean over a trajectory; if
-        // integrals are the need, it is 1 at the start. Compositions can use the coarsest ε, since
-        // their stages are shorter.
+        // At the coarsest ε, the product of ε and rate is 4 in the mean over a trajectory, or 1 at
+        // the start if integrals are the need.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
             None => {
@@ -359,8 +350,7 @@ impl<'a> RefinementSearch<'a> {
 }
 
 impl SettingMeasurements<'_> {
-    /// Reports the number of settings to the watch. If the watch cancels the work, the deadline
-    /// becomes 0, and no report follows.
+    /// Reports the number of settings to the watch. A cancellation sets the deadline to 0.
     fn tell(&mut self) {
         if self.deadline.is_zero() {
             return;

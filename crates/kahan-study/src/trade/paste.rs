@@ -5,8 +5,7 @@ use kahan_dynamics::{Precision, Setting};
 
 use crate::study::Study;
 
-/// Writes the orbit of a setting as a statement. If a user wrote the field, its block precedes the
-/// statement.
+/// Writes the orbit of a setting as a statement, preceded by the block of a user's field.
 pub(super) fn rust_of(
     study: &Study,
     parameters: &[Rational],

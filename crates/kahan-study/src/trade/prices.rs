@@ -1,9 +1,7 @@
 //! The measured time of a step of each scheme on this machine, in nanoseconds.
 //!
-//! A compiled system is timed from the start of the scene. For an interpreted field, the compiled
-//! system E6 is timed instead, and scaled by the planned costs of both steps, since interpreted and
-//! compiled speeds differ. The price of an order is the price of a stage times the number of its
-//! stages.
+//! For an interpreted field, the compiled system E6 is timed instead, and the times are scaled by
+//! the planned costs of both steps.
 
 use kahan_core::StepCost;
 use kahan_dynamics::{Need, Precision, Scheme};
@@ -13,15 +11,13 @@ use super::runner::Runner;
 #[derive(Clone, Debug)]
 pub(super) struct Prices(Vec<(Scheme, f64)>);
 
-/// The number of rounds; each round times every scheme once. The least time counts, because
-/// disturbances only slow a step down.
+/// The number of rounds; each round times every scheme once, and the least time counts.
 const ROUNDS: usize = 15;
 const STAGES: u64 = 2040;
 
 impl Prices {
-    /// Times every scheme in rounds, at this ε or at a smaller ε if a round would pass the horizon.
-    /// Beyond the horizon a decaying state may become subnormal; steps then take a hundred times as
-    /// long.
+    /// Times every scheme in rounds, at this ε, or at a smaller ε if a round would pass the
+    /// horizon, where subnormal states may be slow.
     pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
         let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
@@ -36,8 +32,8 @@ impl Prices {
                 *least = least.min(time);
             }
         }
-        // The compiler vectorises steps in single precision, which can double their time. Steps in
-        // single precision are therefore priced at least like steps in double precision.
+        // Vectorised steps in single precision can take twice the time, so they are priced at least
+        // like steps in double precision.
         for index in 0..prices.0.len() {
             let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
@@ -51,8 +47,7 @@ impl Prices {
     /// Converts prices of the `measured` steps to prices for a system whose steps cost `asked`.
     pub(super) fn scaled(&self, measured: StepCost, asked: StepCost) -> Self {
         let ratio = |precision| match precision {
-            // A double-double step has hundreds of independent operations, so their number
-            // determines the time.
+            // The number of operations determines the time, since hundreds of them are independent.
             Precision::DoubleDouble => f64::from(asked.operations) / f64::from(measured.operations),
             _ => asked.cycles() / measured.cycles(),
         };

@@ -44,8 +44,7 @@ impl<'a> Runner<'a> {
         Ok(Runner { map, wide, start: start.to_vec(), clock })
     }
 
-    /// Prepares system E6 at a point with coordinates near 1. The steps of E6 are timed in place of
-    /// interpreted steps.
+    /// Prepares system E6, whose steps are timed in place of interpreted steps.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
         let field = Field::parse("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
         let start = [1, -2, 3].map(|x| Rational::new(x, 4));
@@ -56,14 +55,13 @@ impl<'a> Runner<'a> {
         self.map.at(1.0).is_code()
     }
 
-    /// Returns the seconds of `steps` steps from the start, without preparation.
+    /// Returns the time in seconds of `steps` steps from the start.
     pub(super) fn seconds(&self, scheme: Scheme, eps: f64, steps: u64) -> f64 {
         self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Follows an orbit from `from`, or for `None` from the start of the scene. Shows the first
-    /// point and the point after each number of steps in `stops`, until `visit` ends the orbit.
-    /// Returns the seconds of the orbit, without preparation.
+    /// Follows an orbit from `from`, by default the start of the scene. Shows the first point and
+    /// the points at `stops`, until `visit` ends the orbit. Returns the time in seconds.
     pub(super) fn follow(
         &self,
         scheme: Scheme,

@@ -1,5 +1,4 @@
-//! The order in which schemes are measured. Likely winners come first, so that the others can be
-//! abandoned early.
+//! The order in which schemes are measured. Likely winners come first.
 
 use kahan_core::Composition;
 use kahan_dynamics::search::{Search, SearchParameters};
@@ -7,8 +6,7 @@ use kahan_dynamics::{Precision, Scheme};
 
 use super::measure::SettingMeasurements;
 
-/// The rules of the search for measured settings. All trials are shown. The whole tolerance is
-/// allowed, because the reference is certified.
+/// The rules of the search for measured settings.
 pub(super) const MEASURED: SearchParameters =
     SearchParameters { enough: 1.0, aim: 1.0, surplus: 1.01, leaps: false, surely: 2.0, share: SHARE };
 const SHARE: f64 = 0.3;
@@ -23,8 +21,7 @@ pub(super) struct RefinementSearch<'a> {
 }
 
 impl RefinementSearch<'_> {
-    /// Measures until the answer is clear; `coarsest` is the smallest number of steps up to the
-    /// horizon.
+    /// Measures until the answer is clear, with at least `coarsest` steps up to the horizon.
     pub(super) fn run(&mut self, coarsest: u64) {
         self.refine_order(coarsest);
         self.search.set_share(1.0);
@@ -54,13 +51,11 @@ impl RefinementSearch<'_> {
         if self.search.best().is_none() {
             self.refine_steps(plain(Precision::DoubleDouble, highest), coarsest);
         }
-        // If rounding errors of f64 matter, double-double may win although it costs ten times as
-        // much.
+        // If rounding errors of f64 matter, double-double may win in spite of its tenfold cost.
         let mut wide = if first { vec![highest] } else { Vec::new() };
         for precision in [Precision::Double, Precision::Single, Precision::SingleThroughDouble] {
             for composition in Composition::BEST.into_iter().rev() {
-                // The rounding of states bounds the error from below. Therefore a single order
-                // suffices to show that a precision cannot reach the tolerance.
+                // Rounding bounds the error from below, so one order decides about a precision.
                 let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {
@@ -81,8 +76,8 @@ impl RefinementSearch<'_> {
         }
     }
 
-    /// Tries more and more steps of a scheme without compensation; if rounding errors matter, also
-    /// with compensation. Returns whether rounding errors matter without compensation.
+    /// Tries more and more steps of a scheme; if rounding errors matter, also with compensation.
+    /// Returns whether rounding errors matter without compensation.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let has_felt = self.refine_steps(scheme, coarsest);
         if has_felt && self.tolerance >= scheme.precision.unit() / 8.0 {
@@ -91,8 +86,7 @@ impl RefinementSearch<'_> {
         has_felt
     }
 
-    /// Tries [more and more steps](Search::refine_steps) of a scheme; returns whether rounding
-    /// errors matter.
+    /// Tries more and more steps of a scheme; returns whether rounding errors matter.
     fn refine_steps(&mut self, scheme: Scheme, coarsest: u64) -> bool {
         let climb = self.search.refine_steps(scheme, coarsest);
         if climb.has_stalled() {

@@ -4,14 +4,12 @@ use crate::reference::Reference;
 
 /// The number of evenly spaced stops; if the orbit has fewer steps, each step is a stop.
 const EVENLY: u64 = 512;
-/// The number of stops on each polynomial piece of the trajectory. Pieces are short where the
-/// motion is fast.
+/// The number of stops on each polynomial piece of the trajectory.
 const ON_A_PIECE: u32 = 3;
-/// The largest number of pieces that get stops; if there are more, some are skipped.
+/// The largest number of pieces that get stops.
 const MOST_PIECES: usize = 2048;
 
-/// Returns, in increasing order, the steps at which an orbit is inspected, including the last step.
-/// The orbit makes `steps` ≥ 1 steps at ε = `eps`.
+/// Returns the steps at which an orbit of `steps` ≥ 1 steps is inspected, in increasing order.
 pub(super) fn stops(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<u64> {
     let stride = steps.div_ceil(EVENLY);
     let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();

@@ -3,8 +3,7 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_systems::registry::SYSTEMS;
 
-/// Fields of six variables whose steps lose digits, because states are eliminated by pivots of 1,
-/// or because minors cancel.
+/// Fields of six variables whose steps lose digits by pivots of 1 or by cancelling minors.
 const HARD: [(&str, &str); 6] = [
     (
         "three waves",
@@ -42,8 +41,7 @@ pub(crate) fn known() -> Vec<Named> {
     catalog.chain(HARD.map(|(name, text)| (name.to_owned(), text.to_owned()))).collect()
 }
 
-/// Draws a field with one or two quadratic terms in each equation. One field in three also has
-/// linear terms.
+/// Draws a field with one or two quadratic terms in each equation, and sometimes linear terms.
 pub(crate) fn sparse(dimension: usize, seed: u64) -> Named {
     let name = format!("random field {seed} of {dimension} variables");
     let mut random = SplitMix64::from_bytes(name.as_bytes());

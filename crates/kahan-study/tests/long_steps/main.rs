@@ -78,8 +78,7 @@ impl<'a> Linear<'a> {
         (0..n).map(|i| (0..n).map(|j| entry(i, j).abs()).sum()).fold(0.0, f64::max)
     }
 
-    /// Returns the exact step, with each component as an unevaluated sum of two floats; `None` at a
-    /// pole.
+    /// Returns the exact step, each component as a sum of two floats; `None` at a pole.
     fn exact(&self, values: &[f64]) -> Option<Vec<(f64, f64)>> {
         let values: Vec<Rational> =
             values.iter().map(|value| Rational::from_f64(*value).expect("finite")).collect();
@@ -136,8 +135,7 @@ fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {
     largest / (size * f64::EPSILON / 2.0)
 }
 
-/// Returns the errors of some plans, and in the last entry those of elimination, at random points
-/// of one size.
+/// Returns the errors of some plans, and last those of elimination, at random points.
 fn errors(
     linear: &Linear<'_>,
     steps: &[&StepPlan],
@@ -158,8 +156,7 @@ fn errors(
         let mut values: Vec<f64> = symbols.states.iter().map(|_| width * (2.0 * share() - 1.0)).collect();
         values.extend(symbols.parameters.iter().map(|_| 0.5 + 1.5 * share()));
         values.push(0.0);
-        // The random factor keeps ‖εf′‖∞ from being exactly `size`. At ‖εf′‖∞ = 1, a field whose f′
-        // has a single entry may have a pole.
+        // The random factor avoids ‖εf′‖∞ = 1, where a field may have a pole.
         let eps = f64::from(size) * (0.8 + 0.4 * share()) / linear.norm(&values);
         *values.last_mut()? = eps;
         let Some(exact) = Some(()).filter(|()| eps.is_normal()).and_then(|()| linear.exact(&values)) else {
@@ -240,8 +237,7 @@ fn survey(fields_of_each_dimension: u64, points: usize) -> Tally {
 fn a_step_keeps_what_elimination_keeps_as_far_as_it_is_said_to_hold() {
     let Tally { fields, limited, failures } = survey(3, 25);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    // Few fields may have a limited step, so that the test cannot pass by limiting steps. Four
-    // known fields have a limit.
+    // Few fields may have a limited step, so that the test cannot pass by limiting steps.
     assert!(10 * limited <= 3 * fields, "{limited} of {fields} with a limit");
 }
 

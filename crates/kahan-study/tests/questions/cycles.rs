@@ -19,8 +19,7 @@ fn cycle(field: &Subject, dt: f64, more: Value) -> Value {
     answer(&study(field.clone()), asked)
 }
 
-/// Asserts that a period is correct within its error estimate, and that the map's period is near
-/// it.
+/// Asserts that a period is correct within its error estimate, and near the map's period.
 fn assert_period(found: &Value, period: f64, most: f64) {
     let flow = &found["flow"];
     let [value, error, of_map] = ["period", "error", "period_of_map"].map(|name| number(&flow[name]));
@@ -45,8 +44,7 @@ fn loops_of_the_roessler_system_are_run_once_at_every_step() {
 
 #[test]
 fn the_shortest_cycles_of_the_lorenz_system_are_found_by_their_period() {
-    // The period is from Viswanath, "The fractal property of the Lorenz attractor", Physica D 190
-    // (2004).
+    // Periods are from Viswanath, "The fractal property of the Lorenz attractor", Physica D 190.
     let field = Subject::named("lorenz").with("s", 10.into()).with("r", 28.into());
     let field = field.with("b", Rational::new(8, 3));
     for period in [1.558_652_210_716, 2.305_907_263_940, 3.023_583_703_434] {

@@ -7,8 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Clock, Listening, answer, question, study};
 
-/// The flow of ẋ = x² + 1 meets a pole. The solution of x″ = −x rotates about its fixed point in
-/// time 2π.
+/// The flow of ẋ = x² + 1 meets a pole. The solution of x″ = −x rotates in time 2π.
 #[test]
 fn what_orbits_do() {
     let away = study(Subject::text("xdot = x^2 + 1;"));
@@ -78,8 +77,7 @@ fn cycles_and_their_branches() {
 
 #[test]
 fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
-    // The point a is attracting for every a; at ε = 1/10 each step multiplies the distance to it by
-    // 9/11.
+    // At ε = 1/10, each step multiplies the distance to the fixed point a by 9/11.
     let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
     let asked = json!({
         "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"a": "0:2:3"},

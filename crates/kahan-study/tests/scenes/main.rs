@@ -1,11 +1,8 @@
-//! Tests the choices of `Scene::trajectory` on seeded scenes of twenty fields. Motions are chaotic,
-//! stiff, escaping, or near equilibria.
+//! Tests the choices of `Scene::trajectory` on seeded scenes of twenty fields.
 //!
 //! The truth is a Taylor series in 32 digits that agrees with a second method to a tenth of the
-//! tolerance. Scenes without a truth are not judged. A seed reproduces the results; no clock is
-//! used. Two thousand scenes take minutes and are not part of `cargo test`; run them with
-//! `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-study --test scenes -- --ignored
-//! --nocapture`.
+//! tolerance. Two thousand scenes take minutes: `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test
+//! --release -p kahan-study --test scenes -- --ignored --nocapture`.
 
 mod seeded_fields;
 
@@ -34,8 +31,7 @@ struct Judged {
     outcome: Outcome,
 }
 
-/// The largest number of steps of a setting. Three runs of the setting must cost at most as much as
-/// a choice may.
+/// The largest number of steps of a setting; three runs must cost at most as much as a choice.
 const BUDGET: f64 = 1e6 / 3.0;
 
 fn judge<M, const N: usize>(map: &M, rng: &mut SplitMix64) -> Judged
@@ -65,8 +61,7 @@ where
     Judged { scene: name, outcome }
 }
 
-/// Returns the largest distance from the reference over all steps. The last point is also compared
-/// with the end of the reference.
+/// Returns the largest distance from the reference over all steps, and at its end.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: ExtendScalars<f64, N>,

@@ -12,7 +12,7 @@ pub(super) const FUNCTIONS: [&str; 14] =
 /// Calls that are not written as a name with arguments in parentheses.
 pub(super) const OPEN_ENDED: [&str; 5] = ["back", "d", "on", "at", "sum"];
 
-/// Writes a call. The text `power` is an exponent for the function's name.
+/// Writes a call. The exponent `power` follows the function's name.
 pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String {
     let written: Vec<String> = arguments.iter().map(|argument| write(argument).0).collect();
     let list = written.join(", ");
@@ -83,7 +83,7 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
     }
 }
 
-/// Writes a function's name with an optional exponent. Braces keep spaces out of the base.
+/// Writes a function's name with an optional exponent.
 fn operator(function: &str, power: &str) -> String {
     if power.is_empty() {
         format!("\\operatorname{{{function}}}")

@@ -19,8 +19,7 @@ const SOLUTION: &str = "
     Z(n) := tau*gamma*(4*N(n)^2 - 1)/(2*eps*(4*tau^2 - 1)*N(n))
         + 2*tau^2*beta^2*xi*(4*N(n)^2 - 1)*G0^2/(eps*N(n))*W(n)";
 
-/// The solution in terms of g = g_n and W = W_n. The function `step(F)` replaces N, g and W in F by
-/// their values at the next point.
+/// The solution in terms of g = g_n and W = W_n. The call `step(F)` is F at the next point.
 const STEP: &str = "
     X := 1/(2*eps*N); Y := tau*beta/(2*eps*N)*g*G0;
     Z := tau*gamma*(4*N^2 - 1)/(2*eps*(4*tau^2 - 1)*N) + 2*tau^2*beta^2*xi*(4*N^2 - 1)*G0^2/(eps*N)*W;
@@ -33,8 +32,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y*(N + 1 - xi/2)/(N + xi/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + 2*xi*Y*next(Y)
 ";
 
-/// Claims at points of the orbit. Claims whose name ends in `.step` concern one step from any
-/// point.
+/// Claims about the solution. A name that ends in `.step` marks one step from any point.
 const SOLUTIONS: &str = "
 x | (ss), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 y | (ww), solution y_n |
@@ -49,7 +47,7 @@ z.step | (ew), for every n | on(next(z), X, Y, Z) = step(Z)
 
 const INTEGRAL: &str = "u := 1/(2*eps*x); H7 := y/x*gamma(xi/2 + u)/gamma(1 - xi/2 + u)";
 
-/// The integral, and the bracket that follows from it and the volume form.
+/// Claims about the integral, and about the bracket from the integral and the volume form.
 const INTEGRALS: &str = "
 H | the integral H_7 | H7 := y/x*gamma(xi/2 + u)/gamma(1 - xi/2 + u); next(H7) = H7
 H.at_1 | H_7 at xi = 1 is H_1 | at(H7, xi, 1) = y/x
@@ -71,8 +69,8 @@ const BRACKET: &str = "
     P23 := y*(1 - eps^2*x^2)*((digamma(1 - xi/2 + u) - digamma(xi/2 + u))/(2*eps*x) - 1);
     P31 := x*(1 - eps^2*x^2)";
 
-/// Claims about brackets. For w = (P₂₃, P₃₁, P₁₂) and J = ∂x̃/∂x, invariance means Jᵀ w(x̃) = det J
-/// · w(x).
+/// Claims about brackets. The vector w = (P₂₃, P₃₁, P₁₂) of an invariant bracket satisfies
+/// Jᵀ w(x̃) = det J · w(x), where J = ∂x̃/∂x.
 const BRACKETS: &str = "
 bracket.jacobi | the bracket's Jacobi identity | jacobi(P12, P23, P31) = 0
 bracket.invariance | the map preserves the bracket |
@@ -87,8 +85,7 @@ bracket.at_minus_1 | the bracket at xi = -1 is -P of dE2 |
     at(P23, xi, -1) = y*(1 + eps^2*x^2); at(P31, xi, -1) = x*(1 - eps^2*x^2)
 ";
 
-/// The series for K̂₇ as a function of the state (erratum B7): ε²K̂₇ = Z/(4N²−1) + Σ t_j, where t_j
-/// is `t` at the j-th next point.
+/// The series ε²K̂₇ = Z/(4N²−1) + Σ t_j, where t_j is `t` at the j-th next point (erratum B7).
 const SERIES: &str = "N := 1/(2*eps*x); Y := y/x; Z := z/x; t := 4*xi*Y*next(Y)/((4*N^2 - 1)*(2*N + 3))";
 const SECOND_INTEGRAL: &str = "
 K.telescope | the series for K_7, addition: a step takes its first term away |
@@ -113,7 +110,7 @@ K.series | the series for K_7, summed at xi = 41/2, where it converges fast, add
 K.value | K_7 at a point, addition | K7(3/7, 11/13, 23/47, 1/2, 19/17) ~ 0.9698134589166862554
 ";
 
-/// The parameters β and γ of Theorem 3, in terms of those in formulas (ww) and (ew).
+/// The parameters β and γ of Theorem 3, in terms of the parameters of formulas (ww) and (ew).
 const POINT: &str = "point(F) := on(F, 1/(2*eps*tau), beta/(2*eps), gamma/(2*eps))";
 const SPECIAL_CASES: &str = "
 parameters.beta1 | beta_1 at xi = 1 | point(y/x) = tau*beta

@@ -1,5 +1,4 @@
-//! Claims about dE8: the solution with the digamma function, the integral Ĥ₈, and the series for
-//! K̂₈.
+//! Claims about dE8: solution with the digamma function, integral Ĥ₈, and series for K̂₈.
 
 use super::super::super::claim::Claim;
 use super::super::super::section::Section;
@@ -10,8 +9,7 @@ const SERIES: &str = "
     u := 1/(2*eps*x); N := 1/(2*eps*x); Y := y/x; Z := z/x;
     t := 2*(Y + next(Y) + 2*Y*next(Y))/((4*N^2 - 1)*(2*N + 3))";
 
-/// The solution that starts at x₀ = 1/(2ετ), y₀ = β/(2ε), z₀ = γ/(2ε). The number `prefactor`
-/// multiplies V_n.
+/// The solution that starts at x₀ = 1/(2ετ), y₀ = β/(2ε), z₀ = γ/(2ε).
 const SOLUTION: &str = "
     N(n) := n + tau;
     U(n) := digamma(N(n) + 1/2) - digamma(tau + 1/2);
@@ -23,8 +21,7 @@ const SOLUTION: &str = "
     solution(n, prefactor) := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)
         /(2*eps*(4*tau^2 - 1)*N(n)) - prefactor*(4*N(n)^2 - 1)/(2*eps*N(n))*V(n)";
 
-/// The solution in terms of U = U_n and V = V_n. The function `step(F)` replaces N, U and V in F by
-/// their values at the next point.
+/// The solution in terms of U = U_n and V = V_n. The call `step(F)` is F at the next point.
 const STEP: &str = "
     N := n + tau; X := 1/(2*eps*N); Y := (tau*beta - U)/(2*eps*N);
     Z := tau*(4*n*(n + 2*tau)*(beta^2*tau + beta + gamma) + 4*tau^2*gamma - gamma)/(2*eps*(4*tau^2 - 1)*N)
@@ -39,8 +36,7 @@ recurrence.Y | recurrence for Y = y/x | next(Y) = Y - 1/(N + 1/2)
 recurrence.Z | recurrence for Z = z/x | (N - 1/2)*next(Z) = (N + 3/2)*Z + Y + next(Y) + 2*Y*next(Y)
 ";
 
-/// Claims at points of the orbit. Claims whose name ends in `.step` concern one step from any
-/// point.
+/// Claims about the solution. A name that ends in `.step` marks one step from any point.
 const SOLUTIONS: &str = "
 x | (b12), solution x_n | X(n) := 1/(2*eps*N(n)); on(next(x), X(n), y, z) = X(n + 1); tau = 1/(2*eps*X(0))
 U | U_n as a sum | U(0) = 0; U(n + 1) = U(n) + 1/(N(n) + 1/2); U(4) = sum(j, 0, 3, 1/(j + tau + 1/2))

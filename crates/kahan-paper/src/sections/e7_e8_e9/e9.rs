@@ -1,5 +1,4 @@
-//! Claims about the flow of E9: its quadrature, the cases in closed form, and the fixed points.
-//! Claims about the map are in `maps`.
+//! Claims about the flow of E9: the quadrature, the cases in closed form, and the fixed points.
 
 use super::super::super::claim::Claim;
 use super::super::super::section::Section;
@@ -7,10 +6,7 @@ use super::super::text::read;
 
 const INTEGRALS: &str = "H := 1/2*(x^2 + y^2 + z^2); K := y*x^(-xi)";
 
-/// The orbits of E9 on the intersection of a sphere and a cylinder, and the time along them. For u
-/// = x², (du/dt)² is a polynomial in u at these values of ξ. The integral is elementary if the
-/// polynomial is u² times a quadratic one. The integral is elliptic if the polynomial is cubic with
-/// simple roots.
+/// The orbits of E9 on the intersection of a sphere and a cylinder, and the time along them.
 const QUADRATURE: &str = "
 quadrature.y | y on the orbit; H and K mean K_9 and H_9 | y = K*x^xi
     misprint A8: H := y*x^(-xi); K := 1/2*(x^2 + y^2 + z^2); y = K*x^xi
@@ -45,8 +41,7 @@ fixed_points.slopes | the slopes at the fixed points: of one sign for xi > 0, of
 /// Definition of w = 1/x² on an orbit for ξ = 2.
 const W: &str = "w := 2/k^2 + b*(exp(k*t) + exp(-k*t)); K := sqrt(k^2*b^2 - 1/k^2)";
 const ORBIT: &str = "x := 1/sqrt(w); y := K/w; z := d(w, t)/(2*w)";
-/// Definition of u = 1/y² for ξ = 1/2. If x and y are exchanged and the time is scaled by ξ, E9(ξ)
-/// becomes E9(1/ξ).
+/// Definition of u = 1/y² for ξ = 1/2.
 const U: &str = "u := 2/k^2 + b*(exp(k*t/2) + exp(-k*t/2))";
 
 /// The orbits of E9 in closed form for ξ = 2, 1/2 and 0.

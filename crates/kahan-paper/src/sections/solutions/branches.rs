@@ -4,8 +4,7 @@ use super::super::super::claim::Claim;
 use super::super::text::read;
 use super::{Solution, solved};
 
-/// The solutions with δ and κ of Theorem 3 shifted by πi/2, and ν = iμ. The sign `-` marks
-/// components with a factor (−1)ⁿ.
+/// The solutions with δ and κ of Theorem 3 shifted by πi/2, and ν = iμ.
 pub(super) static BRANCHES: [(Solution, [&str; 3]); 2] = [
     (
         Solution {

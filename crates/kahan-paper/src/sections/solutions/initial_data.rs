@@ -42,8 +42,7 @@ theorem3.e1.tau | Theorem 3, i = 1, tau | tau = 1/(2*eps*X(0))
 theorem3.e2.tau | Theorem 3, i = 2, tau | tau = 1/(2*eps*X(0))
 ";
 
-/// The relation from which dE4's parameters follow. For sn²δ = s, the values of H and K determine s
-/// and k².
+/// The values of H and K in terms of s = sn²δ and k².
 const VALUES: &str = "
     c := 1 - s; d2 := 1 - k2*s;
     h := (1 - k2)*s/(2 - (1 + k2)*s); g := 1 - 2*c*d2/(c + d2)";
@@ -54,7 +53,7 @@ theorem3.e4.delta |
     k2 = (g - h)*(1 + h)/((g + h)*(1 - h))
 ";
 
-/// Claims that every state of a level set lies on the orbit's curve.
+/// Claims that every state of a level set lies on the curve of an orbit.
 const POINT: &str = "
     h := 2*eps^2*x*y/(1 + eps^2*(x^2 + y^2)); g := eps^2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
     s := (g + h)/(1 + h); k2 := (g - h)*(1 + h)/((g + h)*(1 - h)); c := 1 - s; d2 := 1 - k2*s";

@@ -1,7 +1,5 @@
-//! Orbits of chains with any number of sites, in doubles.
-//!
-//! In: a lattice, its map, and an initial state. Out: rows, and the states themselves. A row holds
-//! the variables, or for long chains the range of each array, and the conserved quantities.
+//! Orbits of chains with any number of sites, in doubles. A row holds the conserved quantities and
+//! the variables, or for long chains the range of each array.
 
 use std::ops::{ControlFlow, Range};
 
@@ -98,9 +96,8 @@ impl Chain {
         }
     }
 
-    /// Advances the state by the steps that [`head`](Self::head) describes. Each state goes first
-    /// to `see`, which may end the work by [`ControlFlow::Break`]; its row then goes to `rows`,
-    /// like a row of an [`Orbit`](super::Orbit).
+    /// Advances the state by the steps of the schedule. Passes each state to `see`, which may end
+    /// the work, and then passes the row of the state to `rows`.
     pub fn rows(
         &mut self,
         paces: RowSchedule,

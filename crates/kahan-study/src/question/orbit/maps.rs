@@ -49,8 +49,7 @@ pub(super) trait PointArithmetic: Printable {
     /// Rounds a double-double to a number; `None` for exact numbers.
     fn narrow(number: Dd) -> Option<Self::Value>;
 
-    /// Prepares the orbit of Kahan's map, or of a composition, at its first point. In doubles,
-    /// steps may be projected onto the relations of a lift.
+    /// Prepares the orbit of Kahan's map, or of a composition, at its first point.
     fn kahan<'a>(
         study: &'a Study,
         asked: &Orbit,
@@ -59,8 +58,7 @@ pub(super) trait PointArithmetic: Printable {
     ) -> Result<Box<dyn OrbitPoints<Self> + 'a>, StudyError>;
 }
 
-/// Implements [`PointArithmetic`] for an arithmetic of floats, whose values, scalars and cells have
-/// one type.
+/// Implements [`PointArithmetic`] for an arithmetic of floats.
 macro_rules! of_float {
     ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $lifted:expr) => {
         impl PointArithmetic for $arithmetic {

@@ -104,8 +104,7 @@ impl<A: PointArithmetic> OrbitPoints<A> for ExplicitOrbit<'_, A> {
     }
 
     fn at_once(&self, every: u64) -> usize {
-        // Exact numbers at least double their digits in each step, so their rows are passed on
-        // singly.
+        // Exact numbers at least double their digits in each step, so rows are passed on singly.
         if A::KIND == ScalarKind::Exact { 1 } else { moment(self.x.len(), every) }
     }
 
@@ -163,8 +162,7 @@ pub(super) fn flow<A: PointArithmetic>(
 }
 
 impl Solution {
-    /// Advances by `steps` steps, and shows each point. Computes the solution for many steps at
-    /// once, and for fewer near a singularity.
+    /// Advances by `steps` steps, and shows each point.
     fn walk<A: PointArithmetic>(
         &mut self,
         steps: u64,

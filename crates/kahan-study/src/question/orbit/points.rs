@@ -1,7 +1,4 @@
 //! Rows of a point that moves by steps of any kind, in blocks.
-//!
-//! In: a point that advances, and the steps at which rows are taken. Out: blocks of rows as they
-//! fill, and the end of the orbit.
 
 use std::ops::{ControlFlow, Range};
 
@@ -29,7 +26,7 @@ pub(super) enum EarlyEnd {
 
 #[derive(Clone, Copy)]
 pub(super) enum EndReason {
-    /// det A = 0. Only for a reduced map does this prove that the map is undefined.
+    /// det A = 0, which proves only for a reduced map that the map is undefined.
     Pole { is_reduced: bool },
     /// det A = 0 at a stage of a composition.
     StagePole,
@@ -41,7 +38,7 @@ pub(super) enum EndReason {
     TooLarge,
     /// The flow escapes.
     Escapes,
-    /// The lift of the field ends.
+    /// The lift ends the orbit.
     Lift(LiftEnds),
 }
 
@@ -68,14 +65,12 @@ pub(super) trait OrbitPoints<A: PointArithmetic> {
         Ok(())
     }
 
-    /// Returns the number of rows in a block. Blocks are small, so that readers see the first rows
-    /// soon.
+    /// Returns the number of rows in a block, which is small so that readers see rows soon.
     fn at_once(&self, _every: u64) -> usize {
         1
     }
 
-    /// Returns the coordinates for a message; empty if the point may be at infinity, or has too
-    /// many.
+    /// Returns the coordinates for a message; empty if these may be infinite, or are too many.
     fn point(&self) -> Vec<Number> {
         Vec::new()
     }
@@ -86,8 +81,7 @@ pub(super) trait OrbitPoints<A: PointArithmetic> {
     }
 }
 
-/// Returns a number of rows of floats, each after `every` steps, that takes some milliseconds to
-/// compute.
+/// Returns a number of rows of floats that takes some milliseconds to compute.
 pub(super) fn moment(variables: usize, every: u64) -> usize {
     const MOST: u64 = 1024;
     // The cost of a step is taken to grow with the square of the number of variables.

@@ -5,8 +5,7 @@ use std::ops::ControlFlow;
 
 use kahan_runtime::{DimensionError, End, Follow, Followed};
 
-/// The steps of an orbit at which rows are taken: after a transient, and after every `every`
-/// further steps.
+/// The steps at which rows are taken: after a transient, and then after every `every` steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowSchedule {
     /// The number of steps before the first row.

@@ -1,6 +1,5 @@
 //! Rows of a table for questions about one point or one map, asked at each cell of a grid.
 //!
-//! In: point and ε of a cell, and the field at its parameters. Out: an entry for each column.
 //! Searches end by degree and not by time, so that results do not depend on the machine's speed.
 
 use kahan_algebra::rational::Rational;
@@ -13,12 +12,11 @@ use crate::study::Study;
 pub(in crate::question) trait AtCell: Sync {
     fn place(&self) -> (Option<&Rational>, Option<&[Rational]>);
 
-    /// Returns the columns of the results, for a field with these variables (including the new
-    /// variables of a lift).
+    /// Returns the columns of the results for a field with these variables.
     fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)>;
 
-    /// Asks the question at another ε and point; for a lifted field the point is in the original
-    /// variables. Returns an entry for each column even if the question has no answer.
+    /// Asks the question at another ε and point. Returns an entry for each column even if the
+    /// question has no answer.
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<CellEntry>;
 }
 

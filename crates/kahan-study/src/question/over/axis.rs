@@ -1,7 +1,4 @@
 //! The axes of a question: names with their values.
-//!
-//! In: JSON, or values. Out: the value at an index, exactly and in doubles. The module `cells`
-//! resolves the names in a field.
 
 use kahan_algebra::rational::Rational;
 use serde::{Deserialize, Serialize};
@@ -13,8 +10,8 @@ use crate::numbers::ScalarKind;
 use crate::numbers::exact::{self, ExactJson};
 use crate::range::{Axis, Range};
 
-/// A name with the values of its axis. The name is a variable (for its initial value), a parameter,
-/// or `eps`; for orbits also the `order` of the method, or the `scalar`.
+/// A name with the values of its axis: a variable, a parameter or `eps`, and for orbits also the
+/// `order` of the method or the `scalar`.
 ///
 /// In JSON an axis is an entry of an object: a [`Range`] `"x": "0:1:/9"`, a list `"x": [0, "1/2"]`,
 /// one value `"x": 1`, or draws `"x": {"draw": "sobol", "low": 0, "high": 1}`.
@@ -35,7 +32,8 @@ pub enum AxisValues {
     List(Vec<Rational>),
     /// Listed scalars.
     Scalars(Vec<ScalarKind>),
-    /// Random or quasi-random values. The question sets their number; all drawn axes vary together.
+    /// Random or quasi-random values. The question sets the number of values; all drawn axes vary
+    /// together.
     Drawn {
         /// The source of the draws.
         source: Source,
@@ -50,8 +48,7 @@ pub enum AxisValues {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
-    /// Sobol's sequence, which fills the box of the drawn axes evenly. Each axis has a dimension of
-    /// the sequence.
+    /// Sobol's sequence, which fills the box of the drawn axes evenly.
     Sobol,
     /// Random numbers from the seed of the question.
     Uniform,
@@ -131,8 +128,7 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Builds the values of the axis at index `place`. A drawn axis gets `draws` values from
-    /// `seed`.
+    /// Builds the values of the axis at index `place`; a drawn axis gets `draws` values.
     pub(super) fn of(axes: &'a [AxisOver], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
         let is_sobol =
             |axis: &&AxisOver| matches!(axis.through, AxisValues::Drawn { source: Source::Sobol, .. });

@@ -1,7 +1,4 @@
-//! The cells of a question over axes, accessed by number.
-//!
-//! In: the field, and the question. Out: point, parameters and ε of each cell, exactly and in
-//! doubles, and the columns that describe the cell.
+//! The cells of a question over axes: point, parameters and ε, by the number of the cell.
 
 use kahan_algebra::rational::Rational;
 
@@ -57,12 +54,8 @@ impl<'a> Cells<'a> {
         Self::with_starts(over, 0, study)
     }
 
-    /// Builds the cells. The last `with_starts` axes have one value for each first point, so they
-    /// do not multiply the number of cells.
-    ///
-    /// # Errors
-    /// The errors of [`Over::cells`], or an axis whose number of values differs from the number of
-    /// first points.
+    /// Builds the cells. The last `with_starts` axes have one value for each first point, and do
+    /// not multiply the number of cells.
     pub(in crate::question) fn with_starts(
         over: &'a Over,
         with_starts: usize,
@@ -116,8 +109,7 @@ impl<'a> Cells<'a> {
         last.map_or(!self.starts.is_empty(), is_start)
     }
 
-    /// Returns the columns that describe a cell: its number, the number of its first point if first
-    /// points are listed, and each axis that has more than one value.
+    /// Returns the columns that describe a cell: numbers of cell and first point, and varying axes.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, StoredColumn)> {
         let index = column("index", "place of the point in the plan, from 0 on", StoredColumn::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
@@ -168,14 +160,13 @@ impl<'a> Cells<'a> {
         index / (self.count / self.starts.len().max(1) as u64)
     }
 
-    /// Returns the number of values of the last axis whose values multiply the number of cells.
+    /// Returns the number of values of the last axis that multiplies the number of cells.
     pub(in crate::question) fn last_count(&self) -> u64 {
         let multiplied = &self.axes[..self.axes.len() - self.with_starts];
         multiplied.last().and_then(|along| along.values.count()).unwrap_or(1)
     }
 
-    /// Returns point, parameters and ε of a cell in doubles, and the value of each axis at the
-    /// cell.
+    /// Returns point, parameters and ε of a cell in doubles, and the value of each axis.
     pub(in crate::question) fn in_doubles(&self, index: u64) -> (CellInputs<f64>, Vec<f64>) {
         self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
@@ -256,7 +247,7 @@ fn resolve_axis<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Resol
     };
     let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
         Some(_) => values.double(index),
-        // Drawn values are arbitrary. NaN stands for them here, because NaN equals no other value.
+        // NaN stands for drawn values here, because NaN equals no other value.
         None => f64::NAN,
     });
     match own.find(|value| !known.contains(value)) {

@@ -1,8 +1,7 @@
 //! A question at every combination of values on some axes: a chart, or a sweep.
 //!
-//! In: a question, and axes. Out: a table with a row for each cell. From slowest to fastest vary
-//! the first points, the axes in order, and the drawn axes, which share one index. A row depends
-//! only on its number, not on threads, time, or other cells.
+//! The answer is a table with a row for each cell. A row depends only on its number, not on
+//! threads, time, or other cells.
 
 mod at_cell;
 mod axis;
@@ -45,8 +44,7 @@ pub struct Over {
     pub question: Box<Question>,
     /// The axes. All combinations of their values occur, except that drawn axes share an index.
     pub over: Vec<AxisOver>,
-    /// The first points, each with a coordinate for each variable; empty to use the question's
-    /// point.
+    /// The first points; empty to use the question's point.
     pub starts: Vec<Vec<Rational>>,
     /// The number of values of each drawn axis.
     pub draws: u64,
@@ -81,9 +79,6 @@ pub struct OverFound {
 
 impl Over {
     /// Refuses an explicit request for drifts if the field claims no integral.
-    ///
-    /// # Errors
-    /// [`StudyError::NoIntegral`].
     pub fn has_integrals(&self, study: &Study) -> Result<(), StudyError> {
         match &*self.question {
             Question::Observe(asked) => asked.has_integrals(study),

@@ -1,7 +1,4 @@
-//! Observes the orbits of cells.
-//!
-//! In: cells, and the observables. Out: a row for each cell. Orbits share SIMD lanes even if their
-//! maps differ. A cell whose field divides by zero has no orbit.
+//! Observes the orbits of cells. Orbits share SIMD lanes even if their maps differ.
 
 use std::ops::ControlFlow;
 
@@ -46,7 +43,7 @@ impl<'a> Orbits<'a> {
         }
         let (CellInputs { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
-        // If all cells share one field, report a mistake in it once, instead of at every cell.
+        // A mistake in the only field is reported once instead of at every cell.
         let is_one_field =
             !cells.axes.iter().any(|along| matches!(along.target, VariedQuantity::Parameter(_)));
         if is_one_field {
@@ -65,14 +62,12 @@ impl<'a> Orbits<'a> {
         [ended, steps].into_iter().chain(seen).collect()
     }
 
-    /// Returns the smallest and the largest number of cells in a block. The smallest fills the SIMD
-    /// registers; the largest keeps the time of a block short.
+    /// Returns the smallest and the largest number of cells in a block.
     pub(super) fn at_once(&self) -> [u64; 2] {
         [LANES, (AT_ONCE / self.asked.steps_in_all().max(1)).clamp(LANES, 256)]
     }
 
-    /// Returns the rows of consecutive cells, or no rows if `tell`, which receives numbers of
-    /// steps, ends the work.
+    /// Returns the rows of consecutive cells, or no rows if `tell` ends the work.
     pub(super) fn rows(
         &self,
         cells: std::ops::Range<u64>,
@@ -164,8 +159,7 @@ impl<'a> Orbits<'a> {
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
-    /// Returns the last point of each orbit, without observers. Neighbouring orbits that share a
-    /// map use the map's faster step for columns.
+    /// Returns the last point of each orbit, without observers.
     fn ends<T: MachineFloat>(
         &self,
         maps: &[&MapAt<T>],

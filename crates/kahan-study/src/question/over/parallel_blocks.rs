@@ -1,6 +1,4 @@
 //! Computes blocks of rows on all threads of a watch, and passes them to a consumer in order.
-//!
-//! In: a function that computes the rows of some cells. Out: blocks.
 
 use std::ops::Range;
 
@@ -13,13 +11,12 @@ use crate::rows::{Rows, Table};
 /// The number of blocks that each thread computes before rows are passed on.
 const WAVE: u64 = 64;
 
-/// A function that computes the rows of some cells. The function reports the number of finished
-/// cells to its second argument, and ends when that returns `false`.
+/// A function that computes the rows of some cells. The callback gets the number of finished cells,
+/// and returns `false` to end the work.
 pub(super) type RowComputation<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Passes the rows of a range to a consumer, up to the first row that is missing; [`End::Stopped`]
-/// holds its number. A block has between `least` and `most` cells. Each thread gets several blocks,
-/// so that the load is balanced.
+/// Passes the rows of a range to a consumer, up to the first missing row, whose number
+/// [`End::Stopped`] holds. A block has between `least` and `most` cells.
 pub(super) fn in_parallel_blocks(
     range: Range<u64>,
     [least, most]: [u64; 2],

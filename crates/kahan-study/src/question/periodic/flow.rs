@@ -17,8 +17,7 @@ use crate::range::Axis;
 
 use super::{Family, Periodic};
 
-/// The largest number of values stored along a cycle of N points. With this number, the refined
-/// cycle of 4N points takes about a second for each Newton step.
+/// The largest number of values stored along a cycle, for Newton steps of about a second.
 const MOST_NUMBERS: usize = 4_000_000;
 
 /// Returns the number of values that are stored for each point of a cycle in n variables.
@@ -36,8 +35,7 @@ pub struct FlowFound {
 }
 
 impl FlowFound {
-    /// Extrapolates from the cycles at N, 2N, 4N, … steps. The returned point has extrapolated
-    /// multipliers; `powers` are the powers of the step size in the error.
+    /// Extrapolates from the cycles at N, 2N, 4N, … steps, whose errors have these `powers` of ε.
     fn of(mut points: Vec<BranchPoint>, powers: &[i32]) -> (Self, BranchPoint) {
         let limit = |of: &dyn Fn(&BranchPoint) -> f64| {
             Extrapolated::of(&points.iter().map(of).collect::<Vec<_>>(), powers)
@@ -67,8 +65,7 @@ impl FlowFound {
     }
 }
 
-/// Describes a cycle in JSON. If no finer cycles were computed, gives the period of the map's
-/// cycle, without an error estimate.
+/// Describes a cycle in JSON; without finer cycles, the period has no error estimate.
 pub(super) fn object(found: Option<&FlowFound>, cycle: &PeriodicPoint, eps: f64) -> Value {
     let of_map = period(cycle, eps);
     json!({
@@ -86,8 +83,7 @@ fn period(cycle: &PeriodicPoint, eps: f64) -> f64 {
     2.0 * eps * cycle.points.len() as f64
 }
 
-/// The map of a field, with its derivatives, in the original variables. For a lifted field each
-/// step starts on the relations, so the relations contribute no multipliers.
+/// The map of a field, with its derivatives, in the original variables.
 struct FlowAt<'a> {
     family: &'a Family,
     at: ParametricAt,
@@ -166,9 +162,8 @@ impl Parametric for FlowAt<'_> {
 }
 
 impl Family {
-    /// Returns the map at a value of the varied parameter and an ε. The map also has the derivative
-    /// with respect to the parameter with index `by`, or for `None` with respect to ε. After the
-    /// watch has cancelled the work, all values are NaN, which ends every search.
+    /// Returns the map at a value of the varied parameter and an ε, with the derivative by
+    /// parameter `by` or by ε. After a cancellation all values are NaN, which ends every search.
     fn flow_at(
         &self,
         value: f64,
@@ -191,13 +186,11 @@ impl Family {
         begin: f64,
         count: &WorkCount<'_>,
     ) -> Result<FlowCycle, NoPeriodicPoint> {
-        /// The most points of an orbit in which returns are sought, if the question requests no
-        /// number of steps.
+        /// The most points of an orbit in which returns are sought by default.
         const MOST_POINTS: usize = 256_000;
-        /// The most steps until a return, if the question requests no number of steps.
+        /// The most steps until a return by default.
         const MOST_STEPS: usize = 20_000;
-        /// The largest accepted deviation of a return's steps from the requested number of steps,
-        /// as a fraction of that number.
+        /// The largest accepted relative deviation from the requested number of steps.
         const NEAR: f64 = 0.1;
         /// The number of steps between two checks of the watch.
         const AT_ONCE: u64 = 100_000;
@@ -242,8 +235,7 @@ impl Family {
             let least = part(1.0 - NEAR).unwrap_or(1);
             let most = part(1.0 + NEAR).unwrap_or((points / 3).min(longest));
             for one in close_returns(&orbit, [least, most]) {
-                // The number of steps is even, so that a cycle after a period doubling consists of
-                // two rounds of equal length.
+                // With an even number of steps, a period doubling has two rounds of equal length.
                 let steps = wanted.unwrap_or(one.steps.next_multiple_of(2));
                 let near = eps * one.steps as f64 / steps as f64;
                 match search(&orbit[one.at], near, steps) {
@@ -267,8 +259,8 @@ impl Family {
         if numbers > MOST_NUMBERS {
             return Err(StudyError::LongCycle { unknowns: numbers, most: MOST_NUMBERS });
         }
-        // If steps start on the relations of a lifted field, the step with −ε is not the inverse of
-        // the step with ε. The error then has odd powers of ε, too.
+        // Steps that start on the relations of a lift are not symmetric in ε, so the error has odd
+        // powers of ε, too.
         let powers = if self.study.lifted().is_some() { Extrapolated::ALL } else { Extrapolated::EVEN };
         let begin = asked.begin();
         let map = |eps| self.flow_at(begin, eps, None, count);
@@ -314,8 +306,7 @@ impl Family {
     }
 }
 
-/// A branch with the extrapolated numbers of each point; `None` for a point that the finer branches
-/// lack.
+/// A branch with the extrapolated numbers of each point, if known.
 type FlowBranch = (Branch, Vec<Option<FlowFound>>);
 
 fn extrapolated(mut branches: Vec<Branch>, powers: &[i32]) -> FlowBranch {

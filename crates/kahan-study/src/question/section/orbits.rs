@@ -1,9 +1,7 @@
-//! Follows the orbits of a section in groups on all threads, and passes on their crossings in
-//! order.
+//! Follows the orbits of a section in groups on all threads, and passes on their crossings.
 //!
-//! In: a question, and its orbits as cells. Out: rows, and the end of each orbit. An orbit whose
-//! buffer of crossings is full waits until its rows are passed on. Memory is therefore bounded, and
-//! rows and ends do not depend on threads.
+//! An orbit whose buffer of crossings is full waits until its rows are passed on, so that memory is
+//! bounded.
 
 use std::ops::{ControlFlow, Range};
 
@@ -44,9 +42,6 @@ struct StartedOrbit {
 
 impl<'a> Orbits<'a> {
     /// Checks the question, using the plane of the first orbit.
-    ///
-    /// # Errors
-    /// The errors of [`Section::find`].
     pub(super) fn of(asked: &'a Section, study: &'a Study, cells: &'a Cells<'a>) -> Result<Self, StudyError> {
         let system = study.proved()?;
         study.can_reembed(asked.reembed)?;
@@ -63,8 +58,7 @@ impl<'a> Orbits<'a> {
         Ok(Orbits { asked, study, cells, composition, columns, limit, room: ROOM })
     }
 
-    /// Prepares the orbit of a cell, with a buffer for `room` crossings. The orbit ends at its
-    /// start if the field, the plane or the point is undefined.
+    /// Prepares the orbit of a cell. An undefined field, plane or point ends the orbit at once.
     fn prepare_orbit(&self, index: u64, room: usize) -> (Option<StartedOrbit>, SectionOrbit) {
         let place = self.cells.exactly(index);
         let is_own = self.study.values().is_ok_and(|values| values == place.parameters);
@@ -117,8 +111,7 @@ impl<'a> Orbits<'a> {
         courses
     }
 
-    /// Passes all crossings of an orbit to a consumer. Continues the orbit whenever its buffer was
-    /// full, and appends the orbit's end to `found`. Returns the orbit at its last point.
+    /// Passes all crossings of an orbit to a consumer, and appends the orbit's end to `found`.
     fn finish(
         &self,
         index: u64,

@@ -9,8 +9,7 @@ use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::study::Study;
 
-/// Reads a formula at these values of the parameters and ε. The formula may use the variables, the
-/// integrals claimed without a condition, the parameters and `eps`. Error messages call it `what`.
+/// Reads a formula at these values of the parameters and ε; error messages call it `what`.
 fn formula_at(
     system: &System,
     parameters: &[Rational],
@@ -68,8 +67,7 @@ impl Plane {
 
     /// Returns the formula as a function of the point.
     pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
-        // The values of integrals come after the variables, and are computed only if the formula
-        // uses one.
+        // The values of integrals follow the variables, and are computed only if needed.
         let variables = at.map().field().variables().len();
         let has_integrals = self.last_variable().is_some_and(|last| last >= variables);
         let integrals = at.map().field().integrals().len();

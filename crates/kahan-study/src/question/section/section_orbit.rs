@@ -84,8 +84,7 @@ impl<O: Observer<f64>> Observer<f64> for ContinuedObserver<'_, O> {
 }
 
 impl SectionOrbit {
-    /// Prepares an orbit at its first point. The question asks for `most` crossings; the buffer
-    /// holds `room` crossings.
+    /// Prepares an orbit of `most` crossings, with a buffer for `room` crossings.
     pub(super) fn new(x: Vec<f64>, shown: usize, most: u64, room: usize) -> Self {
         let kept =
             CrossingBuffer { points: vec![Vec::new(); shown], most, room, ..CrossingBuffer::default() };
@@ -110,8 +109,7 @@ impl SectionOrbit {
         }
     }
 
-    /// Follows the orbit to step `limit`; stops earlier if all crossings are found or the buffer is
-    /// full.
+    /// Follows the orbit to step `limit`, or until all crossings are found or the buffer is full.
     pub(super) fn follow(
         &mut self,
         study: &Study,
@@ -159,8 +157,7 @@ impl SectionOrbit {
         self.end = (end != End::Complete).then(|| end.after(before));
     }
 
-    /// Passes the crossings to a consumer and empties the buffer; in each row, `values` precede the
-    /// crossing.
+    /// Passes the crossings to a consumer, each after `values`, and empties the buffer.
     pub(super) fn pass_crossings(
         &mut self,
         columns: &[Column],

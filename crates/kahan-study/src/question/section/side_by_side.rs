@@ -1,9 +1,6 @@
 //! Follows orbits in SIMD lanes, and shows sign changes of the formula to their sections.
 //!
-//! In: orbits at their first points, each with a map and a plane. Out: orbits at their ends, or
-//! with full buffers of crossings. The formula is evaluated for a whole group at once. A section
-//! sees only the two points around a sign change. Crossings therefore have the same bits as those
-//! of an orbit that is followed singly.
+//! Crossings have the same bits as those of an orbit that is followed singly.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -18,7 +15,7 @@ use crate::study::Study;
 use super::plane::Plane;
 use super::section_orbit::{BufferedCrossings, SectionOrbit};
 
-/// The number of steps between checks of which orbits continue.
+/// The number of steps after which finished orbits leave the group.
 const STEPS: u64 = 1024;
 /// Fewer orbits than this number are followed one by one.
 const FEWEST: usize = 4;
@@ -78,7 +75,7 @@ impl<'a, F: Fn(&[f64]) -> f64 + Copy> SectionLane<'a, F> {
 
 struct LaneObserver<'c, 'a, F> {
     lane: &'c mut SectionLane<'a, F>,
-    /// The formula of the whole group; `None` if it depends on integrals.
+    /// The formula of the whole group; `None` if the formula depends on integrals.
     abreast: Option<&'c Abreast>,
     before: u64,
 }
@@ -104,8 +101,7 @@ impl<F: Fn(&[f64]) -> f64 + Copy> Observer<f64> for LaneObserver<'_, '_, F> {
 
     fn report(self) {}
 
-    /// Evaluates the formula for all orbits at once if the last point of the burst is finite in
-    /// each lane. All earlier points are then finite, too.
+    /// Evaluates the formula for all orbits at once if all points of the burst are finite.
     fn observe_burst<P: Grouped<f64>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         let abreast = group.iter().flatten().find_map(|own| own.abreast);
         let last = burst.steps().last();

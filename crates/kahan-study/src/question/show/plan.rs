@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::super::seconds_since;
 
-/// The plans of a system's code, with the time that it took to make them.
+/// The plans of a system's code, with planning times.
 #[derive(Clone, Debug, Serialize)]
 pub struct ShownPlans {
     /// The name of the system.
@@ -18,7 +18,7 @@ pub struct ShownPlans {
     pub objects: Vec<FunctionCost>,
     /// The step as a straight-line program; `None` if the step eliminates in a loop.
     pub step: Option<Listing>,
-    /// The step for scalars of any kind; `None` unless the main form divides by the time step.
+    /// The step for scalars of any kind, if the main form divides by the time step.
     pub general_step: Option<Listing>,
     /// The milliseconds of the derivation; `None` without a clock.
     pub derive_ms: Option<f64>,
@@ -29,8 +29,7 @@ pub struct ShownPlans {
     pub derived: Derived,
 }
 
-/// The operations of a generated function; each count is `None` if the function eliminates in a
-/// loop.
+/// The operations of a generated function; `None` if the function eliminates in a loop.
 #[derive(Clone, Debug, Serialize)]
 pub struct FunctionCost {
     /// The result of the function.
@@ -39,8 +38,7 @@ pub struct FunctionCost {
     pub additions: Option<usize>,
     /// Multiplications.
     pub multiplications: Option<usize>,
-    /// Multiply-adds. A multiply-add is one operation on targets that have the instruction,
-    /// otherwise two.
+    /// Multiply-adds.
     pub multiply_adds: Option<usize>,
     /// Divisions.
     pub divisions: Option<usize>,
@@ -61,8 +59,7 @@ pub struct Listing {
     pub reciprocals: Vec<Option<String>>,
     /// The instructions of x̃, one for each component.
     pub next: Vec<String>,
-    /// The largest |εf′| for which the error of this step is near the error of Gaussian
-    /// elimination.
+    /// The largest |εf′| for which the step is nearly as accurate as Gaussian elimination.
     pub holds_to: u32,
 }
 
