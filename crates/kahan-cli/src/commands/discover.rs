@@ -1,5 +1,4 @@
-//! The command `kahan discover`, which prints everything that `kahan-discover` finds a map to
-//! preserve.
+//! The command `kahan discover`, which searches for everything that a map preserves.
 
 use std::iter;
 use std::path::PathBuf;
@@ -141,7 +140,7 @@ fn text(found: &Discovered) -> String {
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// Returns the modified Hamiltonians that have a compact form, with the meaning of their symbols.
+/// Returns the compact modified Hamiltonians, with definitions of the symbols in them.
 fn modified<'a>(
     found: &Discovered,
     compact: impl Iterator<Item = &'a HamiltonianReport>,

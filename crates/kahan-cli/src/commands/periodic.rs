@@ -93,7 +93,7 @@ pub(crate) struct Periodic {
     json: bool,
 }
 
-/// The longest period of a cycle. A limit cycle of the flow may have more steps.
+/// The longest period without `--free eps`.
 const LONGEST_PERIOD: usize = 200;
 const MOST_STEPS: usize = 1_000_000;
 

@@ -1,5 +1,4 @@
-//! A chain with any number of sites: its map and its first state. The values at the sites come from
-//! a formula of the index i, or from a file.
+//! Reads a chain with any number of sites: its map, and its first state.
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
@@ -62,7 +61,7 @@ impl Start {
     }
 }
 
-/// Reads `--param NAME=V`; V stands for one number, or for one number for each site.
+/// Reads `--param NAME=V`, in which V gives one number or a number for each site.
 fn parameter<'a>(
     given: &'a str,
     sites: usize,

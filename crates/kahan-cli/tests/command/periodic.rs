@@ -152,8 +152,7 @@ fn steady_states_need_no_step_and_have_the_eigenvalues_of_the_field() {
         assert!((eigenvalue / expected + 1.0).abs() < 1e-12, "{found}");
         assert_eq!(found["exact"]["points"], serde_json::json!([["1"]]), "{found}");
     }
-    // Lorenz's model of the atmosphere (1984) at a = 1/4, b = 4. At the Hopf point f = 0, and the
-    // coefficients aᵢ of the characteristic polynomial of f' satisfy a₁a₂ = a₃. The values were
+    // Lorenz's model of the atmosphere (1984) at a = 1/4, b = 4. The values at the Hopf point were
     // computed independently, in 40 digits.
     let field = "xdot = -y^2 - z^2 - x/4 + F/4; ydot = x*y - 4*x*z - y + G; zdot = 4*x*y + x*z - z;";
     let over = ["--param", "G=1/5", "--at", "1,0,0", "--over", "F=0.8:1.2:21", "--json"];

@@ -7,10 +7,10 @@ use kahan_study::{Axis, Range};
 use crate::printing::{UsageError, joined};
 use crate::reading::{self, named, number, over};
 
-/// The rows of a file to draw, and the column that they show.
+/// A column of a file, and the rows of the file to draw.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
-    /// Ranges, or names of columns. The values of a named column are the midpoints of the cells.
+    /// Ranges, or names of columns whose values are the midpoints of the cells.
     pub(super) over: &'a [String],
     pub(super) column: String,
     pub(super) chosen: &'a [String],
@@ -85,7 +85,6 @@ impl<'a> Rows<'a> {
         Ok((ranges, cells.into_iter().map(Cell::mean).collect()))
     }
 
-    /// Returns the refusal of a file that has no row with the chosen values.
     fn no_rows(&self, chosen: &[(&str, f64)], columns: &[Vec<f64>]) -> UsageError {
         const MOST: usize = 8;
         let there = chosen.iter().zip(columns).find(|((_, value), column)| !column.contains(value));
