@@ -49,8 +49,6 @@ pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f6
     }
 }
 
-/// Multiplies by 2 during the division instead of before it, and adds the term of D that is known
-/// last at the end.
 pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
@@ -76,9 +74,7 @@ pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [
     }
 }
 
-/// Computes the numerators of p as e∘(p × a) − b × (p × a), where b has the components dᵢaᵢ. The
-/// head of this module defines a, d and e. While the processor divides, the step prepares the
-/// components of m.
+/// Prepares the components of m while the processor divides.
 pub(crate) fn m_beside_p(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
     let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
     let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
