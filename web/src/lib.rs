@@ -1,7 +1,7 @@
 //! The interface between a browser's tab and the project's libraries.
 //!
-//! [`Asker`] answers questions in JSON by JSON and HTML. Columns of orbits are floats, because text
-//! would be slow.
+//! [`Asker`] answers the page's questions in JSON and HTML. Columns of orbits are floats, because
+//! text would be slow.
 
 mod ask;
 mod plane;

@@ -55,8 +55,7 @@ pub(crate) fn plane(study: &Study, asked: &Plane) -> Result<(Value, Vec<f64>), S
         }
     }
     let mut equilibria: Vec<Equilibrium> = Vec::new();
-    // A lifted field has equilibria off its relations; these are not equilibria of the original
-    // equations.
+    // A lifted field may have further equilibria, at which its relations do not hold.
     if study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time) {
         let step = |x: &[f64]| {
             let (mut value, mut derivative) = (vec![0.0; count], vec![0.0; count * count]);

@@ -76,7 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
-    // Notes name undeclared parameters. A refused term may contain a misspelled variable.
+    // The notes help if a refused term contains a misspelled variable.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
     notes.iter().filter(|_| concerns).for_each(|note| warn(note));
@@ -134,7 +134,6 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, UsageError> {
     }
     let is_end = |line: &str| line.starts_with("Usage:") || line.starts_with("For more");
     let lines = text.lines().map(str::trim).take_while(|line| !is_end(line));
-    // Clap's tip on passing a flag as a value does not help here, so it is left out.
     let said = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"));
     let said = joined(said, " ").replace(" tip: ", "; ");
     let said = said.trim_start_matches("error: ");

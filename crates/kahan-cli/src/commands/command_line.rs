@@ -16,7 +16,7 @@ pub(crate) trait QuestionCommand: Args + FromArgMatches {
 
     fn read_question(&self) -> Result<(Study, Self::Question), UsageError>;
 
-    /// Appends the options that ask this question, without default values.
+    /// Appends the options of a question that differ from the defaults.
     fn options(asked: &Self::Question, line: CommandLine) -> CommandLine {
         line.with_changed_options::<Self>(asked)
     }

@@ -123,7 +123,7 @@ impl QuestionCommand for Discover {
 
 const SOURCE_WIDTH: usize = 100;
 
-/// Returns the summary, then all claims together, so that they can be copied at once.
+/// Returns the summary, followed by all claims in one piece.
 fn text(found: &Discovered) -> String {
     let report = &found.report;
     let numbers = numbers(found).rows.into_iter().skip(1);
@@ -153,7 +153,7 @@ fn modified<'a>(
     Some(lines)
 }
 
-/// Returns the fixed values as `, when a = 1, eps = 1/2`. The text is empty if no value is fixed.
+/// Returns a text such as `, when a = 1, eps = 1/2`, or no text if no value is fixed.
 fn condition(found: &Discovered) -> String {
     let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
     let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();

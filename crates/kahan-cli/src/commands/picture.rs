@@ -130,7 +130,7 @@ pub(crate) struct Picture {
     json: bool,
 }
 
-/// The template of the help. Arguments and options are in one list, so that the help fits a screen.
+/// The template of the help, with arguments and options in one list.
 const TEMPLATE: &str =
     "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 

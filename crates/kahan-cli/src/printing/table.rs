@@ -30,7 +30,7 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Writes the metadata of a table; its `columns` are the names of the columns.
+    /// Writes the metadata of a table, with the names of the columns as `columns`.
     pub(crate) fn begin(
         sink: OutputStream,
         format: Format,
@@ -57,7 +57,7 @@ impl Table {
         Ok(table)
     }
 
-    /// Begins an orbit; all of its rows start with the cells in `place`.
+    /// Begins an orbit, whose rows all start with the cells in `place`.
     pub(crate) fn begin_orbit(&mut self, place: Vec<StoredColumn>) {
         self.place = place;
     }

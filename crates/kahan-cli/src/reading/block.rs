@@ -91,7 +91,7 @@ impl Block {
         self.text.given()
     }
 
-    /// Returns the text with initial values, as given and in the language of `kahan!`.
+    /// Returns the text with initial values, once as given, once in the language of `kahan!`.
     pub(crate) fn beginning_at(&self, states: &[String], start: &[Rational]) -> [String; 2] {
         let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
         let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));

@@ -148,7 +148,7 @@ fn what_cannot_be_made_is_left_out_and_said() {
     let folder = tempfile::tempdir().expect("a folder");
     let grows = page(folder.path(), &["--field", "xdot = x; ydot = x + y;", "--seconds", "0.5"]);
     assert!(grows.contains("This orbit does not stay"));
-    // The solution is a tangent. The reference trajectory ends at the pole of the tangent.
+    // The solution is tan t, whose pole ends the reference trajectory.
     let escapes = page(folder.path(), &["--field", "xdot = x^2 + 1;", "--seconds", "0.5"]);
     assert!(escapes.contains("Left out: "));
     let there = folder.path().join("index.html");

@@ -212,8 +212,7 @@ fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
     assert_eq!(cycle("1/20", "-0.41,0", "1")["stability"], "neutral");
 }
 
-/// Langford's field: r' = (z - b) r, z' = 3/5 + z - z^2 - r^2, with a cycle of period 2π/3 at z =
-/// b. A complex pair of multipliers crosses the unit circle at b = 1/2.
+/// Langford's field has a cycle of period 2π/3, whose multipliers cross the unit circle at b = 1/2.
 const TORUS: &str = "xdot = x*z - b*x - 3*y; ydot = 3*x + y*z - b*y; zdot = 3/5 + z - z^2 - x^2 - y^2;";
 
 fn number(value: &serde_json::Value) -> f64 {

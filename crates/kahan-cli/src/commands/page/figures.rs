@@ -50,7 +50,7 @@ impl AnsweredQuestion {
 /// The field and the orbit that the figures show.
 pub(super) struct Subject<'a> {
     pub(super) valued: &'a Field,
-    /// The field with values and with its claimed integrals, or else with the discovered integrals.
+    /// The field with parameter values, and with discovered integrals if the text claims none.
     pub(super) kept: &'a Field,
     /// The field with only the values that the user gave.
     pub(super) generic: &'a Field,
@@ -269,7 +269,7 @@ pub(super) fn command(line: &CommandLine) -> Markup {
     html! { pre.command tabindex="0" { code { (line) } } }
 }
 
-/// Explains a section by the number of crossings and of their distinct places.
+/// Explains by the numbers of crossings whether a section shows curves or areas.
 fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     const PATTERN: usize = 40;
     /// The mean number of crossings at a place, above which orbits count as periodic.
@@ -302,7 +302,7 @@ fn crossings(orbits: &[OrbitExtent], variables: usize) -> Markup {
     }
 }
 
-/// Rounds a number to a power of ten that is at most a hundredth of `length`.
+/// Rounds a number to a unit, the largest power of ten below a hundredth of `length`.
 fn between(value: f64, length: f64) -> String {
     let unit = libm::exp10(libm::log10(length / 100.0).floor());
     let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };

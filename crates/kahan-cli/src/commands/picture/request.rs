@@ -301,7 +301,7 @@ impl PictureRequest {
     }
 }
 
-/// Describes the orbits that ended early, and those for which no time was left.
+/// Describes the orbits that ended early, or were left out for lack of time.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
     if is_cut {
         let cut = "time ran out, and the picture shows the points so far; increase --seconds to draw all";

@@ -22,8 +22,7 @@ fn rows(arguments: &[&str]) -> Vec<Vec<f64>> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// On a target with fused multiply-adds, generated code rounds a multiply-add once, and the command
-/// rounds it twice.
+/// A target with fused multiply-adds rounds generated code differently.
 #[cfg_attr(target_feature = "fma", ignore = "this target fuses multiply-adds")]
 #[test]
 fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {

@@ -36,8 +36,7 @@ fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
-/// E6 has the symmetry (x, ε) ↦ (λx, ε/λ). Errors in `f64` are equal at λ = 2⁻¹²⁵ and λ = 2¹²⁵, the
-/// limits of `f32`.
+/// E6 has the symmetry (x, ε) ↦ (λx, ε/λ), so errors in `f64` do not depend on the scale.
 #[test]
 fn a_homogeneous_field_is_served_alike_at_every_scale() {
     let of = |point: &str, horizon: &str| {

@@ -23,7 +23,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("{key} in {object}"))
 }
 
-/// Returns ε to the last bit, for an orbit that ends at the horizon; in JSON ε may be rounded.
+/// Returns the exact ε of a setting, because JSON may round the number.
 fn eps_of(setting: &Value, horizon: f64) -> f64 {
     let eps = horizon / (2.0 * number(setting, "steps"));
     match setting["scalar"].as_str() {
