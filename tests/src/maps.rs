@@ -29,8 +29,7 @@ pub trait Map<T>: Steps<T> {
     fn field_jacobian(&self, x: &[T]) -> Rows<T>;
     /// Returns Q(x,y), the symmetric bilinear form of the field's quadratic part.
     fn bilinear(&self, x: &[T], y: &[T]) -> Vec<T>;
-    /// Returns the polarised field Q(x,y) + ½B(x+y) + c, where Q, B and c are the quadratic, linear
-    /// and constant part of the field.
+    /// Returns the polarised field, which is symmetric in x and y and equals f(x) for y = x.
     fn polarized(&self, x: &[T], y: &[T]) -> Vec<T>;
     /// Returns the matrix A(x,ε) of the equation A(x,ε)x̃ = b(x,ε).
     fn matrix(&self, x: &[T], eps: T) -> Rows<T>;

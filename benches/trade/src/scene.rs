@@ -32,7 +32,7 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
-/// Evaluates an expression with the orbit of a setting, which a closure creates.
+/// Evaluates an expression in which a closure makes the orbit of a setting.
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (

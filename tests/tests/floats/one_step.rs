@@ -3,7 +3,7 @@
 //! # Bounds
 //!
 //! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component errs by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of
-//! fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable.
+//!   fᵢ|, evaluated at the larger of |xⱼ| and |x̃ⱼ| for each variable.
 //! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞).
 //!
 //! Large samples are compared with double-double instead of exact steps.

@@ -53,7 +53,7 @@ fn copy_workspace() {
     if found {
         return update(root(), &folder());
     }
-    // Keep modification times, so that builds stay valid. An unfinished copy has another name.
+    // Modification times are kept, so that builds stay valid.
     let begun = made.with_extension("begun");
     let builds = builds();
     copy(root(), &begun.join("workspace"), &|path| !is_left_out(path));
@@ -127,7 +127,6 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
         let rest = words.split(' ').skip_while(|word| *word != "--");
         command.args(rest);
     }
-    // A crate is compiled repeatedly, each time with one changed line.
     command.current_dir(folder()).env("CARGO_TARGET_DIR", target()).env("CARGO_INCREMENTAL", "1");
     command.stdout(Stdio::null()).stderr(Stdio::null());
     let Some(deadline) = deadline else { return Some(command.status().expect("cargo runs").success()) };
@@ -193,10 +192,9 @@ fn hash(commit: &str, name: &str) -> u64 {
 /// Tries weakenings, grouped by their tests. Panics if a weakening makes no test fail.
 fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
     copy_workspace();
-    // A weakening of a crate recompiles its dependents, so the front end comes last.
+    // Weakenings of the front end come last, because they recompile most crates.
     let mut chosen = chosen.to_vec();
     chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
-    // Order the groups by their first weakening.
     let mut commands: Vec<&str> = Vec::new();
     let mut groups: BTreeMap<&str, Vec<&Weakening>> = BTreeMap::new();
     for &weakening in &chosen {
