@@ -47,7 +47,7 @@ use rows::Rows;
 Examples:
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
-// Rows contain ε, and --over may give ε.
+// Rows of a file or --over may give ε.
 #[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Chart {
     #[command(flatten)]
